@@ -125,14 +125,15 @@ BatchWorker::Answer BatchWorker::written(const BatchLine& line) {
             return {Status::done, ", " + before->substr(1, before->size() - 2)};  // its status is in it
         }
     }
-    const auto found = solved(line.request, line.targets(), *theme, press_);
+    auto found = solved(line.request, line.targets(), *theme, press_);
     if (!found) return {found.error()};
     std::vector<std::string> paths;
     for (const Output& output : found->outputs) paths.push_back(output.path);
     const std::string told = member("files", paths) + said_of(*found);
-    std::vector<Output> outputs = found->outputs;
-    outputs.push_back(
-        receipt.of(found->outputs, "{\"status\": " + std::to_string(static_cast<int>(found->status())) + told + "}"));
+    Output receipt_of_all =
+        receipt.of(found->outputs, "{\"status\": " + std::to_string(static_cast<int>(found->status())) + told + "}");
+    std::vector<Output> outputs = std::move(found->outputs);
+    outputs.push_back(std::move(receipt_of_all));
     auto failure = receipt.make_room();
     if (!failure) failure = write_all(outputs);
     if (failure) return {fail_to_write(*failure, language)};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "render/figures/fit.hpp"
@@ -346,13 +347,16 @@ public:
             finish(figure, true);
             return figure;
         }
+        const std::optional<double> asked = drawing_.asked();
+        // Where not even the strokes have room nothing needs drawing.
+        if (!asked && first_scale() > coarsest_) return Figure::empty_at(any_scale);
         const FitPolicy policy{.room = room_,
-                               .first = choose_scale(drawing_.width(), drawing_.height(), room_.x, room_.y, std::nullopt),
-                               .asked = drawing_.asked(),
+                               .first = first_scale(),
+                               .asked = asked,
                                .coarsest = coarsest_,
                                .extent = extent(),
                                .least_shown = std::max(least_shown, smallest_worth_lettering())};
-        const double names = room_of_names(drawing_.at(policy.first), context_.fonts) / (room_.x * room_.y);
+        const double names = room_of_names(strokes_at(policy.first), context_.fonts) / (room_.x * room_.y);
         if (!policy.asked && names > crowded && coarsest_ < any_scale) return Figure::empty_at(any_scale);
         return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
             if (trial.asked) return as_asked(trial.scale);
@@ -362,24 +366,40 @@ public:
     }
 
 private:
-    struct Attempt {
+    /// What is drawn at a scale before it is lettered; the group is open still.
+    struct Strokes {
         Figure empty;
         PolygonParts parts;
+        Figure figure;
+    };
+    struct Attempt {
+        const Strokes& strokes;
         std::size_t letters = 0;
-        std::vector<Detail> details;
+        std::vector<Detail> details{};
     };
     Attempt attempt(double scale) const {
-        Attempt made;
-        made.empty = drawing_.empty_at(scale);
-        made.parts = drawing_.parts_of(made.empty);
-        made.details = details_of(made.parts, scale, 1, made.letters);
+        Attempt made{strokes(scale)};
+        made.details = details_of(made.strokes.parts, scale, 1, made.letters);
         return made;
     }
+    /// Several questions are put to one scale: how much room its strokes and its names take, and it is lettered.
+    const Strokes& strokes(double scale) const {
+        const auto [found, fresh] = strokes_.try_emplace(scale);
+        Strokes& made = found->second;
+        if (fresh) {
+            made.empty = drawing_.empty_at(scale);
+            made.parts = drawing_.parts_of(made.empty);
+            made.figure = drawing_.with_parts(made.empty, made.parts, {});
+        }
+        return made;
+    }
+    const Figure& strokes_at(double scale) const { return strokes(scale).figure; }
+    double first_scale() const { return choose_scale(drawing_.width(), drawing_.height(), room_.x, room_.y, std::nullopt); }
     double extent() const { return std::max(drawing_.width(), drawing_.height()); }
     /// So many steps below the scale at which the strokes have room, mm.
     double smallest_worth_lettering() const {
-        double scale = choose_scale(drawing_.width(), drawing_.height(), room_.x, room_.y, std::nullopt);
-        while (extent() / scale > least_shown && !fits(drawing_.at(scale), letters_beyond)) scale = next_scale(scale);
+        double scale = first_scale();
+        while (extent() / scale > least_shown && !fits(strokes_at(scale), letters_beyond)) scale = next_scale(scale);
         for (int step = 0; step < most_steps; ++step) scale = next_scale(scale);
         constexpr double a_little_less = 0.999;
         return a_little_less * extent() / scale;
@@ -398,33 +418,34 @@ private:
     /// With its details; nothing where it wants none, or they have no room or leave the letters none.
     std::optional<Figure> detailed(const Attempt& made) const {
         if (made.details.empty()) return std::nullopt;
-        Figure figure = drawing_.with_parts(made.empty, made.parts, made.details);
+        const PolygonParts& parts = made.strokes.parts;
+        Figure figure = drawing_.with_parts(made.strokes.empty, parts, made.details);
         if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free, context_.theme.secondary) || !fits(figure))
             return std::nullopt;
         figure.marks.emplace_back(GroupEnd{});
         std::size_t letters = made.letters;
-        if (!set_details(figure, context_, made.parts, made.details, room_, letters) || !fits(figure)) return std::nullopt;
+        if (!set_details(figure, context_, parts, made.details, room_, letters) || !fits(figure)) return std::nullopt;
         return figure;
     }
     std::optional<Figure> as_asked(double scale) const {
         const Attempt made = attempt(scale);
         if (auto with_details = detailed(made)) return with_details;
-        Figure figure = drawing_.with_parts(made.empty, made.parts, {});
+        Figure figure = made.strokes.figure;
         if (!fits(figure) || !finish(figure, false)) return std::nullopt;
         return figure;
     }
     Figure as_it_comes(double scale) const {
         const Attempt made = attempt(scale);
-        Figure figure = drawing_.with_parts(made.empty, made.parts, {});
+        Figure figure = made.strokes.figure;
         finish(figure, true);
         figure.lacks_details = !made.details.empty();
         return figure;
     }
     std::optional<Figure> tried(const Trial& trial) const {
+        if (!trial.last && !fits(strokes_at(trial.scale), letters_beyond)) return std::nullopt;
         const Attempt made = attempt(trial.scale);
-        Figure figure = drawing_.with_parts(made.empty, made.parts, {});
-        if (!trial.last && !fits(figure, letters_beyond)) return std::nullopt;
         if (auto with_details = detailed(made)) return with_details;
+        Figure figure = made.strokes.figure;
         if (!finish(figure, trial.last) || (!trial.last && !fits(figure))) return std::nullopt;
         if (made.details.empty()) return figure;
         // One step smaller with its details is better than without.
@@ -439,6 +460,7 @@ private:
     const DrawingContext& context_;
     Spot room_;
     double coarsest_;
+    mutable std::map<double, Strokes> strokes_;  // by scale
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "render/mechanism/paper.hpp"
 #include "render/page/labels.hpp"
@@ -183,20 +184,24 @@ private:
         const double right = spot.x + 1.8, left = spot.x - 1.8 - words.width, over = spot.x - words.width / 2;
         Spot best;
         std::size_t fewest = ~std::size_t{0};
-        const Spot middle{0.5 * words.width, -0.5 * words.ascent};
-        for (const double farther : {0.0, 1.5, 3.0, 5.0})
-            for (const Spot place : {Spot{spot.x - 2, above}, Spot{over, below}, Spot{right, level}, Spot{left, level},
-                                     Spot{right, above}, Spot{left, above}, Spot{right, below}, Spot{left, below}}) {
-                const Spot moved = place + farther * unit(place + middle - spot);
-                const Spot start{std::clamp(moved.x, frame_.min.x + 1, frame_.max.x - 1 - words.width),
-                                 std::clamp(moved.y, frame_.min.y + words.ascent + 0.8, frame_.max.y - 0.8)};
-                const Box ground = ground_of(words, start);
-                constexpr std::size_t worse = 8;  // than a line of the grid
-                const std::size_t count = worse * lines_through(ground, spot) + grid_through(ground);
-                if (count >= fewest) continue;
-                fewest = count;
-                best = start;
-            }
+        const auto offer = [&](Spot place) {
+            const Spot start{std::clamp(place.x, frame_.min.x + 1, frame_.max.x - 1 - words.width),
+                             std::clamp(place.y, frame_.min.y + words.ascent + 0.8, frame_.max.y - 0.8)};
+            const Box ground = ground_of(words, start);
+            constexpr std::size_t worse = 8;  // than a line of the grid
+            const std::size_t count = worse * lines_through(ground, spot) + grid_through(ground);
+            if (count >= fewest) return;
+            fewest = count;
+            best = start;
+        };
+        for (const Spot place : {Spot{spot.x - 2, above}, Spot{over, below}, Spot{right, level}, Spot{left, level},
+                                 Spot{right, above}, Spot{left, above}, Spot{right, below}, Spot{left, below}})
+            offer(place);
+        constexpr int directions = 16;
+        for (const double away : {3.5, 5.0, 6.5, 8.0})
+            for (int k = 0; k < directions && fewest > 0; ++k)
+                offer(spot + away * polar_spot(2 * std::numbers::pi * k / directions) -
+                      Spot{0.5 * words.width, -0.5 * words.ascent});
         return best;
     }
     std::size_t grid_through(const Box& box) const {

@@ -55,9 +55,10 @@ Arc free_arc(const Layout& layout, const Turning& turning, const Clutter* clutte
             const double from = angle_of(arm.along) + turn * (2.6 / radius + 0.6 * step);
             const double by = turn * std::min(1.05, 11.0 / radius);
             double price = 0.35 * step + 0.1 * std::abs(radius - wanted);
-            for (int i = 0; i <= 6; ++i)
+            // Nothing is taken off a price.
+            for (int i = 0; i <= 6 && price < best.price; ++i)
                 price += 2.5 * layout.crowding(turning.pivot + radius * polar_spot(from + by * i / 6), turning.pivot);
-            if (clutter) price += 6 * clutter->along_arc(turning.pivot, radius, from, by);
+            if (clutter && price < best.price) price += 6 * clutter->along_arc(turning.pivot, radius, from, by);
             best.offer(price, {turning.pivot, radius, from, from + by});
         }
     return best.choice;

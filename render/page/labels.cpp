@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "render/page/ink_map.hpp"
 #include "render/page/label_key.hpp"
@@ -172,12 +174,23 @@ struct Places {
         double price;
         std::size_t place;
         bool priced;
-        bool operator<(const Ranked& other) const { return price < other.price || (price == other.price && place < other.place); }
+        bool operator>(const Ranked& other) const { return price > other.price || (price == other.price && place > other.place); }
     };
-    std::vector<Ranked> ranked;      // the cheapest of each kind first
-    std::vector<std::size_t> kinds;  // where each kind ends
-    int stage = 0;                   // how many kinds have been proposed
-    Box span = nowhere;              // what all of them take
+    /// Places that were proposed together, and are asked for in the order of price: most of them never are.
+    struct Kind {
+        std::size_t first, end;         // among all
+        bool is_ranked = false;         // only once it is asked for
+        std::vector<Ranked> met{};      // in their order
+        std::vector<Ranked> waiting{};  // a heap, the cheapest on top
+        /// What the next place costs at least of which `rank` have been asked for; infinity: there is none.
+        double least(std::size_t rank) const {
+            if (rank < met.size()) return met[rank].price;
+            return waiting.empty() ? std::numeric_limits<double>::infinity() : waiting.front().price;
+        }
+    };
+    std::vector<Kind> free, covering;  // those that cover ink: dearer than most, and the dearest to price
+    int stage = 0;                     // how many kinds have been proposed
+    Box span = nowhere;                // what all of them take
 };
 
 /// How far the ink of a line reaches beyond its ends: f and J lean out of their widths.
@@ -305,7 +318,7 @@ private:
             propose_beside_line(i, *requests_[i].toward);
         else
             propose_around(i, 0, 0, false);
-        rank_new(places_[i]);
+        keep_as_kind(places_[i]);
     }
 
     /// Less wanted places, thought of only where nothing so far costs less than they would.
@@ -320,7 +333,7 @@ private:
             stage = 1;
             if (beside) {
                 propose_around(i, price, request.along ? 0.0 : length(*request.toward - request.anchor), false);
-                rank_new(places_[i]);
+                keep_as_kind(places_[i]);
                 return true;
             }
         }
@@ -328,37 +341,46 @@ private:
             if (least < least_of_far) return false;
             stage = 2;
             propose_around(i, beside ? price : 0.0, 0, true);
-            rank_new(places_[i]);
+            keep_as_kind(places_[i]);
             return true;
         }
         return false;
     }
 
+    /// What was proposed since the last time.
+    static void keep_as_kind(Places& places) {
+        const std::size_t first = places.free.empty() ? 0 : places.free.back().end;
+        places.free.push_back({first, places.all.size()});
+        places.covering.push_back({first, places.all.size()});
+    }
     /// The most wanted first: where one of them is free, the others need no look.
-    static void rank_new(Places& places) {
-        const std::size_t first = places.ranked.size();
-        places.ranked.reserve(places.all.size());
-        for (std::size_t place = first; place < places.all.size(); ++place) {
-            const Candidate& candidate = places.all[place];
-            places.ranked.push_back({candidate.price + (candidate.free ? 0 : covers_stroke), place, false});
-        }
-        std::sort(places.ranked.begin() + static_cast<std::ptrdiff_t>(first), places.ranked.end());
-        places.kinds.push_back(places.ranked.size());
+    static void rank(const Places& places, Places::Kind& kind, bool free) {
+        if (std::exchange(kind.is_ranked, true)) return;
+        kind.waiting.reserve(kind.end - kind.first);
+        for (std::size_t place = kind.first; place < kind.end; ++place)
+            if (const Candidate& candidate = places.all[place]; candidate.free == free)
+                kind.waiting.push_back({candidate.price + (free ? 0 : covers_stroke), place, false});
+        std::make_heap(kind.waiting.begin(), kind.waiting.end(), std::greater<>());
     }
 
-    /// The next place of a kind in the order of price, of which `rank` − 1 have been met. What stands about a place is looked at
-    /// only when it is its turn; it then makes room for those that now cost less.
-    const Places::Ranked& next_of(std::size_t i, std::size_t rank, std::size_t end) {
-        std::vector<Places::Ranked>& ranked = places_[i].ranked;
-        while (!ranked[rank].priced) {
-            const std::size_t place = ranked[rank].place;
-            look_about(i, places_[i].all[place]);
-            const Places::Ranked now{places_[i].all[place].price, place, true};
-            std::size_t to = rank;
-            for (; to + 1 < end && ranked[to + 1] < now; ++to) ranked[to] = ranked[to + 1];
-            ranked[to] = now;
+    /// The next place of a kind in the order of price, of which `rank` have been met. What stands about a place is looked at only
+    /// when it is its turn; it then makes room for those that now cost less.
+    std::size_t next_of(std::size_t i, Places::Kind& kind, std::size_t rank) {
+        while (kind.met.size() <= rank) {
+            std::pop_heap(kind.waiting.begin(), kind.waiting.end(), std::greater<>());
+            Places::Ranked& next = kind.waiting.back();
+            if (next.priced) {
+                kind.met.push_back(next);
+                kind.waiting.pop_back();
+            } else {
+                Candidate& candidate = places_[i].all[next.place];
+                look_about(i, candidate);
+                next.price = candidate.price;
+                next.priced = true;
+                std::push_heap(kind.waiting.begin(), kind.waiting.end(), std::greater<>());
+            }
         }
-        return ranked[rank];
+        return kind.met[rank].place;
     }
 
     void propose_beside_line(std::size_t i, Spot toward) {
@@ -384,7 +406,7 @@ private:
                 // Only a mark that is turned with its line can stand before or behind it.
                 if (std::abs(at) > 1.1 && !request.along) continue;
                 for (const double side : {-1.0, 1.0}) {
-                    Candidate candidate;
+                    Candidate& candidate = places_[i].all.emplace_back();
                     const Spot off = side * across;
                     candidate.box =
                         box_at(i, request.anchor + (at * slide) * along + (request.clearance + extra + reach_across) * off, axis);
@@ -404,7 +426,8 @@ private:
                 const bool leader = extra > 3.5 || (requests_[i].balloon > 0 && extra > 1.5);
                 if (leader && k % 2 != 0) continue;
                 if (half_line > 0 && !leader && extra > 2.5) continue;
-                Candidate candidate = place_around(i, round[k], extra, leader);
+                Candidate& candidate = places_[i].all.emplace_back();
+                stand_around(i, round[k], extra, leader, candidate);
                 candidate.price += penalty + (k % 6 == 0 ? 0 : 0.05);
                 finish(i, candidate);
             }
@@ -436,9 +459,8 @@ private:
     }
 
     /// A place in the direction u from the anchor, `extra` mm further than the nearest.
-    Candidate place_around(std::size_t i, Spot u, double extra, bool leader) const {
+    void stand_around(std::size_t i, Spot u, double extra, bool leader, Candidate& candidate) const {
         const LabelRequest& request = requests_[i];
-        Candidate candidate;
         InkBox box = box_at(i, {}, {1, 0});
         box.centre = request.anchor + centre_distance(box, u, request.clearance + extra) * u;
         candidate.box = box;
@@ -448,7 +470,6 @@ private:
             draw_leader(i, candidate);
             candidate.price += leader_price;
         }
-        return candidate;
     }
 
     /// How far along u the box's centre is when its nearest ink is `distance` from the origin.
@@ -467,8 +488,9 @@ private:
                 std::max({0.0, box_.min.y - extent.min.y, extent.max.y - box_.max.y})};
     }
     /// Half of what two labels keep between them, and a little for turned ones.
-    static void close_extent(Candidate& candidate) {
-        candidate.extent = extent_of(candidate.box);
+    static void close_extent(Candidate& candidate) { close_extent(candidate, extent_of(candidate.box)); }
+    static void close_extent(Candidate& candidate, const Box& of_box) {
+        candidate.extent = of_box;
         if (candidate.leader) {
             enlarge(candidate.extent, candidate.leader_from);
             enlarge(candidate.extent, candidate.leader_to);
@@ -477,9 +499,10 @@ private:
         candidate.extent.max = candidate.extent.max + Spot{1.2, 1.2};
     }
 
-    /// Prices a place as far as its own position goes, and keeps it.
+    /// Prices a place as far as its own position goes.
     void finish(std::size_t i, Candidate& candidate) {
-        const Spot out = outside(extent_of(candidate.box));
+        const Box of_box = extent_of(candidate.box);
+        const Spot out = outside(of_box);
         candidate.price += 0.06 * (out.x + out.y);
         // Out of the room means that the whole drawing must shrink: dearer than a leader, cheaper than covering a stroke.
         if (out.x > spare_.x || out.y > spare_.y) {
@@ -488,9 +511,8 @@ private:
         }
         candidate.free = ground_.is_free(candidate.box);
         candidate.covered = candidate.covered || !candidate.free;
-        close_extent(candidate);
+        close_extent(candidate, of_box);
         enlarge(places_[i].span, candidate.extent);
-        places_[i].all.push_back(candidate);
     }
     /// Adds what the marks about a place cost, and the objects that it might seem to name.
     void look_about(std::size_t i, Candidate& candidate) const {
@@ -719,25 +741,28 @@ private:
     /// The cheapest place that costs less than `least`, other labels standing where they do.
     std::optional<Candidate> best(std::size_t i, double least = infinity) {
         std::optional<std::size_t> found;
-        look_around(i);
-        std::size_t k = 0;
-        for (;;) {
-            // Of each kind the cheapest come first.
-            for (const std::size_t end : places_[i].kinds) {
-                for (; k < end && places_[i].ranked[k].price < least; ++k) {
-                    const std::size_t place = next_of(i, k, end).place;
-                    const Candidate& candidate = places_[i].all[place];
-                    double price = candidate.price;
-                    for (std::size_t n = 0; n < around_.size() && price < least; ++n)
-                        if (const Candidate& other = chosen_[around_[n]]; !apart(other.extent, candidate.extent))
-                            price += price_between(candidate, other);
-                    if (price < least) least = price, found = place;
-                }
-                k = std::max(k, end);
+        const auto look_at = [&](Places::Kind& kind, bool free) {
+            rank(places_[i], kind, free);
+            for (std::size_t rank = 0; kind.least(rank) < least; ++rank) {
+                const std::size_t place = next_of(i, kind, rank);
+                const Candidate& candidate = places_[i].all[place];
+                double price = candidate.price;
+                for (std::size_t n = 0; n < around_.size() && price < least; ++n)
+                    if (const Candidate& other = chosen_[around_[n]]; !apart(other.extent, candidate.extent))
+                        price += price_between(candidate, other);
+                if (price < least) least = price, found = place;
             }
+        };
+        look_around(i);
+        for (std::size_t k = 0;;) {
+            for (; k < places_[i].free.size(); ++k) look_at(places_[i].free[k], true);
             if (!propose_more(i, least)) break;
             look_around(i);
         }
+        // What covers ink costs more than all that makes less wanted places worth a thought.
+        static_assert(covers_stroke > std::max({beside_price, upright_price, least_of_far}));
+        if (least > covers_stroke)
+            for (Places::Kind& kind : places_[i].covering) look_at(kind, false);
         if (!found) return std::nullopt;
         return places_[i].all[*found];
     }
@@ -752,11 +777,13 @@ private:
     void wishes_of(std::size_t i, double now) {
         wishes_.clear();
         look_around(i);
-        std::size_t k = 0;
-        for (const std::size_t end : places_[i].kinds) {
-            for (; k < end && places_[i].ranked[k].price < now; ++k) wish_for(i, next_of(i, k, end).place, now);
-            k = end;
-        }
+        const auto wish = [&](Places::Kind& kind, bool free) {
+            rank(places_[i], kind, free);
+            for (std::size_t met = 0; kind.least(met) < now; ++met) wish_for(i, next_of(i, kind, met), now);
+        };
+        for (Places::Kind& kind : places_[i].free) wish(kind, true);
+        if (now > covers_stroke)
+            for (Places::Kind& kind : places_[i].covering) wish(kind, false);
         constexpr std::size_t most = 6;
         std::sort(wishes_.begin(), wishes_.end(),
                   [](const Wish& a, const Wish& b) { return a.price < b.price || (a.price == b.price && a.other < b.other); });

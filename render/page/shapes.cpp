@@ -82,23 +82,41 @@ struct Bounds {
                                   [&](const ArcTo& s) { add(s, margin); }, [](const Close&) {}},
                        segment);
     }
-    /// In steps of a tenth, of which only those count that are next to its ends and to where it crosses an axis of its circle.
     void add(const ArcTo& arc, double margin) {
-        const double sweep = arc.to - arc.from;
+        const auto add_on = [&](Spot on) { add(arc.centre + arc.radius * on, margin); };
+        if (arc.from == 0 && arc.to == whole_turn) {
+            static const std::vector<Spot> whole = outermost_of_a_turn();
+            for (const Spot on : whole) add_on(on);
+        } else {
+            look_round(arc.from, arc.to, add_on);
+        }
+    }
+    /// An arc of radius 1 in steps of a tenth, of which only those count that are next to its ends and to where it crosses an
+    /// axis.
+    template <class See>
+    static void look_round(double from, double to, See see) {
+        const double sweep = to - from;
         const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 0.1)));
         const auto look_at = [&](int i) {
-            const double angle = arc.from + sweep * i / steps;
-            add(arc.centre + arc.radius * Spot{std::cos(angle), std::sin(angle)}, margin);
+            const double angle = from + sweep * i / steps;
+            see(Spot{std::cos(angle), std::sin(angle)});
         };
         look_at(0);
         look_at(steps);
         constexpr double quarter = std::numbers::pi / 2;
-        const double low = std::min(arc.from, arc.to), high = std::max(arc.from, arc.to);
+        const double low = std::min(from, to), high = std::max(from, to);
         for (double k = std::ceil(low / quarter); k * quarter < high; ++k) {
-            const int before = std::clamp(static_cast<int>((k * quarter - arc.from) / sweep * steps), 0, steps - 1);
+            const int before = std::clamp(static_cast<int>((k * quarter - from) / sweep * steps), 0, steps - 1);
             look_at(before);
             look_at(before + 1);
         }
+    }
+    /// Most arcs are the whole circles of pins and dots.
+    static constexpr double whole_turn = 2 * std::numbers::pi;
+    static std::vector<Spot> outermost_of_a_turn() {
+        std::vector<Spot> all;
+        look_round(0, whole_turn, [&](Spot on) { all.push_back(on); });
+        return all;
     }
     void add(const TextMark& text) {
         if (text.angle == 0) return add_upright(text);

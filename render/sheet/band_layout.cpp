@@ -2,9 +2,10 @@
 #include "render/sheet/band_layout.hpp"
 
 #include <algorithm>
-#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <functional>
+
+#include "engine/assert.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -75,23 +76,43 @@ const ColumnText& BandTexts::of(const Band& band, int divided, bool cornered) {
     return texts_.emplace(key, ColumnText(std::move(own), format_.span(1, divided), format_.text_size)).first->second;
 }
 
-const std::vector<Passage>& BandTexts::whole(const Band& band, int divided, bool cornered) {
+BandTexts::Whole& BandTexts::begun(const Band& band, int divided, bool cornered) {
     const auto [found, fresh] = wholes_.try_emplace({band.question, divided, cornered});
-    if (!fresh) return found->second;
+    Whole& whole = found->second;
+    if (fresh) whole = {std::vector<Passage>(band.parts.size()), std::vector<bool>(band.parts.size())};
+    return whole;
+}
+
+const Passage& BandTexts::passage(const Band& band, std::size_t part, int divided, bool cornered) {
+    Whole& text = begun(band, divided, cornered);
+    if (text.is_set[part]) return text.passages[part];
     // Only what is another text here is set anew.
-    const std::vector<Passage>* known = nullptr;
-    if (cornered)
-        known = &whole(band, divided, false);
-    else if (planned_ != nullptr)
-        known = &planned_->whole(band, divided, false);
-    const Band::Part::Kind other = cornered ? Band::Part::Kind::steps : Band::Part::Kind::results;
-    for (std::size_t p = 0; p < band.parts.size(); ++p) {
-        const Band::Part& part = band.parts[p];
-        const bool as_known = known != nullptr && part.kind != other;
-        found->second.push_back(as_known ? (*known)[p]
-                                         : bands_.text(part, format_.span(1, divided) / format_.text_size, cornered, results_));
+    const Band::Part::Kind kind = band.parts[part].kind;
+    if (cornered && kind != Band::Part::Kind::steps)
+        text.passages[part] = passage(band, part, divided, false);
+    else if (!cornered && planned_ != nullptr && kind != Band::Part::Kind::results)
+        text.passages[part] = planned_->passage(band, part, divided, false);
+    else
+        text.passages[part] = bands_.text(band.parts[part], format_.span(1, divided) / format_.text_size, cornered, results_);
+    text.is_set[part] = true;
+    return text.passages[part];
+}
+
+const std::vector<Passage>& BandTexts::whole(const Band& band, int divided, bool cornered) {
+    for (std::size_t part = 0; part < band.parts.size(); ++part) passage(band, part, divided, cornered);
+    return begun(band, divided, cornered).passages;
+}
+
+bool BandTexts::has_too_wide(const Band& band, int divided, bool cornered) {
+    if (band.first_row > 0 || band.end_row < Band{}.end_row) return false;
+    const double measure = format_.span(1, divided);
+    for (std::size_t part = 0; part < band.parts.size(); ++part) {
+        // Sentences are as wide as they are let be.
+        if (band.parts[part].kind == Band::Part::Kind::steps) continue;
+        const Passage& set = passage(band, part, divided, cornered);
+        if (!set.rows.empty() && is_wider(set, format_.text_size, measure)) return true;
     }
-    return found->second;
+    return false;
 }
 
 std::size_t BandTexts::rows(const Band& band) {
@@ -109,134 +130,97 @@ const Block& BandTexts::equations(const Band& band) {
 }
 
 void BandTexts::forget(const std::string& question) {
+    ++forgotten_[question];
     std::erase_if(wholes_, [&](const auto& each) { return std::get<0>(each.first) == question; });
     std::erase_if(texts_, [&](const auto& each) { return std::get<0>(std::get<0>(each.first)) == question; });
 }
 
 BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
                          bool cornered, bool narrow)
-    : all_texts_(texts), band_(band), format_(format), narrow_(narrow) {
-    for (const std::size_t figure : band.figures) {
-        sizes_.push_back(sizes_of(wanted.list[figure], format, wanted, crowded));
-        double most = BandLayout::impossible;
-        for (const FigureSize& size : sizes_.back()) most = std::max(most, size.worth);
-        most_worth_ += most;
+    : all_texts_(texts), band_(band), format_(format), narrow_(narrow), times_forgotten_(texts.times_forgotten(band.question)) {
+    std::vector<std::vector<FigureSize>> sizes;
+    for (const std::size_t figure : band.figures) sizes.push_back(sizes_of(wanted.list[figure], format, wanted, crowded));
+    if (cornered && sizes.size() == 1) {
+        const Wanted& polygon = wanted.list[band.figures.front()];
+        if (polygon.wider_for && !polygon.empty)
+            if (const Block& set = texts.equations(band); set.width > 0) equations_ = &set;
+        if (equations_ != nullptr)
+            for (FigureSize& size : sizes.front())
+                size.wider = polygon.wider_for(size.scale, {equations_->width, equations_->height});
     }
-    if (!cornered || sizes_.size() != 1) return;
-    const Wanted& polygon = wanted.list[band.figures.front()];
-    if (!polygon.wider_for || polygon.empty) return;
-    equations_ = texts.equations(band);
-    if (equations_.width > 0)
-        for (FigureSize& size : sizes_.front()) size.wider = polygon.wider_for(size.scale, {equations_.width, equations_.height});
+    figures_ = FigureShares(std::move(sizes));
 }
 
 const ColumnText& BandLayouts::text(int divided, bool cornered) const {
-    const ColumnText*& found = texts_[{divided, cornered}];
-    if (found == nullptr) found = &all_texts_.of(band_, divided, cornered);
-    return *found;
+    const auto index = static_cast<std::size_t>(2 * divided + (cornered ? 1 : 0));
+    if (texts_.size() <= index) texts_.resize(index + 1);
+    if (texts_[index] == nullptr) texts_[index] = &all_texts_.of(band_, divided, cornered);
+    return *texts_[index];
+}
+
+bool BandLayouts::may_be_narrow(int divided, bool cornered) const {
+    const auto index = static_cast<std::size_t>(2 * divided + (cornered ? 1 : 0));
+    if (may_be_narrow_.size() <= index) may_be_narrow_.resize(index + 1);
+    std::optional<bool>& known = may_be_narrow_[index];
+    if (!known) known = narrow_ && !all_texts_.has_too_wide(band_, divided, cornered) && !text(divided, cornered).is_too_wide();
+    return *known;
 }
 
 double BandLayouts::wider_in(Spot room) const {
-    for (const FigureSize& size : sizes_.front())
+    for (const FigureSize& size : figures_.sizes().front())
         if (size.x + size.wider <= room.x + 0.01 && size.y <= room.y + 0.01) return size.wider;
     return 0;
 }
 
 double BandLayouts::scale_in(std::size_t figure, Spot room) const {
-    for (const FigureSize& size : sizes_[figure])
+    for (const FigureSize& size : figures_.sizes()[figure])
         if (size.x <= room.x + 0.01 && size.y <= room.y + 0.01) return size.scale;
-    return sizes_[figure].back().scale;
+    return figures_.sizes()[figure].back().scale;
 }
 
-/// The sizes that figures take beside or under each other. A plan asks thousands of times: few figures need no memory.
-struct BandLayouts::Share {
-    boost::container::small_vector<std::size_t, 6> taken;
-    double worth = 0, length = 0;
-    int shown = 0;
-};
-
-/// Each figure begins as large as one measure of the room lets it; that which loses least for what it gives becomes smaller
-/// until all have room beside each other.
-std::optional<BandLayouts::Share> BandLayouts::share(Spot room, bool stacked, bool cornered) const {
-    const double whole = stacked ? room.y : room.x, wide = stacked ? room.x : room.y;
-    Share found;
-    found.taken.resize(sizes_.size());
-    const auto size = [&](std::size_t f) -> const FigureSize& { return sizes_[f][found.taken[f]]; };
-    // A coarser scale may take more across: letters crowd.
-    const auto fitting_from = [&](std::size_t f, std::size_t first) {
-        while (first < sizes_[f].size() && across(sizes_[f][first], stacked) > wide) ++first;
-        return first;
-    };
-    for (std::size_t f = 0; f < sizes_.size(); ++f) {
-        found.taken[f] = fitting_from(f, 0);
-        if (found.taken[f] == sizes_[f].size()) return std::nullopt;
-    }
-    const auto length = [&] {
-        double sum = 0;
-        for (std::size_t f = 0; f < sizes_.size(); ++f)
-            if (const double own = along(size(f), stacked, cornered); own > 0) sum += own + (sum > 0 ? gap : 0);
-        return sum;
-    };
-    while ((found.length = length()) > whole) {
-        std::optional<std::size_t> smaller;
-        double least = 0;
-        for (std::size_t f = 0; f < sizes_.size(); ++f) {
-            const std::size_t coarser = fitting_from(f, found.taken[f] + 1);
-            if (coarser == sizes_[f].size()) continue;
-            const FigureSize& next = sizes_[f][coarser];
-            const double given = along(size(f), stacked, cornered) - along(next, stacked, cornered);
-            const double price = (size(f).worth - next.worth) / std::max(given, 0.1);
-            if (!smaller || price < least) smaller = f, least = price;
-        }
-        if (!smaller) return std::nullopt;
-        found.taken[*smaller] = fitting_from(*smaller, found.taken[*smaller] + 1);
-    }
-    for (std::size_t f = 0; f < sizes_.size(); ++f) {
-        found.worth += size(f).worth;
-        found.shown += along(size(f), stacked, cornered) > 0 ? 1 : 0;
-    }
-    return found;
+bool BandLayouts::may_improve(const Best& best, const BandLayout& layout) const {
+    return layout.worth + best.most_of_figures > best.layout.worth;
 }
 
-double BandLayouts::along(const FigureSize& size, bool stacked, bool cornered) {
-    return stacked ? size.y : size.x + (cornered ? size.wider : 0);
-}
-double BandLayouts::across(const FigureSize& size, bool stacked) { return stacked ? size.x : size.y; }
-
-/// No room makes more of the figures than their largest scales.
-bool BandLayouts::may_improve(const BandLayout& best, const BandLayout& layout) const {
-    return layout.worth + most_worth_ > best.worth;
-}
-
-bool BandLayouts::improves(const BandLayout& best, const BandLayout& layout, Spot room) const {
+bool BandLayouts::improves(const Best& best, const BandLayout& layout, Spot room) const {
     if (!may_improve(best, layout)) return false;
     for (const bool stacked : {false, true}) {
-        if (stacked && sizes_.size() < 2) break;
-        const auto found = share(room, stacked, layout.cornered);
-        if (found && layout.worth + found->worth > best.worth) return true;
+        if (stacked && figures_.sizes().size() < 2) break;
+        const auto share = figures_.in(room, {stacked, layout.cornered});
+        if (share && layout.worth + share->worth > best.layout.worth) return true;
     }
     return false;
 }
 
-void BandLayouts::try_figures(BandLayout& best, const BandLayout& layout, Spot room) const {
+void BandLayouts::try_figures(Best& best, const BandLayout& layout, Spot room) const {
     if (!may_improve(best, layout)) return;
     for (const bool stacked : {false, true}) {
-        if (stacked && sizes_.size() < 2) break;
-        const auto found = share(room, stacked, layout.cornered);
-        if (!found || !(layout.worth + found->worth > best.worth)) continue;
-        const double whole = stacked ? room.y : room.x, wide = stacked ? room.x : room.y;
-        best = layout;
-        best.stacked = stacked;
-        best.worth = layout.worth + found->worth;
-        best.rooms.clear();
-        // What is left is everybody's.
-        const double left = (whole - found->length) / std::max(found->shown, 1);
-        for (std::size_t f = 0; f < sizes_.size(); ++f) {
-            const double needed = along(sizes_[f][found->taken[f]], stacked, layout.cornered);
-            const double own = needed > 0 ? needed + left : 0;
-            best.rooms.push_back(own > 0 ? (stacked ? Spot{wide, own} : Spot{own, wide}) : Spot{0, 0});
-        }
+        if (stacked && figures_.sizes().size() < 2) break;
+        const auto share = figures_.in(room, {stacked, layout.cornered});
+        if (!share || !(layout.worth + share->worth > best.layout.worth)) continue;
+        best.layout = layout;
+        best.room = room;
+        best.layout.stacked = stacked;
+        best.layout.worth = layout.worth + share->worth;
     }
+}
+
+std::vector<Spot> BandLayouts::rooms_of(const Best& best) const {
+    std::vector<Spot> rooms;
+    if (best.layout.worth < BandLayout::possible || figures_.sizes().empty()) return rooms;
+    const FigureShares::Order order{best.layout.stacked, best.layout.cornered};
+    const auto share = figures_.in(best.room, order);
+    KG_ASSERT(share, "what was tried has room");
+    const std::vector<std::size_t> taken = figures_.taken_in(best.room, order);
+    const double whole = order.stacked ? best.room.y : best.room.x, wide = order.stacked ? best.room.x : best.room.y;
+    // What is left is everybody's.
+    const double left = (whole - share->length) / std::max(share->shown, 1);
+    for (std::size_t f = 0; f < figures_.sizes().size(); ++f) {
+        const double needed = FigureShares::along(figures_.sizes()[f][taken[f]], order);
+        const double own = needed > 0 ? needed + left : 0;
+        rooms.push_back(own > 0 ? (order.stacked ? Spot{wide, own} : Spot{own, wide}) : Spot{0, 0});
+    }
+    return rooms;
 }
 
 const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double step, int most) const {
@@ -244,7 +228,9 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
     if (!fresh) return found->second;
     WorthByHeight& worth = found->second;
     worth.assign(static_cast<std::size_t>(most) + 1, BandLayout::impossible);
-    const auto ask = [&](std::size_t height) { worth[height] = in(width, static_cast<double>(height) * step, notch).worth; };
+    const auto ask = [&](std::size_t height) {
+        worth[height] = best_in(width, static_cast<double>(height) * step, notch).layout.worth;
+    };
     // Between two heights that are known.
     const std::function<void(std::size_t, std::size_t)> fill = [&](std::size_t low, std::size_t high) {
         if (worth[low] == worth[high])
@@ -262,16 +248,24 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
 }
 
 bool BandLayouts::is_like(const BandLayouts& other) const {
-    return &band_ == &other.band_ && narrow_ == other.narrow_ && sizes_ == other.sizes_ &&
-           (equations_.width > 0) == (other.equations_.width > 0);
+    return &band_ == &other.band_ && narrow_ == other.narrow_ && times_forgotten_ == other.times_forgotten_ &&
+           figures_.sizes() == other.figures_.sizes() && (equations_ != nullptr) == (other.equations_ != nullptr);
 }
 
 BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
+    Best best = best_in(width, height, notch);
+    best.layout.rooms = rooms_of(best);
+    return std::move(best.layout);
+}
+
+BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) const {
     const double whole = format_.span(width.columns, width.of);
-    BandLayout best;
+    Best best;
     if (height <= notch.high) return best;
+    best.most_of_figures = figures_.most_worth_in({whole, height});
+    if (best.most_of_figures < BandLayout::possible) return best;
     for (const bool cornered : {false, true}) {
-        if (cornered && !(equations_.width > 0)) break;
+        if (cornered && equations_ == nullptr) break;
         BandLayout base;
         base.cornered = cornered;
         base.worth = cornered ? worth_of_corner : 0;
@@ -281,28 +275,30 @@ BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
     return best;
 }
 
-void BandLayouts::try_all(BandLayout& best, const BandLayout& base, double whole, double height, Notch notch) const {
+void BandLayouts::try_all(Best& best, const BandLayout& base, double whole, double height, Notch notch) const {
     constexpr double worth_of_beside = 0.02;
+    static_assert(worth_of_beside <= price_of_columns, "no layout of this text is worth more than the base of all");
+    if (!may_improve(best, base)) return;
     const double above = height - notch.high;
+    if (base.divided > format_.columns && !may_be_narrow(base.divided, base.cornered)) return;
     const ColumnText& words = text(base.divided, base.cornered);
     BandLayout layout = base;
     if (words.empty()) {
         layout.divided = 0;
         return try_figures(best, layout, {whole, above});
     }
-    if (base.divided > format_.columns && (!narrow_ || words.is_too_wide())) return;
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
     if (layout.columns > 0 && words.height(layout.columns) <= above) {
-        if (sizes_.empty()) {
+        if (figures_.sizes().empty()) {
             layout.worth -= price_of_columns * layout.columns;
-            if (layout.worth > best.worth) best = layout;
+            if (layout.worth > best.layout.worth) best.layout = layout;
             return;
         }
         const double left = above - words.height(layout.columns) - text_gap;
         if (left > least_beside) try_figures(best, layout, {whole, left});
     }
     layout.beside = true;
-    for (layout.columns = 1; layout.columns <= most_beside && !sizes_.empty(); ++layout.columns) {
+    for (layout.columns = 1; layout.columns <= most_beside && !figures_.sizes().empty(); ++layout.columns) {
         const double left = whole - layout.columns * (words.measure() + gap);
         if (left < least_beside || words.height(layout.columns) > above) continue;
         layout.worth = base.worth + worth_of_beside - price_of_columns * layout.columns;
@@ -311,11 +307,11 @@ void BandLayouts::try_all(BandLayout& best, const BandLayout& base, double whole
         if (notch.high > 0 && std::min(left, notch.left) > least_beside)
             try_figures(best, layout, {std::min(left, notch.left), height});
     }
-    if (!sizes_.empty()) try_round(best, layout, whole, height, notch);
+    if (!figures_.sizes().empty()) try_round(best, layout, whole, height, notch);
 }
 
-std::vector<TextColumn> BandLayout::text_columns(double whole, double measure, double figures, const Notch& notch) const {
-    std::vector<TextColumn> all;
+TextColumns BandLayout::text_columns(double whole, double measure, double figures, const Notch& notch) const {
+    TextColumns all;
     for (int i = 0; i < columns; ++i) {
         const bool below = !beside || i < under;
         // Those beside the figures keep to the right edge.
@@ -327,7 +323,7 @@ std::vector<TextColumn> BandLayout::text_columns(double whole, double measure, d
 }
 
 /// Figures in the upper left corner, text under them and then beside: as high as the text lets them be.
-void BandLayouts::try_round(BandLayout& best, BandLayout layout, double whole, double height, Notch notch) const {
+void BandLayouts::try_round(Best& best, BandLayout layout, double whole, double height, Notch notch) const {
     const ColumnText& words = text(layout.divided, layout.cornered);
     layout.beside = true;
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
@@ -336,13 +332,15 @@ void BandLayouts::try_round(BandLayout& best, BandLayout layout, double whole, d
     for (layout.under = 1; layout.under < layout.columns; ++layout.under) {
         layout.worth = worth;
         const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);
-        const auto holds = [&](double figures) {
-            return words.fits(layout.text_columns(whole, words.measure(), figures, notch), height);
-        };
         double low = least_beside, high = left <= notch.left || notch.high == 0 ? height : height - notch.high;
-        if (left < least_beside) continue;
         // Not worth a search where even all of the height makes nothing better.
-        if (!improves(best, layout, {left, high}) || !holds(least_beside)) continue;
+        if (left < least_beside || !improves(best, layout, {left, high})) continue;
+        TextColumns columns = layout.text_columns(whole, words.measure(), least_beside, notch);
+        const auto holds = [&](double figures) {
+            for (int i = 0; i < layout.under; ++i) columns[static_cast<std::size_t>(i)].top = figures + text_gap;
+            return words.fits(columns, height);
+        };
+        if (!holds(least_beside)) continue;
         constexpr double fine = 2;
         while (high - low > fine) {
             const double middle = 0.5 * (low + high);

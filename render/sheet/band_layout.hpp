@@ -12,6 +12,7 @@
 
 #include "render/sheet/bands.hpp"
 #include "render/sheet/column_text.hpp"
+#include "render/sheet/figure_shares.hpp"
 #include "render/sheet/sheet_parts.hpp"
 
 namespace kinegraph::render {
@@ -40,14 +41,7 @@ struct BandLayout {
     std::vector<Spot> rooms{};  ///< of the figures; no width: left out
 
     /// The columns of its text, in a room so wide of which the title block takes a corner; `figures`: how high these are.
-    std::vector<TextColumn> text_columns(double whole, double measure, double figures, const Notch& notch) const;
-};
-
-/// What a figure takes at a scale, its caption included, and what that is worth.
-struct FigureSize {
-    double x = 0, y = 0, worth = 0, scale = 0;
-    double wider = 0;  ///< for its equations in a corner
-    bool operator==(const FigureSize&) const = default;
+    TextColumns text_columns(double whole, double measure, double figures, const Notch& notch) const;
 };
 
 /// The text of bands as they were set, kept from one plan to the next. A text that goes on over pages is set once.
@@ -59,25 +53,41 @@ public:
 
     /// In the columns of a page divided by so many; `cornered`: without its equations.
     const ColumnText& of(const Band& band, int divided, bool cornered);
+    /// Whether some of it, a table, is found to be too wide for such columns: then the rest need not be set for them. Of a text
+    /// that goes on over pages nothing is said.
+    bool has_too_wide(const Band& band, int divided, bool cornered);
     /// How many rows it has.
     std::size_t rows(const Band& band);
     /// As a block to stand in a corner of a figure.
     const Block& equations(const Band& band);
     /// What was set of a band that now says more.
     void forget(const std::string& question);
+    /// How often that was.
+    int times_forgotten(const std::string& question) const {
+        const auto found = forgotten_.find(question);
+        return found == forgotten_.end() ? 0 : found->second;
+    }
 
 private:
+    using Setting = std::tuple<std::string, int, bool>;  // question, division, cornered
+    /// Passages by part; those that were not asked for yet are not set.
+    struct Whole {
+        std::vector<Passage> passages;
+        std::vector<bool> is_set;
+    };
+    Whole& begun(const Band& band, int divided, bool cornered);
+    const Passage& passage(const Band& band, std::size_t part, int divided, bool cornered);
     const std::vector<Passage>& whole(const Band& band, int divided, bool cornered);
 
     const Bands& bands_;
     const std::vector<ResultRow>& results_;
     const SheetFormat& format_;
     BandTexts* planned_;
-    using Setting = std::tuple<std::string, int, bool>;          // question, division, cornered
     using Rows = std::tuple<Setting, std::size_t, std::size_t>;  // the first, the end
-    std::map<Setting, std::vector<Passage>> wholes_;
+    std::map<Setting, Whole> wholes_;
     std::map<Rows, ColumnText> texts_;
     std::map<std::string, Block> equations_;
+    std::map<std::string, int> forgotten_;
 };
 
 /// What a band is worth in rooms of one width, by their height in steps. It never falls with the height: between two heights at
@@ -95,36 +105,43 @@ public:
     BandLayout in(Width width, double height, Notch notch = {}) const;
     /// By heights that are multiples of `step`, the greatest `most` of them; kept once asked for.
     const WorthByHeight& worth(Width width, const Notch& notch, double step, int most) const;
-    /// Whether another has the same figures, so that all it was asked for holds here.
+    /// Whether another has the same figures and the same text, so that all it was asked for holds here.
     bool is_like(const BandLayouts& other) const;
     /// The text in the columns of a page divided by so many.
     const ColumnText& text(int divided, bool cornered) const;
     /// The equations, where they may stand in a corner.
-    const Block& equations() const { return equations_; }
+    const Block& equations() const { return *equations_; }
     /// What of a room is for the equations in the figure's corner.
     double wider_in(Spot room) const;
     /// Of a figure of the band, by its place among them: the scale that a room promises.
     double scale_in(std::size_t figure, Spot room) const;
 
 private:
-    void try_round(BandLayout& best, BandLayout layout, double whole, double height, Notch notch) const;
-    void try_all(BandLayout& best, const BandLayout& base, double whole, double height, Notch notch) const;
-    void try_figures(BandLayout& best, const BandLayout& layout, Spot room) const;
-    bool may_improve(const BandLayout& best, const BandLayout& layout) const;
-    bool improves(const BandLayout& best, const BandLayout& layout, Spot room) const;
-    struct Share;
-    std::optional<Share> share(Spot room, bool stacked, bool cornered) const;
-    static double along(const FigureSize& size, bool stacked, bool cornered);
-    static double across(const FigureSize& size, bool stacked);
+    /// Whether its text may stand in narrower columns than the format's.
+    bool may_be_narrow(int divided, bool cornered) const;
+    /// The best of what was tried, and what its figures share.
+    struct Best {
+        BandLayout layout{};
+        Spot room{};
+        double most_of_figures = 0;  ///< no worth of them is more
+    };
+    Best best_in(Width width, double height, Notch notch) const;
+    void try_round(Best& best, BandLayout layout, double whole, double height, Notch notch) const;
+    void try_all(Best& best, const BandLayout& base, double whole, double height, Notch notch) const;
+    void try_figures(Best& best, const BandLayout& layout, Spot room) const;
+    bool may_improve(const Best& best, const BandLayout& layout) const;
+    bool improves(const Best& best, const BandLayout& layout, Spot room) const;
+    std::vector<Spot> rooms_of(const Best& best) const;
 
     BandTexts& all_texts_;
     const Band& band_;
     const SheetFormat& format_;
-    std::vector<std::vector<FigureSize>> sizes_;  // of each figure, the largest first
-    double most_worth_ = 0;                       // of all figures
-    Block equations_;
+    FigureShares figures_;
+    const Block* equations_ = nullptr;  // that find room in a corner; they are the texts'
     bool narrow_;
-    mutable std::map<std::pair<int, bool>, const ColumnText*> texts_;
+    int times_forgotten_;                                                       // its text, before
+    mutable std::vector<const ColumnText*> texts_;                              // by division and whether cornered
+    mutable std::vector<std::optional<bool>> may_be_narrow_;                    // … too
     mutable std::map<std::tuple<Width, double, double>, WorthByHeight> worth_;  // by width and notch
 };
 

@@ -12,14 +12,6 @@ namespace {
 constexpr double passage_gap = 3.5, grace = 1e-6;
 constexpr double two_lines = 7.5;  // mm; rows lower than this do not stand alone in a column
 
-bool is_wider(const Passage& passage, double scale, double measure) {
-    constexpr double ink = 0.2;
-    const std::vector<Mark>& heading = passage.heading->marks;
-    return (!heading.empty() && scale * box_of(heading).max.x > measure + ink) ||
-           std::any_of(passage.rows.begin(), passage.rows.end(),
-                       [&](const SharedBlock& row) { return scale * row->width > measure + ink; });
-}
-
 /// Where the rows from one on that stay together end: the first ones of a passage stay with its heading, no line by itself, and
 /// none by itself in the end.
 std::size_t end_of_group(const std::vector<SharedBlock>& rows, double scale, std::size_t first) {
@@ -32,6 +24,14 @@ std::size_t end_of_group(const std::vector<SharedBlock>& rows, double scale, std
 }
 
 }  // namespace
+
+bool is_wider(const Passage& passage, double scale, double measure) {
+    constexpr double ink = 0.2;
+    const std::vector<Mark>& heading = passage.heading->marks;
+    return (!heading.empty() && scale * box_of(heading).max.x > measure + ink) ||
+           std::any_of(passage.rows.begin(), passage.rows.end(),
+                       [&](const SharedBlock& row) { return scale * row->width > measure + ink; });
+}
 
 ColumnText::ColumnText(std::vector<Passage> passages, double measure, double scale)
     : passages_(std::move(passages)), scale_(scale), measure_(measure) {
@@ -49,7 +49,7 @@ ColumnText::ColumnText(std::vector<Passage> passages, double measure, double sca
 }
 
 template <class Place>
-bool ColumnText::flow(const std::vector<TextColumn>& columns, double height, Place place) const {
+bool ColumnText::flow(const TextColumns& columns, double height, Place place) const {
     std::size_t column = 0;
     double y = 0;
     const auto room_in = [&](std::size_t c) { return height - columns[c].lift - columns[c].top + grace; };
@@ -71,7 +71,7 @@ bool ColumnText::flow(const std::vector<TextColumn>& columns, double height, Pla
     return true;
 }
 
-bool ColumnText::fits(const std::vector<TextColumn>& columns, double height) const {
+bool ColumnText::fits(const TextColumns& columns, double height) const {
     return flow(columns, height, [](const Group&, bool, std::size_t, double) {});
 }
 
@@ -85,7 +85,7 @@ double ColumnText::whole_height() const {
     return whole_;
 }
 
-double ColumnText::height(const std::vector<TextColumn>& columns) const {
+double ColumnText::height(const TextColumns& columns) const {
     double taken = 0, first = 1e300;
     for (const TextColumn& each : columns) taken += each.top + each.lift, first = std::min(first, each.top + each.lift);
     double least = std::max(first, (whole_height() + taken) / static_cast<double>(columns.size()) - taken);
@@ -103,11 +103,11 @@ double ColumnText::height(int columns) const {
     const auto index = static_cast<std::size_t>(columns);
     if (heights_.size() <= index) heights_.resize(index + 1, -1);
     double& known = heights_[index];
-    if (known < 0) known = height(std::vector<TextColumn>(index));
+    if (known < 0) known = height(TextColumns(index));
     return known;
 }
 
-void ColumnText::set(std::vector<Mark>& marks, Spot at, const std::vector<TextColumn>& columns) const {
+void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& columns) const {
     flow(columns, height(columns), [&](const Group& group, bool turns, std::size_t column, double y) {
         const Passage& passage = passages_[group.passage];
         Spot corner{at.x + columns[column].x, at.y + columns[column].top + y};
@@ -122,7 +122,7 @@ void ColumnText::set(std::vector<Mark>& marks, Spot at, const std::vector<TextCo
 }
 
 void ColumnText::set(std::vector<Mark>& marks, Spot at, int columns, double between) const {
-    std::vector<TextColumn> all;
+    TextColumns all;
     for (int i = 0; i < columns; ++i) all.push_back({i * (measure_ + between), 0, 0});
     set(marks, at, all);
 }

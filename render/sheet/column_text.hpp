@@ -1,6 +1,7 @@
 // Column text: passages set in columns side by side, as even as their rows let them. Knows rows and headings, no sentence.
 #pragma once
 
+#include <boost/container/small_vector.hpp>
 #include <vector>
 
 #include "render/sheet/bands.hpp"
@@ -11,6 +12,11 @@ namespace kinegraph::render {
 struct TextColumn {
     double x = 0, top = 0, lift = 0;
 };
+/// A plan tries thousands of them: no page has so many columns that they need memory.
+using TextColumns = boost::container::small_vector<TextColumn, 6>;
+
+/// Whether a table or a heading is wider than a column of `measure` mm, rows scaled.
+bool is_wider(const Passage& passage, double scale, double measure);
 
 class ColumnText {
 public:
@@ -26,9 +32,9 @@ public:
     void set(std::vector<Mark>& marks, Spot at, int columns, double between) const;
 
     /// The same in columns of different heights, from the first to the last.
-    bool fits(const std::vector<TextColumn>& columns, double height) const;
-    double height(const std::vector<TextColumn>& columns) const;
-    void set(std::vector<Mark>& marks, Spot at, const std::vector<TextColumn>& columns) const;
+    bool fits(const TextColumns& columns, double height) const;
+    double height(const TextColumns& columns) const;
+    void set(std::vector<Mark>& marks, Spot at, const TextColumns& columns) const;
     /// One column under the other.
     double whole_height() const;
 
@@ -41,7 +47,7 @@ private:
     };
     /// Shows place() each group, whether it begins a column, and where; false where it does not fit.
     template <class Place>
-    bool flow(const std::vector<TextColumn>& columns, double height, Place place) const;
+    bool flow(const TextColumns& columns, double height, Place place) const;
 
     double height_of(const SharedBlock& block) const { return block->height * scale_; }
 

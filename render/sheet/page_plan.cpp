@@ -77,8 +77,8 @@ public:
                         fillings_[static_cast<std::size_t>(count)].push_back(each);
             }
         curves_.resize(bands.size() * stands_.size());
-        cells_.resize(bands.size() * stands_.size() * heights_);
-        rows_.resize(bands.size() * (most_in_a_row + 1) * 2 * heights_);
+        pairs_.resize(bands.size() * stands_.size());
+        rows_.resize(bands.size() * (most_in_a_row + 1) * 2);
     }
 
     std::vector<PlannedPage> pages() {
@@ -118,13 +118,17 @@ private:
         double worth = impossible;
         const Split* split = nullptr;
         const Filling* filling = nullptr;
-        bool is_known = false;
     };
-    /// Two bands, one under the other.
-    struct Cell {
-        double worth = impossible;
-        int upper = 0;  ///< height of the upper one
-        bool is_known = false;
+    /// What a band is worth where it stands, by height.
+    struct Curve {
+        const WorthByHeight* worth = nullptr;
+        std::vector<int> changes{};  ///< heights at which it is another than one step lower
+        bool never_falls = true;
+    };
+    /// Two bands, one under the other, by the height of both.
+    struct Pair {
+        WorthByHeight worth{};
+        std::vector<int> upper{};  ///< height of the upper one
     };
     /// The best of the rows that end with a band, by the height they take.
     struct State {
@@ -163,45 +167,73 @@ private:
         }
         return own;
     }
-    const WorthByHeight& curve(std::size_t band, std::size_t stand) {
-        const WorthByHeight*& known = curves_[band * stands_.size() + stand];
-        if (known == nullptr)
-            known = &layouts_[band].worth(stands_[stand].width, stands_[stand].notch, step, static_cast<int>(heights_) - 1);
-        return *known;
-    }
-    /// Of one band, or of two one under the other, with the height of the upper one then.
-    std::pair<double, int> cell(std::size_t first, int count, std::size_t stand, int height) {
-        if (count == 1) return {curve(first, stand)[at_index(height)], height};
-        Cell& best = cells_[(first * stands_.size() + stand) * heights_ + at_index(height)];
-        if (best.is_known) return {best.worth, best.upper};
-        best.is_known = true;
-        const WorthByHeight &over = curve(first, stands_[stand].upright), &under = curve(first + 1, stand);
-        for (int upper = least_height; upper + gap_steps + least_height <= height; ++upper) {
-            const double below = under[at_index(height - upper - gap_steps)];
-            if (below < possible) break;
-            const double above = over[at_index(upper)];
-            if (above > possible && above + below > best.worth) best = {above + below, upper, true};
+    const Curve& curve(std::size_t band, std::size_t stand) {
+        Curve& known = curves_[band * stands_.size() + stand];
+        if (known.worth != nullptr) return known;
+        known.worth = &layouts_[band].worth(stands_[stand].width, stands_[stand].notch, step, static_cast<int>(heights_) - 1);
+        for (std::size_t height = 1; height < heights_; ++height) {
+            const double before = (*known.worth)[height - 1], here = (*known.worth)[height];
+            if (here != before) known.changes.push_back(static_cast<int>(height));
+            known.never_falls = known.never_falls && here >= before;
         }
-        return {best.worth, best.upper};
+        return known;
     }
-    /// Cells side by side; `at_block`: the lowest row of the first page.
-    const Row& row(std::size_t first, std::size_t count, int height, bool at_block) {
-        Row& best = rows_[((first * (most_in_a_row + 1) + count) * 2 + (at_block ? 1 : 0)) * heights_ + at_index(height)];
-        if (best.is_known) return best;
-        best.is_known = true;
+    /// A band over the one after it.
+    const Pair& pair(std::size_t first, std::size_t stand) {
+        Pair& known = pairs_[first * stands_.size() + stand];
+        if (!known.worth.empty()) return known;
+        known.worth.assign(heights_, impossible);
+        known.upper.assign(heights_, 0);
+        const Curve &over = curve(first, stands_[stand].upright), &under = curve(first + 1, stand);
+        const auto offer = [&](int upper) {
+            const double above = (*over.worth)[at_index(upper)];
+            if (above < possible) return;
+            for (std::size_t height = at_index(upper + gap_steps + least_height); height < heights_; ++height) {
+                const double sum = above + (*under.worth)[height - at_index(upper + gap_steps)];
+                if (sum > known.worth[height]) known.worth[height] = sum, known.upper[height] = upper;
+            }
+        };
+        // An upper band that is higher and worth no more leaves less to the lower one.
+        offer(least_height);
+        if (under.never_falls) {
+            for (const int upper : over.changes)
+                if (upper > least_height) offer(upper);
+        } else {
+            for (int upper = least_height + 1; at_index(upper) < heights_; ++upper) offer(upper);
+        }
+        return known;
+    }
+    /// Of one band, or of two one under the other.
+    const WorthByHeight& cell(std::size_t first, int count, std::size_t stand) {
+        return count == 1 ? *curve(first, stand).worth : pair(first, stand).worth;
+    }
+    /// Cells side by side, by height; `at_block`: the lowest row of the first page.
+    const std::vector<Row>& rows(std::size_t first, std::size_t count, bool at_block) {
+        std::vector<Row>& best = rows_[(first * (most_in_a_row + 1) + count) * 2 + (at_block ? 1 : 0)];
+        if (!best.empty()) return best;
+        best.resize(heights_);
+        std::vector<const WorthByHeight*> cells;
         for (const Filling& filling : fillings_[count])
             for (const Split& split : splits_[filling.size()]) {
-                double sum = 0;
+                cells.clear();
                 std::size_t band = first;
-                for (std::size_t i = 0; i < filling.size() && sum > possible; ++i) {
-                    const std::size_t stand = (at_block ? split.at_block : split.stands)[i];
-                    const double worth = cell(band, filling[i], stand, height).first;
-                    sum = worth < possible ? impossible : sum + worth;
+                for (std::size_t i = 0; i < filling.size(); ++i) {
+                    cells.push_back(&cell(band, filling[i], (at_block ? split.at_block : split.stands)[i]));
+                    // What has no room there at any height has none in this row.
+                    if (cells.back()->back() < possible) break;
                     band += static_cast<std::size_t>(filling[i]);
                 }
-                if (sum > best.worth) best = {sum, &split, &filling, true};
+                if (cells.size() < filling.size()) continue;
+                for (std::size_t height = 0; height < heights_; ++height) {
+                    double sum = 0;
+                    for (const WorthByHeight* worth : cells) sum += (*worth)[height];
+                    if (sum > best[height].worth) best[height] = {sum, &split, &filling};
+                }
             }
         return best;
+    }
+    const Row& row(std::size_t first, std::size_t count, int height, bool at_block) {
+        return rows(first, count, at_block)[at_index(height)];
     }
 
     /// A height from which on a row is worth so much. Between two of them height is wasted.
@@ -290,7 +322,8 @@ private:
             const Notch notch = at_block ? notch_of(*best.split, i) : Notch{};
             const double left = left_of(*best.split, i), right = left + format_.span(width.columns, width.of);
             const int count = (*best.filling)[i];
-            int height = cell(band, count, (at_block ? best.split->at_block : best.split->stands)[i], state.height).second;
+            const std::size_t stand = (at_block ? best.split->at_block : best.split->stands)[i];
+            int height = count == 1 ? state.height : pair(band, stand).upper[at_index(state.height)];
             double y = top;
             PlannedCell& bands = cells.emplace_back();
             for (int k = 0; k < count; ++k) {
@@ -308,9 +341,9 @@ private:
     std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;  // by the number of bands
     std::size_t heights_;                                           // that a row may have, in steps
     std::vector<Stand> stands_;
-    std::vector<const WorthByHeight*> curves_;  // by band and stand
-    std::vector<Cell> cells_;                   // of two bands: by the first, stand, height
-    std::vector<Row> rows_;                     // by the first band, count, whether at the block, height
+    std::vector<Curve> curves_;           // by band and stand
+    std::vector<Pair> pairs_;             // by the upper band and stand
+    std::vector<std::vector<Row>> rows_;  // by the first band, count, whether at the block; by height
 };
 
 }  // namespace

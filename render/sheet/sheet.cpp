@@ -43,10 +43,10 @@ public:
 
     DrawnSheet drawn() && {
         DrawnSheet sheet{pages(), {}, first_caption_, first_caption_width_};
-        std::map<int, const Figure*> by_number;
-        for (const auto& [band, figures] : drawn_)
-            for (const Drawn& each : figures) by_number[each.number] = &each.figure;
-        for (const auto& [number, figure] : by_number) sheet.figures.push_back(*figure);
+        std::map<int, Figure*> by_number;
+        for (auto& [band, figures] : drawn_)
+            for (Drawn& each : figures) by_number[each.number] = &each.figure;
+        for (const auto& [number, figure] : by_number) sheet.figures.push_back(std::move(*figure));
         return sheet;
     }
 
@@ -117,7 +117,7 @@ private:
         layouts_.clear();
         for (std::size_t b = 0; b < bands_.list.size(); ++b) {
             BandLayouts layouts = layouts_of(bands_.list[b]);
-            const bool same = b < before.size() && !bands_.list[b].figures.empty() && before[b].is_like(layouts);
+            const bool same = b < before.size() && before[b].is_like(layouts);
             layouts_.push_back(std::move(same ? before[b] : layouts));
         }
         plan_ = plan_pages(layouts_, bands_.list, format_);
@@ -620,7 +620,7 @@ private:
             }
             y += heights[r] + row_gap + air;
         }
-        return framed_page(context_, format_, signature_, marks, scale_of_mechanism, index + 1, plan_.size() + after_,
+        return framed_page(context_, format_, signature_, std::move(marks), scale_of_mechanism, index + 1, plan_.size() + after_,
                            index == 0);
     }
     BandLayout layout_of(const PlacedBand& placed) const {

@@ -431,7 +431,8 @@ private:
                 y += row.height;
             }
         }
-        return framed_page(context_, format_, signature_, marks, scale_of_mechanism, index + 1, steps_.size() + after_);
+        return framed_page(context_, format_, signature_, std::move(marks), scale_of_mechanism, index + 1,
+                           steps_.size() + after_);
     }
     /// Lengths that a page reads off the mechanism.
     std::vector<Mark> segments_read(const Step& step, const Figure& mechanism) const {

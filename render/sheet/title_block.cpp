@@ -175,9 +175,8 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     if (!origin.empty()) small_print(origin, format.block.max.y - 2.0);
 }
 
-Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
-                 const std::vector<Mark>& marks, std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count,
-                 bool whole_block) {
+Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature, std::vector<Mark> marks,
+                 std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count, bool whole_block) {
     const Theme& theme = context.theme;
     Page page;
     page.width = format.width;
@@ -193,7 +192,7 @@ Page framed_page(const DrawingContext& context, const SheetFormat& format, const
         draw_title_block(page.marks, context, format, scale_of_mechanism, signature, index, count);
     else
         draw_strip(page.marks, context, format, signature, index, count);
-    page.marks.insert(page.marks.end(), marks.begin(), marks.end());
+    page.marks.insert(page.marks.end(), std::make_move_iterator(marks.begin()), std::make_move_iterator(marks.end()));
     // A point's label says its name as the file has it, however it is set.
     std::map<std::string, std::string> names;
     for (const NamedPoint& point : context.solution.mechanism.points)

@@ -27,8 +27,7 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
 constexpr double strip_height = 5;  ///< mm, of the line that pages carry which go on
 
 /// A page with its frame, its title block and what is on it; without `whole_block` a strip of one line stands for that.
-Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
-                 const std::vector<Mark>& marks, std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count,
-                 bool whole_block = true);
+Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature, std::vector<Mark> marks,
+                 std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count, bool whole_block = true);
 
 }  // namespace kinegraph::render

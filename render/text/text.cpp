@@ -487,9 +487,12 @@ RichText with_powers(const std::string& text) {
                                                                                            {"⁻", "−"}}};
     RichText rich{Piece{}};
     for (std::size_t i = 0; i < text.size();) {
-        const auto power = std::find_if(powers.begin(), powers.end(), [&](const auto& each) {
-            return std::string_view(text).substr(i).starts_with(each.first);
-        });
+        // Most characters are no power, and most of those ASCII.
+        const auto power = (static_cast<unsigned char>(text[i]) & 0x80U) == 0
+                               ? powers.end()
+                               : std::find_if(powers.begin(), powers.end(), [&](const auto& each) {
+                                     return std::string_view(text).substr(i).starts_with(each.first);
+                                 });
         if (power != powers.end()) {
             // A line may still be broken before the word that is raised to it.
             const std::size_t blank = rich.back().sup.empty() ? rich.back().text.rfind(' ') : std::string::npos;
