@@ -34,12 +34,12 @@ draw gas_force gas_force 2 --dpi 110
 draw toggle_clamp toggle_clamp 1 --dpi 110
 draw double_butterfly double_butterfly 1 --dpi 85
 draw cam_flat_follower cam_flat_follower 1 --dpi 110
-draw planetary_train planetary_train 1 --dpi 110
+draw planetary_train planetary_train 1 --dpi 90
 draw act_of_motion act_of_motion_general 1 --dpi 110
 draw upright quick_return 1 --dpi 95 --orientation portrait --lang it
 draw velocity four_bar_weights 1 --dpi 110 --figure velocity
 draw body four_bar_weights 1 --dpi 110 --figure body-3
-draw contact joint_contact/cam_and_roller 4 --dpi 100
+draw contact joint_contact/cam_and_roller 3 --dpi 100
 draw equations slider_crank_offset 2 --dpi 110 --with equations
 draw virtual_work virtual_work 1 --dpi 110
 draw truss truss_simple 1 --dpi 100
