@@ -1,4 +1,5 @@
-// Drawn by: which statement of the solution draws a velocity, an acceleration or a force, wherever it is shown. Computes no mechanics.
+// Drawn by: which statement of the solution draws a velocity, an acceleration or a force, wherever it is shown. Computes no
+// mechanics.
 #pragma once
 
 #include "engine/solution.hpp"
