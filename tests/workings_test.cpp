@@ -45,6 +45,33 @@ TEST(Workings, ComeOutInEveryExample) {
     }
 }
 
+/// What is said to be turned, and with which ω, gives the term: 2 ω × v_rel.
+TEST(Workings, ACoriolisTermHasTheDirectionThatIsTold) {
+    int told = 0;
+    for (const std::string& name : tests::example_names()) {
+        const Solution solution = example(name);
+        const Protocol& protocol = solution.protocol;
+        const auto vector_named = [&](const Symbol& symbol) {
+            const auto drawn = std::find_if(protocol.vectors.begin(), protocol.vectors.end(),
+                                            [&](const DrawnVector& vector) { return vector.symbol == symbol; });
+            return drawn == protocol.vectors.end() ? Vector{} : protocol.value_of(*drawn);
+        };
+        for (const Statement& statement : protocol.statements)
+            for (const Working& working : statement.message.workings) {
+                if (!working.turned) continue;
+                SCOPED_TRACE(name + " " + name_of(working.of));
+                const Vector velocity = vector_named(working.turned->velocity), coriolis = vector_named(working.of);
+                const auto body = solution.mechanism.body_named(working.turned->with.about);
+                ASSERT_TRUE(body);
+                const Exact twice = Exact(2) * *solution.bodies.at(at_index(*body)).omega;
+                EXPECT_EQ(coriolis.x, -twice * velocity.y);
+                EXPECT_EQ(coriolis.y, twice * velocity.x);
+                ++told;
+            }
+    }
+    EXPECT_GT(told, 5);
+}
+
 TEST(Workings, OfTheFourBarAreThoseOfTheBlackboard) {
     const Solution solution = example("four_bar");  // ω = −120 rpm, O2A 40 mm, AB 150 mm, O4B 80 mm
     EXPECT_TRUE(has(said(solution, Sentence::crank_velocity), "v_A~=~12.57~·~0.04 =~0.503~m/s"));
