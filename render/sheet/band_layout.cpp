@@ -152,14 +152,14 @@ BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures
 }
 
 const ColumnText& BandLayouts::text(int divided, bool cornered) const {
-    const auto index = static_cast<std::size_t>(2 * divided + (cornered ? 1 : 0));
+    const std::size_t index = 2 * static_cast<std::size_t>(divided) + (cornered ? 1 : 0);
     if (texts_.size() <= index) texts_.resize(index + 1);
     if (texts_[index] == nullptr) texts_[index] = &all_texts_.of(band_, divided, cornered);
     return *texts_[index];
 }
 
 bool BandLayouts::may_be_narrow(int divided, bool cornered) const {
-    const auto index = static_cast<std::size_t>(2 * divided + (cornered ? 1 : 0));
+    const std::size_t index = 2 * static_cast<std::size_t>(divided) + (cornered ? 1 : 0);
     if (may_be_narrow_.size() <= index) may_be_narrow_.resize(index + 1);
     std::optional<bool>& known = may_be_narrow_[index];
     if (!known) known = narrow_ && !all_texts_.has_too_wide(band_, divided, cornered) && !text(divided, cornered).is_too_wide();

@@ -355,12 +355,12 @@ std::optional<std::size_t> Bands::same_before(const Band& band, const Statement&
                    });
         });
     };
-    for (auto part = band.parts.rbegin(); part != band.parts.rend(); ++part) {
-        if (part->kind != Kind::steps) continue;
-        for (auto before = part->which.rbegin(); before != part->which.rend(); ++before) {
-            if (solution_.protocol.statements[*before].message.sentence == added.message.sentence) return *before;
-            if (reads_of(*before)) return std::nullopt;
-        }
+    std::vector<std::size_t> told;
+    for (const Band::Part& part : band.parts)
+        if (part.kind == Kind::steps) told.insert(told.end(), part.which.begin(), part.which.end());
+    for (; !told.empty(); told.pop_back()) {
+        if (solution_.protocol.statements[told.back()].message.sentence == added.message.sentence) return told.back();
+        if (reads_of(told.back())) return std::nullopt;
     }
     return std::nullopt;
 }

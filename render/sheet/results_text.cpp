@@ -161,7 +161,8 @@ private:
         const Vector along = unit_of_component(each);
         constexpr int digits = 4;
         return number(component_of(each) / unit.si.to_double(), digits, language_) + " ∥ (" +
-               number(along.x.to_double(), digits, language_) + "; " + number(along.y.to_double(), digits, language_) + ")";
+               number(along.x.to_double(), digits, language_) + (language_ == Language::it ? "; " : ", ") +
+               number(along.y.to_double(), digits, language_) + ")";
     }
 
     std::string reactions() const {

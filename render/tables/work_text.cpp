@@ -102,7 +102,9 @@ private:
     Formula with_unit(Formula name, const std::string& unit) const {
         return unit.empty() ? std::move(name) : std::move(name) + upright(", " + unit);
     }
-    Formula pair_of(double x, double y) const { return upright("(" + written(clean(x)) + "; " + written(clean(y)) + ")"); }
+    Formula pair_of(double x, double y) const {
+        return upright("(" + written(clean(x)) + (language_ == Language::it ? "; " : ", ") + written(clean(y)) + ")");
+    }
     /// −0, and what only rounding left of nothing.
     double clean(double value) const { return std::abs(value) < 1e-14 * largest_ ? 0 : value; }
 
