@@ -16,7 +16,7 @@ public:
     DimensionsDrawing(Sketch& sketch, Spot room, const DimensionWish& wish)
         : sketch_(sketch), room_(room), wish_(wish), box_(sketch.mechanism_box()) {
         constexpr std::size_t most_beside_a_solution = 8;
-        const bool through_ground = wish.most > most_beside_a_solution;
+        const bool through_ground = wish.all || wish.most > most_beside_a_solution;
         for (const InkBox& name : wish.names) {
             const Spot along = name.half.x * name.axis;
             for (const double level : {-1.0, 0.0, 1.0}) {
@@ -36,7 +36,7 @@ public:
              {&sketch.ground, &sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.construction})
             if (!layer->empty()) box_.include(box_of(*layer));
         gather();
-        if (through_ground) gather_offsets();
+        gather_offsets();
     }
 
     void draw() {
