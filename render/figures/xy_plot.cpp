@@ -197,8 +197,8 @@ private:
         for (const Spot place : {Spot{spot.x - 2, above}, Spot{over, below}, Spot{right, level}, Spot{left, level},
                                  Spot{right, above}, Spot{left, above}, Spot{right, below}, Spot{left, below}})
             offer(place);
-        constexpr int directions = 16;
-        for (const double away : {3.5, 5.0, 6.5, 8.0})
+        constexpr int directions = 32;
+        for (const double away : {3.0, 3.5, 4.0, 4.5, 5.0, 6.0, 7.0, 8.0, 9.0})
             for (int k = 0; k < directions && fewest > 0; ++k)
                 offer(spot + away * polar_spot(2 * std::numbers::pi * k / directions) -
                       Spot{0.5 * words.width, -0.5 * words.ascent});
@@ -218,10 +218,12 @@ private:
     /// Pieces of curves, other marks' dots and words within a box; and the mark itself.
     std::size_t lines_through(const Box& box, Spot own) const {
         std::size_t count = drawing::contains(box, own) ? 4 : 0;
+        constexpr double clear = 0.6;  // of half a stroke's width and the letters' own
+        const Box inked = drawing::grown(box, clear);
         for (const XyCurve& curve : plot_.curves)
             for (std::size_t i = 0; i + 1 < curve.values.size(); ++i) {
                 const Spot from = at(curve.values[i]), to = at(curve.values[i + 1]);
-                const drawing::Interval inside = drawing::within(box, from, to - from);
+                const drawing::Interval inside = drawing::within(inked, from, to - from);
                 if (std::max(inside.from, 0.0) <= std::min(inside.to, 1.0)) ++count;
             }
         for (const XyMark& other : plot_.marks)
