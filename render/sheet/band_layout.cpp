@@ -10,7 +10,7 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double caption = 7, text_gap = 4, least_beside = 25;
+constexpr double least_beside = 25;
 constexpr double price_of_columns = 0.05, worth_of_corner = 0.01;
 constexpr double hardly_readable = 10;  // mm
 constexpr int most_beside = 3;          // columns of text
@@ -32,14 +32,14 @@ std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format
         const Spot strokes = wanted.strokes_at(scale), round{rim_x, rim_y};
         const Spot own = taken != wanted.taken.end() ? taken->second : strokes + round;
         return FigureSize{std::min(std::max(own.x, wanted.least_room.x), strokes.x + most_round.x),
-                          std::min(std::max(own.y, wanted.least_room.y), strokes.y + most_round.y) + caption,
+                          std::min(std::max(own.y, wanted.least_room.y), strokes.y + most_round.y) + caption_line,
                           wanted.weight * use_of(size), scale};
     };
     constexpr double nothing = 1e-20;
     if (wanted.empty)
         sizes.push_back({60, 30, 0, 1});
     else if (extent < nothing)
-        sizes.push_back({rim_x + 12, rim_y + 12 + caption, 0, 1});
+        sizes.push_back({rim_x + 12, rim_y + 12 + caption_line, 0, 1});
     else {
         constexpr double as_asked = 6;
         if (wanted.asked) {
@@ -50,7 +50,7 @@ std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format
             if (holds && !crowded && !wanted.spare) return sizes;
         }
         double scale = choose_scale(wanted.extent_x, wanted.extent_y, format.content.width() - rim_x,
-                                    format.content.height() - rim_y - caption, std::nullopt);
+                                    format.content.height() - rim_y - caption_line, std::nullopt);
         if (wanted.to_force_scale) scale = std::max(scale, all.force_scale.value_or(0));
         const bool at_this_alone = wanted.to_force_scale && all.force_scale && all.keeps_force_scale;
         const double least = crowded ? std::min(wanted.least, hardly_readable) : wanted.least;

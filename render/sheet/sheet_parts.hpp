@@ -13,7 +13,9 @@ enum class SolutionDetail { full, brief };
 /// Of one file: the worked solution, the exercise as it is handed out, the key.
 enum class SheetKind { solution, question, answers };
 
-constexpr double gap = 7;  ///< between cells and between columns
+constexpr double gap = 7;           ///< between cells and between columns
+constexpr double text_gap = 4;      ///< between figures and the text under them
+constexpr double caption_line = 7;  ///< what a figure's caption takes on one line
 
 /// A paper with what is fixed on it: the frame, what may be filled, the title block in the frame's corner, the text columns.
 struct SheetFormat {

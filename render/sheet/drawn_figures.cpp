@@ -1,0 +1,172 @@
+// Each figure is drawn once for all rooms that let it be as large; what the figures of a band leave of their rooms is shared out.
+#include "render/sheet/drawn_figures.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/figures/caption.hpp"
+#include "render/figures/polygon_parts.hpp"
+#include "render/page/shapes.hpp"
+#include "render/sheet/beside.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+/// Whether a larger room than it was drawn for lets a figure be no larger, and it lacks nothing.
+bool gains_nothing(const Wanted& wanted, const Figure& drawn, Spot room) {
+    constexpr double rounding = 1e-9;
+    if (wanted.empty || wanted.asked || drawn.lacks_details || drawn.has_key) return false;
+    const double finest = choose_scale(wanted.extent_x, wanted.extent_y, room.x, room.y, std::nullopt);
+    return finest >= drawn.scale * (1 - rounding);
+}
+
+/// For a figure that fills its room.
+bool is_hardly_other(Spot known, Spot room) {
+    constexpr double hardly = 1.2;
+    const double x = room.x / known.x, y = room.y / known.y;
+    return std::max(x, 1 / x) <= hardly && std::max(y, 1 / y) <= hardly;
+}
+
+}  // namespace
+
+bool DrawnFigures::draw(SheetPlan& plan, bool refuse) {
+    by_band_.clear();
+    int number = 0;
+    bool all_in_corners = true;
+    plan.for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
+        const Band& band = bands_.list[placed.band];
+        const BandLayouts& layouts = plan.layouts(placed.band);
+        Spot corner{0, 0};
+        for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
+            const Spot size = layout.rooms[f];
+            if (!(size.x > 0)) continue;
+            const Spot own{size.x - (layout.cornered ? layouts.wider_in(size) : 0), size.y};
+            DrawnFigure& drawn = by_band_[placed.band].emplace_back();
+            drawn.wanted = band.figures[f];
+            drawn.number = ++number;
+            drawn.room = rectangle(corner.x, corner.y, corner.x + size.x, corner.y + size.y);
+            drawn.promised = layouts.scale_in(f, own);
+            const Wanted& wanted = wanted_.list[drawn.wanted];
+            drawn.waits = wanted.fills;
+            constexpr double rounding = 1e-9;
+            const bool may_refuse = refuse && wanted.draw_or_refuse && needs_.may_refuse(wanted);
+            if (!drawn.waits) draw_into(drawn, own, may_refuse ? drawn.promised * (1 + rounding) : any_scale);
+            if (!drawn.waits && !drawn.is_refused()) needs_.learn_from(drawn);
+            (layout.stacked ? corner.y : corner.x) += (layout.stacked ? size.y : size.x) + gap;
+            if (layout.cornered && !drawn.is_refused() && !set_in_corner(drawn, layouts.equations())) {
+                plan.has_no_corner(band.question);
+                all_in_corners = false;
+            }
+        }
+    });
+    for (auto& [band, figures] : by_band_) share_room(figures);
+    return all_in_corners;
+}
+
+void DrawnFigures::draw_what_fills_its_room() {
+    std::map<int, DrawnFigure*> in_order;
+    for (auto& [band, figures] : by_band_)
+        for (DrawnFigure& drawn : figures) in_order[drawn.number] = &drawn;
+    std::size_t details = 0;
+    for (const auto& [number, drawn] : in_order) {
+        if (std::exchange(drawn->waits, false)) draw_into(*drawn, {drawn->room.width(), drawn->room.height()}, any_scale);
+        letter_details_on(drawn->figure, context_, details);
+        details += drawn->figure.details.size();
+    }
+    for (auto& [band, figures] : by_band_) share_room(figures);
+}
+
+void DrawnFigures::enrich() {
+    for (auto& [band, figures] : by_band_)
+        for (DrawnFigure& drawn : figures) {
+            const Wanted& wanted = wanted_.list[drawn.wanted];
+            if (!wanted.enrich) continue;
+            const Spot room{drawn.room.width(), drawn.room.height() - drawn.caption};
+            if (Figure more = wanted.enrich(drawn.figure, room); more.scale != any_scale) drawn.figure = std::move(more);
+        }
+}
+
+/// What one figure of a band leaves of its room is for another that takes more than its own.
+void DrawnFigures::share_room(std::vector<DrawnFigure>& figures) const {
+    const auto is_open = [](const DrawnFigure& drawn) { return drawn.waits || drawn.is_refused(); };
+    if (figures.size() < 2 || std::any_of(figures.begin(), figures.end(), is_open)) return;
+    const bool stacked = figures.back().room.min.y > figures.front().room.min.y;
+    const auto across = [&](const DrawnFigure& drawn) {
+        return stacked ? drawn.size.x <= drawn.room.width() : drawn.height() <= drawn.room.height();
+    };
+    const auto along = [&](const DrawnFigure& drawn) { return stacked ? drawn.height() : drawn.figure.box.width(); };
+    const auto own = [&](const DrawnFigure& drawn) { return stacked ? drawn.room.height() : drawn.room.width(); };
+    double left = 0;
+    bool outgrown = false;
+    for (const DrawnFigure& drawn : figures) {
+        left += own(drawn) - along(drawn);
+        outgrown = outgrown || along(drawn) > own(drawn);
+    }
+    if (!outgrown || left < 0 || !std::all_of(figures.begin(), figures.end(), across)) return;
+    double at = stacked ? figures.front().room.min.y : figures.front().room.min.x;
+    for (DrawnFigure& drawn : figures) {
+        const double end = at + along(drawn) + left / static_cast<double>(figures.size());
+        (stacked ? drawn.room.min.y : drawn.room.min.x) = at;
+        (stacked ? drawn.room.max.y : drawn.room.max.x) = end;
+        drawn.caption = height_of_caption(drawn);
+        at = end + gap;
+    }
+}
+
+/// The equations into a corner of the room that the figure leaves free; false where there is none.
+bool DrawnFigures::set_in_corner(DrawnFigure& drawn, const Block& equations) const {
+    const Box room = rectangle(0, 0, drawn.room.width(), drawn.room.height() - drawn.caption);
+    if (!set_beside(drawn.beside, drawn.figure, equations, room)) return false;
+    drawn.figure.box.include(box_of(drawn.beside));
+    return true;
+}
+
+/// Drawn once for all rooms between the one it was drawn for and what it takes: its scale is the finest that fits. A room that
+/// holds it only smaller than at `coarsest` is refused, which costs less than to letter it there: the figure is empty then and at
+/// any_scale.
+const Figure& DrawnFigures::figure_in(std::size_t index, Spot room, double coarsest) {
+    const Wanted& wanted = wanted_.list[index];
+    std::vector<Known>& known = known_[index];
+    for (const Known& each : known)
+        if (serves(each, wanted, room, coarsest)) return each.figure;
+    Known drawn{room, wanted.to_force_scale ? wanted_.force_scale : std::nullopt, {}, {}};
+    if (coarsest < any_scale) {
+        drawn.figure = wanted.draw_or_refuse(room, coarsest);
+        if (drawn.figure.scale == any_scale) drawn.refused_at = coarsest;
+    } else {
+        drawn.figure = wanted.draw(room.x, room.y);
+    }
+    return known.emplace_back(std::move(drawn)).figure;
+}
+
+/// Whether a drawing of the figure, or that there was none, holds for a room as well.
+bool DrawnFigures::serves(const Known& known, const Wanted& wanted, Spot room, double coarsest) const {
+    constexpr double rounding = 1e-6;
+    if (known.force_scale != (wanted.to_force_scale ? wanted_.force_scale : std::nullopt)) return false;
+    const bool larger = room.x > known.room.x + rounding || room.y > known.room.y + rounding;
+    if (known.refused_at) return !larger && coarsest <= *known.refused_at;
+    const bool same = !larger && room.x > known.room.x - rounding && room.y > known.room.y - rounding;
+    if (same) return true;
+    const Box& box = known.figure.box;
+    const bool fits = box.width() <= room.x + rounding && box.height() <= room.y + rounding;
+    return fits && (wanted.fills ? is_hardly_other(known.room, room) : !larger || gains_nothing(wanted, known.figure, room));
+}
+
+void DrawnFigures::draw_into(DrawnFigure& drawn, Spot room, double coarsest) {
+    constexpr double least_room = 10;
+    const auto below = [&](double taken) { return Spot{std::max(room.x, least_room), std::max(room.y - taken, least_room)}; };
+    drawn.figure = figure_in(drawn.wanted, below(caption_line), coarsest);
+    drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
+    if (drawn.is_refused()) return;
+    drawn.caption = height_of_caption(drawn);
+    if (drawn.caption > caption_line && drawn.height() > room.y)
+        drawn.figure = figure_in(drawn.wanted, below(drawn.caption), coarsest);
+    drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
+}
+
+double DrawnFigures::height_of_caption(const DrawnFigure& drawn) const {
+    std::vector<Mark> words;
+    return set_caption(words, context_, drawn.figure, drawn.number, {0, 0}, drawn.room.width());
+}
+
+}  // namespace kinegraph::render

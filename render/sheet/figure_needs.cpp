@@ -1,0 +1,127 @@
+// Rims grow by what letters took; what is not known is tried.
+#include "render/sheet/figure_needs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/sheet/sheet_parts.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr int most_refusals = 3;
+
+/// For what its letters took at a coarser scale; what is not known, is tried.
+void give_more_room(Wanted& wanted, const DrawnFigure& drawn) {
+    constexpr double more = 6;
+    if (drawn.is_refused()) {
+        (drawn.room.width() > drawn.room.height() ? wanted.rim_y : wanted.rim_x) += more;
+        return;
+    }
+    const Spot strokes = wanted.strokes_at(drawn.figure.scale);
+    const double rim_x = drawn.size.x - strokes.x;
+    const double rim_y = drawn.size.y - strokes.y + drawn.caption - caption_line;
+    const bool is_known = rim_x > wanted.rim_x || rim_y > wanted.rim_y;
+    wanted.rim_x = is_known ? std::max(wanted.rim_x, rim_x + 1) : wanted.rim_x + more;
+    wanted.rim_y = is_known ? std::max(wanted.rim_y, rim_y + 1) : wanted.rim_y + more;
+}
+
+}  // namespace
+
+bool FigureNeeds::may_refuse(const Wanted& wanted) const {
+    const auto found = refusals_.find(wanted.name);
+    return found == refusals_.end() || found->second < most_refusals;
+}
+
+void FigureNeeds::learn_from(const DrawnFigure& drawn) {
+    Wanted& wanted = wanted_.list[drawn.wanted];
+    if (wanted.empty || wanted.fills || wanted.spare || wanted.asked) return;
+    constexpr double air = 0.5;
+    const Spot taken{drawn.size.x + air, drawn.size.y + drawn.caption - caption_line + air};
+    const Spot guess = wanted.strokes_at(drawn.figure.scale) + Spot{wanted.rim_x, wanted.rim_y};
+    const auto [known, fresh] = wanted.taken.try_emplace(drawn.figure.scale, taken);
+    if (fresh) spared_ = std::max({spared_, guess.x - taken.x, guess.y - taken.y});
+    // In a room of another shape it may take more; were it to take less again, plans would not settle.
+    known->second = {std::max(known->second.x, taken.x), std::max(known->second.y, taken.y)};
+}
+
+bool FigureNeeds::is_coarser_than_promised(const DrawnFigure& drawn) const {
+    const Wanted& wanted = wanted_.list[drawn.wanted];
+    constexpr double rounding = 1e-6;
+    return !wanted.empty && !wanted.fills && !wanted.spare && !wanted.asked &&
+           drawn.figure.scale > drawn.promised * (1 + rounding);
+}
+
+bool FigureNeeds::asks_for_more_room(const DrawnFigure& drawn) const {
+    return is_coarser_than_promised(drawn) && may_refuse(wanted_.list[drawn.wanted]);
+}
+
+/// What it took at the promised scale in another room is not enough in one of this shape.
+void FigureNeeds::wants_more_than_its_room(const DrawnFigure& drawn) {
+    auto& taken = wanted_.list[drawn.wanted].taken;
+    const auto known = taken.find(drawn.promised);
+    if (known == taken.end()) return;
+    constexpr double more = 3;
+    known->second = {std::max(known->second.x, drawn.room.width() + more),
+                     std::max(known->second.y, drawn.room.height() - caption_line + more)};
+}
+
+bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
+    if (drawn.is_refused() || is_coarser_than_promised(drawn)) wants_more_than_its_room(drawn);
+    Wanted& wanted = wanted_.list[drawn.wanted];
+    if (drawn.is_refused() || asks_for_more_room(drawn)) {
+        refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y});
+        ++refusals_[wanted.name];
+        give_more_room(wanted, drawn);
+        return true;
+    }
+    const Box& box = drawn.figure.box;
+    const double over_x = box.width() - drawn.room.width(), over_y = drawn.height() - drawn.room.height();
+    constexpr double ink = 0.25;  // of rules at the rim
+    if (over_x < ink && over_y < ink) return false;
+    if (wanted.fills) {
+        wanted.least_room = {std::max(wanted.least_room.x, box.width()),
+                             std::max(wanted.least_room.y, drawn.height() - caption_line)};
+    } else {
+        wanted.rim_x += std::max(over_x, 0.0);
+        wanted.rim_y += std::max(over_y, 0.0);
+        learn_from(drawn);  // its caption may have more lines by now
+    }
+    return true;
+}
+
+bool FigureNeeds::misses_its_scale(const DrawnFigure& drawn) const {
+    const Wanted& wanted = wanted_.list[drawn.wanted];
+    constexpr double rounding = 1e-9;
+    return wanted.asked && !wanted.empty && !wanted.fills && !wanted.spare &&
+           std::abs(drawn.figure.scale - *wanted.asked) > rounding * drawn.figure.scale;
+}
+
+bool FigureNeeds::gives_room_for_its_scale(const DrawnFigure& drawn) {
+    Wanted& wanted = wanted_.list[drawn.wanted];
+    if (!roomier_.insert(wanted.name).second) return false;
+    constexpr double more = 16;
+    wanted.rim_x += more;
+    wanted.rim_y += more;
+    return true;
+}
+
+bool FigureNeeds::take_back() {
+    for (const Refusal& refusal : refused_) {
+        Wanted& wanted = wanted_.list[refusal.wanted];
+        // A coarser scale of one force polygon would be that of all.
+        if (wanted.to_force_scale) continue;
+        wanted.rim_x = refusal.rim_x;
+        wanted.rim_y = refusal.rim_y;
+        refusals_[wanted.name] = most_refusals;
+    }
+    return !refused_.empty();
+}
+
+bool FigureNeeds::take_less_than_thought() {
+    constexpr int most_times = 2;
+    constexpr double worth_another_plan = 3;
+    return ++times_less_ <= most_times && spared_ > worth_another_plan;
+}
+
+}  // namespace kinegraph::render

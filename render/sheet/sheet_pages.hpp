@@ -1,0 +1,65 @@
+// Sheet pages: the bands of a plan with their drawn figures and their text, set on pages with frame and title block. Owns what is
+// set where; plans nothing.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "render/page/page.hpp"
+#include "render/sheet/drawn_figures.hpp"
+#include "render/sheet/title_block.hpp"
+
+namespace kinegraph::render {
+
+/// The text of bands with the lengths that are measured on the figures as drawn.
+class MeasuredText {
+public:
+    MeasuredText(const Bands& bands, const DrawnFigures& figures, const SheetFormat& format, BandTexts& planned);
+    MeasuredText(const MeasuredText&) = delete;  // its texts refer to its results
+    MeasuredText& operator=(const MeasuredText&) = delete;
+
+    const ColumnText& of(const Band& band, const BandLayout& layout) { return texts_.of(band, layout.divided, layout.cornered); }
+
+private:
+    std::vector<ResultRow> results_;
+    BandTexts texts_;
+};
+
+/// What stands on the pages.
+struct SheetContents {
+    const SheetPlan& plan;
+    const Bands& bands;
+    DrawnFigures& figures;
+    MeasuredText& text;
+};
+
+class SheetPages {
+public:
+    SheetPages(const DrawingContext& context, const SheetFormat& format, const Signature& signature, SheetContents contents)
+        : context_(context), format_(format), signature_(signature), contents_(contents) {}
+
+    /// Figures are moved to where they stand. `after`: how many pages are bound behind these.
+    std::vector<Page> set(std::size_t after);
+    /// Of figure 1: its upper left corner, and the room it has.
+    Spot first_caption() const { return first_caption_; }
+    double first_caption_width() const { return first_caption_width_; }
+
+private:
+    double height_of(const PlannedCell& cell) const;
+    double height_of(const PlacedBand& placed, bool whole) const;
+    double height_round(const PlacedBand& placed, const BandLayout& layout, double figures, double right, bool whole) const;
+    std::vector<Mark> marks_on(std::size_t page, std::optional<double>& scale_of_mechanism);
+    void set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const PlacedBand& placed, Spot at);
+    double set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, std::vector<DrawnFigure>& figures,
+                       bool stacked, Spot at);
+    void set_text(std::vector<Mark>& marks, const PlacedBand& placed, const BandLayout& layout, Spot at, double below);
+
+    const DrawingContext& context_;
+    const SheetFormat& format_;
+    const Signature& signature_;
+    SheetContents contents_;
+    Spot first_caption_{};
+    double first_caption_width_ = 0;
+};
+
+}  // namespace kinegraph::render

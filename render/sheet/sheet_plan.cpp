@@ -1,0 +1,171 @@
+// Pages first; then what no page holds is divided; then the scale that all force polygons share.
+#include "render/sheet/sheet_plan.hpp"
+
+#include <algorithm>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph::render {
+
+void SheetPlan::make() {
+    const bool looks_again = std::exchange(looks_again_, false);
+    if (wanted_.keeps_force_scale && !looks_again && plans_at_same_force_scale()) return;
+    wanted_.force_scale = least_force_scale_;
+    wanted_.keeps_force_scale = false;
+    plan_all();
+    if (pages_.empty()) {
+        give_each_a_page();
+        return make();
+    }
+    share_force_scale();
+}
+
+void SheetPlan::draw_forces_at(double scale) {
+    least_force_scale_ = scale;
+    looks_again_ = true;
+}
+
+/// Whether force polygons have room at their common scale on as few pages as before.
+bool SheetPlan::plans_at_same_force_scale() {
+    const std::size_t pages = pages_.size();
+    plan_all();
+    return !pages_.empty() && pages_.size() <= pages;
+}
+
+void SheetPlan::plan_all() {
+    std::vector<BandLayouts> before = std::move(layouts_);
+    layouts_.clear();
+    for (std::size_t b = 0; b < bands_.list.size(); ++b) {
+        BandLayouts layouts = layouts_of(bands_.list[b]);
+        const bool same = b < before.size() && before[b].is_like(layouts);
+        layouts_.push_back(std::move(same ? before[b] : layouts));
+    }
+    pages_ = plan_pages(layouts_, bands_.list, format_);
+}
+
+// --- what no page holds -----------------------------------------------------------------------------------------------------
+
+void SheetPlan::give_each_a_page() {
+    layouts_.clear();
+    rejoin();
+    for (std::size_t b = 0; b < bands_.list.size(); ++b)
+        while (worth_of(b, bands_.list[b].end_row) < BandLayout::possible)
+            if (const std::size_t rows = rows_for_a_page(b); rows > 0)
+                divide(b, rows);
+            else if (!crowded_.insert(bands_.list[b].question).second)
+                part_figures(b);
+}
+
+/// Of a band with a page to itself, its text only up to a row.
+double SheetPlan::worth_of(std::size_t index, std::size_t end_row) {
+    Band band = bands_.list[index];
+    band.end_row = end_row;
+    return worth_of_a_page(layouts_of(band), format_, index == 0);
+}
+
+/// How many of its rows a page holds with its figures about as large as without; 0: not even the fewest.
+std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
+    constexpr std::size_t fewest = 2;
+    constexpr double one_step = 0.7;  // of the scale
+    const Band& band = bands_.list[index];
+    const std::size_t all = texts_.rows(band);
+    const auto worth = [&](std::size_t rows) { return worth_of(index, band.first_row + rows); };
+    const double best = all < fewest ? BandLayout::impossible : worth(fewest);
+    if (best < BandLayout::possible) return 0;
+    const auto is_good = [&](std::size_t rows) {
+        return worth(rows) > (band.figures.empty() ? BandLayout::possible : best - one_step);
+    };
+    std::size_t good = fewest, bad = 2 * fewest;
+    for (; bad < all && is_good(bad); bad *= 2) good = bad;
+    for (bad = std::min(bad, all); bad - good > 1;) {
+        const std::size_t middle = (good + bad) / 2;
+        (is_good(middle) ? good : bad) = middle;
+    }
+    return std::min(good, all - 1);
+}
+
+BandLayouts SheetPlan::layouts_of(const Band& band) {
+    return {texts_,
+            band,
+            wanted_,
+            format_,
+            crowded_.contains(band.question),
+            !cornerless_.contains(band.question),
+            !wide_.contains(band.question)};
+}
+
+/// So many rows stay with the figures of a band; the rest goes on.
+void SheetPlan::divide(std::size_t index, std::size_t rows) {
+    Band& band = bands_.list[index];
+    Band rest = band;
+    rest.figures.clear();
+    rest.draws_mechanism = false;
+    band.end_row = rest.first_row = band.first_row + rows;
+    bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
+}
+
+/// What was divided for figures of other sizes is one band again.
+void SheetPlan::rejoin() {
+    std::vector<Band> whole;
+    for (Band& band : bands_.list)
+        if (!whole.empty() && band.figures.empty() && band.question == whole.back().question &&
+            band.first_row == whole.back().end_row)
+            whole.back().end_row = band.end_row;
+        else
+            whole.push_back(std::move(band));
+    bands_.list = std::move(whole);
+}
+
+/// Half of its figures go on without text.
+void SheetPlan::part_figures(std::size_t index) {
+    Band& band = bands_.list[index];
+    KG_ASSERT(band.figures.size() > 1, "a page holds a figure with a row of its text");
+    Band rest = band;
+    const auto half = static_cast<std::ptrdiff_t>((band.figures.size() + 1) / 2);
+    rest.figures.assign(band.figures.begin() + half, band.figures.end());
+    rest.parts.clear();
+    rest.first_row = rest.end_row = 0;
+    rest.draws_mechanism = false;
+    band.figures.resize(static_cast<std::size_t>(half));
+    bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
+}
+
+// --- one scale for all forces -----------------------------------------------------------------------------------------------
+
+/// Triangles and closed polygon have one scale: the finest at which all of them have room on as few pages.
+void SheetPlan::share_force_scale() {
+    double finest = least_force_scale_.value_or(0);
+    for (const Wanted& each : wanted_.list) {
+        if (!each.to_force_scale) continue;
+        if (each.asked) return;
+        finest = std::max(finest, choose_scale(each.extent_x, each.extent_y, each.enough, each.enough, std::nullopt));
+    }
+    const double coarsest = coarsest_of_forces();
+    if (!(coarsest > 0)) return;
+    constexpr double rounding = 1e-9;
+    const std::size_t pages = pages_.size();
+    wanted_.keeps_force_scale = true;
+    if (seeks_finest_force_scale_)
+        for (double scale = finest; scale < coarsest * (1 + rounding); scale = next_scale(scale)) {
+            wanted_.force_scale = scale;
+            plan_all();
+            if (!pages_.empty() && pages_.size() <= pages) return;
+        }
+    wanted_.force_scale = coarsest;
+    wanted_.keeps_force_scale = false;
+    plan_all();
+}
+
+/// Of the scales that the plan promises them; 0: it shows none.
+double SheetPlan::coarsest_of_forces() const {
+    double coarsest = 0;
+    for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
+        const std::vector<std::size_t>& figures = bands_.list[placed.band].figures;
+        for (std::size_t f = 0; f < layout.rooms.size(); ++f)
+            if (layout.rooms[f].x > 0 && wanted_.list[figures[f]].to_force_scale)
+                coarsest = std::max(coarsest, layouts_[placed.band].scale_in(f, layout.rooms[f]));
+    });
+    return coarsest;
+}
+
+}  // namespace kinegraph::render
