@@ -139,12 +139,16 @@ void ForceModel::add_effort(int index) {
     bonds_.push_back(bond);
 }
 
+bool ForceModel::is_of_teeth(std::size_t bond) const {
+    return bonds_[bond].joint != none && mechanism_.joints[at(bonds_[bond].joint)].pair().meshes();
+}
+
 bool ForceModel::pulls(std::size_t b, const Run& run) {
     if (bonds_[b].joint == none || !run.reactions[b].force) return false;
     const JointIndex index = bonds_[b].joint;
     const Joint& joint = mechanism_.joints[at(index)];
     const Force& force = *run.reactions[b].force;
-    if (!joint.pair().meshes()) return joint.pushes && board_.along_sign(board_.push(index), force) < 0;
+    if (!is_of_teeth(b)) return joint.pushes && board_.along_sign(board_.push(index), force) < 0;
     // How large the force is across the tangent, seen along the normal.
     const int radial = board_.sign(board_.moment(board_.tangent(index), force));
     return material_side(index) * radial < 0;
@@ -152,10 +156,8 @@ bool ForceModel::pulls(std::size_t b, const Run& run) {
 
 std::vector<JointIndex> ForceModel::pulling_teeth(const Run& run) {
     std::vector<JointIndex> teeth;
-    for (std::size_t b = 0; b < joint_bonds_; ++b) {
-        const JointIndex joint = bonds_[b].joint;
-        if (joint != none && mechanism_.joints[at(joint)].pair().meshes() && pulls(b, run)) teeth.push_back(joint);
-    }
+    for (std::size_t b = 0; b < joint_bonds_; ++b)
+        if (is_of_teeth(b) && pulls(b, run)) teeth.push_back(bonds_[b].joint);
     return teeth;
 }
 
@@ -164,8 +166,8 @@ void ForceModel::turn_flanks(const std::vector<JointIndex>& teeth) {
         if (!mirrored_gears_.insert(joint).second) mirrored_gears_.erase(joint);
     // The lines of all of them: what was drawn of them since may be wiped off.
     for (std::size_t b = 0; b < joint_bonds_; ++b) {
+        if (!is_of_teeth(b)) continue;
         const JointIndex joint = bonds_[b].joint;
-        if (joint == none || !mechanism_.joints[at(joint)].pair().meshes()) continue;
         bonds_[b].direction = mirrored_gears_.contains(joint) ? board_.other_normal(joint) : board_.normal(joint);
     }
 }

@@ -241,6 +241,7 @@ private:
     /// Members that hang together, not on an effort, and on the frame or not.
     std::vector<Group> hanging_together(bool on_frame) const;
     static std::string relative_name_of_bodies(const std::string& of, const std::string& on);
+    bool is_of_teeth(std::size_t bond) const;
     void add_joint(JointIndex index);
     void add_effort(int index);
     /// On which side of the common tangent's normal the material of bodies[0] lies: the sign of 1/x_0 − 1/x_1, x the centres'

@@ -20,7 +20,6 @@ private:
     std::optional<Superposition::Part> cut_part(const PartRun& part);
     /// Of one action, on a body that moves: forces tip to tail, and couples.
     void sum_parts(std::size_t b, const Run& run, Superposition& found);
-    /// Of a bond, on its first member or, reversed, on its second.
 
     ForceModel& model_;
     Board& board_;

@@ -103,7 +103,8 @@ RichText given_value(const Sketch& sketch, const Symbol& symbol, double value, c
 }
 /// "ω_3 = 1.31 rad/s", as the sentences tell what is found.
 RichText found_value(const Sketch& sketch, const Symbol& symbol, double value, const Unit& unit) {
-    return value_of(sketch, symbol, number(value / unit.si.to_double(), 3, sketch.context.language), unit);
+    constexpr int digits = 3;  // as the sentences tell it
+    return value_of(sketch, symbol, number(value / unit.si.to_double(), digits, sketch.context.language), unit);
 }
 
 void draw_driver(Sketch& sketch, const SpinDriver& spin) {

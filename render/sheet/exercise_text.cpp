@@ -121,7 +121,7 @@ private:
     RichText pair(double x, double y) const {
         RichText text = one_piece("(");
         append(text, number_of(x));
-        append(text, language() == Language::it ? "; " : ", ");
+        append(text, between_numbers(language()));
         append(text, number_of(y));
         append(text, ")");
         return text;

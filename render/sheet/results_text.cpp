@@ -160,9 +160,9 @@ private:
     std::string component(const JointForce& each, const Unit& unit) const {
         const Vector along = unit_of_component(each);
         constexpr int digits = 4;
-        return number(component_of(each) / unit.si.to_double(), digits, language_) + " ∥ (" +
-               number(along.x.to_double(), digits, language_) + (language_ == Language::it ? "; " : ", ") +
-               number(along.y.to_double(), digits, language_) + ")";
+        const auto written = [&](double value) { return number(value, digits, language_); };
+        return written(component_of(each) / unit.si.to_double()) + " ∥ " +
+               pair_of(written(along.x.to_double()), written(along.y.to_double()), language_);
     }
 
     std::string reactions() const {

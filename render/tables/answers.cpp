@@ -279,8 +279,7 @@ private:
         const bool turns = answer.symbol.letter == Symbol::Letter::omega || answer.symbol.letter == Symbol::Letter::alpha;
         std::string text = value(answer.value);
         if (turns && answer.value > 0) text.insert(0, "+");
-        if (answer.at)
-            text = "(" + value((*answer.at)[0]) + (language == Language::it ? "; " : ", ") + value((*answer.at)[1]) + ")";
+        if (answer.at) text = pair_of(value((*answer.at)[0]), value((*answer.at)[1]), language);
         const bool at_infinity = answer.section == Topic::centres && !answer.at;
         cells.all[1] = shape(at_infinity ? word("at infinity", language) : text, size);
         if (answer.tolerance) cells.all[2] = shape(number(rounded_up(*answer.tolerance), 1, language), size);

@@ -79,10 +79,9 @@ private:
         const Unit unit = suitable_unit(largest, kind, mechanism_.units);
         const double si = unit.si.to_double();
         const auto written = [&](double value) { return number(clean(value) / si, 4, language_); };
-        const std::string between = language_ == Language::it ? "; " : ", ";
         for (Term& each : terms)
             rows.push_back({std::move(each.name), std::move(each.rule),
-                            upright("(" + written(each.value.x.to_double()) + between + written(each.value.y.to_double()) + ")"),
+                            upright(pair_of(written(each.value.x.to_double()), written(each.value.y.to_double()), language_)),
                             upright(written(length(each.value)) + " " + unit.symbol)});
     }
     void write_transport() {

@@ -280,15 +280,14 @@ private:
             const Unit unit = suitable_unit(kinegraph::length(v), kind, mechanism_.units);
             const double si = unit.si.to_double();
             const auto digits = [&](double value) { return number(value / si, 4, language_); };
-            const std::string between = en ? ", " : "; ";
             std::vector<Formula> cells{std::move(letter)};
-            cells.push_back(upright("(" + digits(v.x.to_double()) + between + digits(v.y.to_double()) + ") " + unit.symbol));
+            cells.push_back(upright(pair_of(digits(v.x.to_double()), digits(v.y.to_double()), language_) + " " + unit.symbol));
             if (found_.at_pole)
                 cells.push_back(upright("–"));
             else if (is_place)
-                cells.push_back(upright("(" + digits(polar[0]) + " " + unit.symbol + between + degrees(polar[1]) + ")"));
+                cells.push_back(upright(pair_of(digits(polar[0]) + " " + unit.symbol, degrees(polar[1]), language_)));
             else
-                cells.push_back(upright("(" + digits(polar[0]) + between + digits(polar[1]) + ") " + unit.symbol));
+                cells.push_back(upright(pair_of(digits(polar[0]), digits(polar[1]), language_) + " " + unit.symbol));
             cells.push_back(complex_number(v, digits(kinegraph::length(v)), unit.symbol));
             rows.push_back(std::move(cells));
         };

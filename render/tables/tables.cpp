@@ -505,8 +505,7 @@ RichText where_found(const InstantCentre& centre, const Solution& solution, Lang
         const auto coordinate = [&](double v) {
             return decimals ? fixed(v, std::min(*decimals, 4), language) : number(v, 5, language);
         };
-        const std::string separator = language == Language::it ? "; " : ", ";
-        return one_piece("(" + coordinate(x) + separator + coordinate(y) + ")");
+        return one_piece(pair_of(coordinate(x), coordinate(y), language));
     }
     if (centre.at) {
         double angle = std::atan2(centre.at->y.to_double(), centre.at->x.to_double()) * 180 / std::acos(-1.0);

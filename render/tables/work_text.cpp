@@ -103,7 +103,7 @@ private:
         return unit.empty() ? std::move(name) : std::move(name) + upright(", " + unit);
     }
     Formula pair_of(double x, double y) const {
-        return upright("(" + written(clean(x)) + (language_ == Language::it ? "; " : ", ") + written(clean(y)) + ")");
+        return upright(render::pair_of(written(clean(x)), written(clean(y)), language_));
     }
     /// −0, and what only rounding left of nothing.
     double clean(double value) const { return std::abs(value) < 1e-14 * largest_ ? 0 : value; }

@@ -1692,6 +1692,12 @@ std::string fixed(double value, int decimals, Language language) {
     return dressed(text, language);
 }
 
+const char* between_numbers(Language language) { return language == Language::it ? "; " : ", "; }
+
+std::string pair_of(const std::string& x, const std::string& y, Language language) {
+    return "(" + x + between_numbers(language) + y + ")";
+}
+
 std::string shortest(double value) {
     char buffer[64];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value);

@@ -29,6 +29,10 @@ RichText typeset(const LineReason& reason, Language language);
 std::string number(double value, int digits, Language language);
 /// A fixed number of decimals, for columns.
 std::string fixed(double value, int decimals, Language language);
+/// What stands between two numbers of a list: a semicolon where the comma is the decimal one.
+const char* between_numbers(Language language);
+/// "(1.5, 2)" of coordinates as they are written.
+std::string pair_of(const std::string& x, const std::string& y, Language language);
 /// The shortest decimal that reads back as this double, with a point: data attributes.
 std::string shortest(double value);
 /// The same for readers: decimal comma in Italian, true minus, powers of ten where it is long.
