@@ -166,6 +166,20 @@ bool BandLayouts::may_be_narrow(int divided, bool cornered) const {
     return *known;
 }
 
+double BandLayouts::matter() const {
+    double sum = 0;
+    const ColumnText& own = text(format_.columns, false);
+    if (!own.empty()) sum += own.whole_height() * own.measure();
+    const Spot half{0.5 * format_.content.width(), 0.6 * format_.content.height()};
+    for (const std::vector<FigureSize>& figure : figures_.sizes()) {
+        const auto found = std::find_if(figure.begin(), figure.end(),
+                                        [&](const FigureSize& size) { return size.x <= half.x && size.y <= half.y; });
+        const FigureSize& size = found == figure.end() ? figure.back() : *found;
+        sum += size.x * size.y;
+    }
+    return sum;
+}
+
 double BandLayouts::wider_in(Spot room) const {
     for (const FigureSize& size : figures_.sizes().front())
         if (size.x + size.wider <= room.x + 0.01 && size.y <= room.y + 0.01) return size.wider;

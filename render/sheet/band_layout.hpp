@@ -105,6 +105,8 @@ public:
     BandLayout in(Width width, double height, Notch notch = {}) const;
     /// By heights that are multiples of `step`, the greatest `most` of them; kept once asked for.
     const WorthByHeight& worth(Width width, const Notch& notch, double step, int most) const;
+    /// What it takes of a page, about, mm²: its text, and its figures as they stand in half a page.
+    double matter() const;
     /// Whether another has the same figures and the same text, so that all it was asked for holds here.
     bool is_like(const BandLayouts& other) const;
     /// The text in the columns of a page divided by so many.
