@@ -1,0 +1,34 @@
+// Telling: how a working is written to the sentence that it belongs to. Owns that it is said once, and only where it comes out.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/magnitudes.hpp"
+#include "engine/solution.hpp"
+
+namespace kinegraph::workings {
+
+using Factors = std::vector<Working::Factor>;
+
+inline double in(double si, const Unit& unit) { return si / unit.si.to_double(); }
+
+class Telling {
+public:
+    explicit Telling(Solution& solution) : solution_(solution), magnitudes_(solution) {}
+
+    const Solution& solution() const { return solution_; }
+    const Magnitudes& magnitudes() const { return magnitudes_; }
+    Message& message(StatementIndex statement) { return solution_.protocol.statements[at_index(statement)].message; }
+    /// A working is said once, and only where it comes out.
+    void tell(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor, double value,
+              const Unit& unit);
+    /// ω or α of a body; 0 of none.
+    double spin(BodyIndex body, Symbol::Letter letter) const;
+
+private:
+    Solution& solution_;
+    Magnitudes magnitudes_;
+};
+
+}  // namespace kinegraph::workings
