@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/scanner.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -141,10 +143,10 @@ Size size_of(const Expression& of) {
 
 // ----- the grammar
 
-class Reader {
+class Reader : Scanner {
 public:
     Reader(std::string_view text, std::string_view variable, const LookUp& look_up, NamedConstants& constants)
-        : text_(text), variable_(variable), look_up_(look_up), constants_(constants) {}
+        : Scanner(text), variable_(variable), look_up_(look_up), constants_(constants) {}
 
     Outcome whole() {
         Outcome result = sum();
@@ -155,16 +157,6 @@ public:
     }
 
 private:
-    void skip() {
-        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
-    }
-    bool takes(char c) {
-        skip();
-        if (at_ >= text_.size() || text_[at_] != c) return false;
-        ++at_;
-        return true;
-    }
-    std::string_view rest() const { return text_.substr(std::min(at_, text_.size())); }
     tl::unexpected<Words> unexpected_here() const {
         if (rest().empty())
             return refused({"the expression ends where a number, a name or a bracket is wanted",
@@ -401,10 +393,9 @@ private:
         return {};
     }
 
-    std::string_view text_, variable_;
+    std::string_view variable_;
     const LookUp& look_up_;
     NamedConstants& constants_;
-    std::size_t at_ = 0;
     int depth_ = 0;
 };
 

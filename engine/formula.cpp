@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/assert.hpp"
+#include "engine/scanner.hpp"
 
 namespace kinegraph {
 namespace {
@@ -202,9 +203,9 @@ bool is_function(std::string_view name) {
     return name != "pi" && std::find(words_of_formulas.begin(), words_of_formulas.end(), name) != words_of_formulas.end();
 }
 
-class Descent {
+class Descent : Scanner {
 public:
-    Descent(std::string_view text, const LookUp& look_up) : text_(text), look_up_(look_up) {}
+    Descent(std::string_view text, const LookUp& look_up) : Scanner(text), look_up_(look_up) {}
 
     Outcome whole() {
         Outcome result = sum();
@@ -215,26 +216,17 @@ public:
     }
 
 private:
-    void skip() {
-        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
-    }
-    bool takes(char c) {
-        skip();
-        if (at_ >= text_.size() || text_[at_] != c) return false;
-        ++at_;
-        return true;
-    }
     tl::unexpected<Words> unexpected_here() const {
-        const std::string_view rest = text_.substr(std::min(at_, text_.size()));
-        if (rest.empty())
+        if (rest().empty())
             return refused({"the formula ends where a number, a name or a bracket is wanted",
                             "la formula finisce dove serve un numero, un nome o una parentesi"});
-        if (rest.starts_with("−") || rest.starts_with("–"))
+        if (rest().starts_with("−") || rest().starts_with("–"))
             return refused({"a minus is written \"-\" in a formula", "il meno in una formula si scrive \"-\""});
-        if (rest.starts_with("·") || rest.starts_with("×"))
+        if (rest().starts_with("·") || rest().starts_with("×"))
             return refused({"a product is written \"*\" in a formula", "il prodotto in una formula si scrive \"*\""});
         return refused({"{0} is not understood here; +, -, *, /, ^, brackets, numbers with units and names are",
-                        "{0} qui non si capisce; si capiscono +, -, *, /, ^, parentesi, numeri con unità e nomi", quoted(rest)});
+                        "{0} qui non si capisce; si capiscono +, -, *, /, ^, parentesi, numeri con unità e nomi",
+                        quoted(rest())});
     }
 
     Outcome sum() {
@@ -547,9 +539,7 @@ private:
         return best;
     }
 
-    std::string_view text_;
     const LookUp& look_up_;
-    std::size_t at_ = 0;
     int depth_ = 0;
 };
 

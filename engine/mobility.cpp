@@ -496,6 +496,20 @@ Mobility::Verdict Mobility::verdict() const {
     return gruebler > 0 ? Verdict::mechanism : Verdict::labile;
 }
 
+const char* name_of(Mobility::Verdict verdict) {
+    switch (verdict) {
+        case Mobility::Verdict::mechanism:
+            return "mechanism";
+        case Mobility::Verdict::isostatic:
+            return "isostatic";
+        case Mobility::Verdict::hyperstatic:
+            return "hyperstatic";
+        case Mobility::Verdict::labile:
+            break;
+    }
+    return "labile";
+}
+
 Mobility mobility_of(const Mechanism& mechanism, const Pose& pose, const FinerPose& finer) {
     Mobility mobility;
     count_joints(mechanism, mobility);

@@ -39,6 +39,8 @@ struct Mobility {
     };
     Verdict verdict() const;
 };
+/// As results name it: "mechanism", "isostatic", "hyperstatic", "labile".
+const char* name_of(Mobility::Verdict verdict);
 
 /// Rank by exact arithmetic (residues modulo two large primes; never too high) on an exact pose; on a pose with a leftover by
 /// elimination in 512-bit floating point, where a suspiciously small pivot is judged on a pose twice as fine; where the data are

@@ -259,22 +259,9 @@ private:
 
     std::string mobility() const {
         const Mobility& found = solution_.mobility;
-        const auto verdict = [&] {
-            switch (found.verdict()) {
-                case Mobility::Verdict::mechanism:
-                    return "mechanism";
-                case Mobility::Verdict::isostatic:
-                    return "isostatic";
-                case Mobility::Verdict::hyperstatic:
-                    return "hyperstatic";
-                case Mobility::Verdict::labile:
-                    break;
-            }
-            return "labile";
-        };
         Members members{{"gruebler", std::to_string(found.gruebler)},
                         {"effective", std::to_string(found.effective)},
-                        {"verdict", quoted(verdict())}};
+                        {"verdict", quoted(kinegraph::name_of(found.verdict()))}};
         Members redundant;
         for (const Mobility::Redundant& each : found.redundant)
             redundant.emplace_back(mechanism_.joint(each.joint).name, std::to_string(each.rows));

@@ -85,19 +85,6 @@ std::string joint_json(const Mechanism& mechanism, const Joint& joint) {
 const char* name_of(KinematicChain::Kind kind) {
     return kind == KinematicChain::Kind::open ? "open" : kind == KinematicChain::Kind::closed ? "closed" : "mixed";
 }
-const char* name_of(Mobility::Verdict verdict) {
-    switch (verdict) {
-        case Mobility::Verdict::mechanism:
-            return "mechanism";
-        case Mobility::Verdict::isostatic:
-            return "isostatic";
-        case Mobility::Verdict::hyperstatic:
-            return "hyperstatic";
-        case Mobility::Verdict::labile:
-            break;
-    }
-    return "labile";
-}
 
 }  // namespace
 
@@ -150,7 +137,7 @@ std::string pair_report_json(const Mechanism& mechanism, const Mobility& mobilit
                     {"mobility", object_of({{"gruebler", std::to_string(mobility.gruebler)},
                                             {"effective", std::to_string(mobility.effective)},
                                             {"repeated", std::to_string(mobility.repeated())},
-                                            {"verdict", json_text(name_of(mobility.verdict()))}})},
+                                            {"verdict", json_text(kinegraph::name_of(mobility.verdict()))}})},
                     {"remarks", lines_of(said)}});
 }
 

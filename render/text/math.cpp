@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "render/text/utf8.hpp"
+
 namespace kinegraph::render {
 namespace {
 
@@ -57,17 +59,6 @@ auto begun_with(std::string_view text, const Table& table) {
 /// A number, a unit or words, in math mode.
 std::string latex_of_upright(std::string_view text) {
     using Spelling = std::pair<std::string_view, std::string_view>;
-    constexpr auto raised = std::to_array<Spelling>({{"⁰", "0"},
-                                                     {"¹", "1"},
-                                                     {"²", "2"},
-                                                     {"³", "3"},
-                                                     {"⁴", "4"},
-                                                     {"⁵", "5"},
-                                                     {"⁶", "6"},
-                                                     {"⁷", "7"},
-                                                     {"⁸", "8"},
-                                                     {"⁹", "9"},
-                                                     {"⁻", "-"}});
     constexpr auto known = std::to_array<Spelling>({{"−", "-"},
                                                     {"°", "^{\\circ}"},
                                                     {"∂", "\\partial "},
@@ -86,10 +77,10 @@ std::string latex_of_upright(std::string_view text) {
         exponent.clear();
     };
     while (!text.empty()) {
-        if (const auto* const up = begun_with(text, raised)) {
+        if (const auto* const up = begun_with(text, raised_characters)) {
             const std::string before = std::exchange(exponent, {});
             flush();
-            exponent = before + std::string(up->second);
+            exponent = before + (up->second == "−" ? "-" : std::string(up->second));
             text.remove_prefix(up->first.size());
             continue;
         }

@@ -474,17 +474,7 @@ const RichText& with_raised_digits(const RichText& text, RichText& changed) {
 }  // namespace
 
 RichText with_powers(const std::string& text) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> powers{{{"⁰", "0"},
-                                                                                           {"¹", "1"},
-                                                                                           {"²", "2"},
-                                                                                           {"³", "3"},
-                                                                                           {"⁴", "4"},
-                                                                                           {"⁵", "5"},
-                                                                                           {"⁶", "6"},
-                                                                                           {"⁷", "7"},
-                                                                                           {"⁸", "8"},
-                                                                                           {"⁹", "9"},
-                                                                                           {"⁻", "−"}}};
+    constexpr auto& powers = raised_characters;
     RichText rich{Piece{}};
     for (std::size_t i = 0; i < text.size();) {
         // Most characters are no power, and most of those ASCII.

@@ -2,12 +2,27 @@
 // beyond the end. Knows nothing of fonts or of markup.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace kinegraph::render {
+
+/// Characters that stand for a raised digit or minus, with what is raised.
+inline constexpr std::array<std::pair<std::string_view, std::string_view>, 11> raised_characters{{{"⁰", "0"},
+                                                                                                  {"¹", "1"},
+                                                                                                  {"²", "2"},
+                                                                                                  {"³", "3"},
+                                                                                                  {"⁴", "4"},
+                                                                                                  {"⁵", "5"},
+                                                                                                  {"⁶", "6"},
+                                                                                                  {"⁷", "7"},
+                                                                                                  {"⁸", "8"},
+                                                                                                  {"⁹", "9"},
+                                                                                                  {"⁻", "−"}}};
 
 constexpr char32_t replacement_character = 0xFFFD;
 

@@ -1,0 +1,30 @@
+// Scanner: a text that a grammar goes through from left to right; blanks between its signs mean nothing.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+namespace kinegraph {
+
+class Scanner {
+protected:
+    explicit Scanner(std::string_view text) : text_(text) {}
+
+    void skip() {
+        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+    }
+    /// Goes past a sign; false where another stands there.
+    bool takes(char c) {
+        skip();
+        if (at_ >= text_.size() || text_[at_] != c) return false;
+        ++at_;
+        return true;
+    }
+    std::string_view rest() const { return text_.substr(std::min(at_, text_.size())); }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace kinegraph
