@@ -19,7 +19,7 @@ struct Symbol {
     std::string term;   ///< superscript: "n", "t", "rel", "tr", "cor", "∞"
     friend bool operator==(const Symbol&, const Symbol&) = default;
 };
-/// Whether the file's name of a force or couple is a symbol by itself: F, F_gas, M_1, T4; else it is the subscript of F or M.
+/// Whether the file's name of a force or couple is a symbol by itself: F, F_gas, F1, M4, T4; else it is the subscript of F or M.
 bool has_own_name(const Symbol& symbol);
 /// Of a Coriolis term the relative velocity it belongs to: v_AA* of a_AA*^cor, v_B^rel of a_B^cor. `observed`: by an observer.
 Symbol velocity_of_coriolis(Symbol coriolis, bool observed);
