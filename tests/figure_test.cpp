@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "engine/centre_symbol.hpp"
 #include "render/page/shapes.hpp"
 #include "tests/fonts.hpp"
 #include "tests/solved.hpp"
@@ -272,6 +273,49 @@ TEST(FoundTurnings, StandOnTheMechanismWhereTheyCostItNothing) {
     EXPECT_TRUE(after.contains("ω_3 = 1.31 rad/s") && after.contains("ω_4 = −4.78 rad/s"));
     const Figure small = mechanism_figure(context, tight.x, tight.y, true);
     EXPECT_EQ(mechanism_with_found_turnings(context, small, tight, true).scale, any_scale);
+}
+
+/// Names of the instant centres that a figure shows, by the titles of their groups.
+std::set<std::string> centres_of(const Figure& figure) {
+    std::set<std::string> names;
+    for (const Mark& mark : figure.marks)
+        if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "centre") names.insert(group->title);
+    return names;
+}
+/// … and those that the solution has.
+std::set<std::string> centres_of(const Solution& solution, Language language) {
+    std::set<std::string> names;
+    for (const InstantCentre& centre : solution.centres)
+        if (centre.at)
+            names.insert(plain(
+                typeset(centre_symbol(solution.mechanism, centre.first, centre.second, centre.at->at_infinity()), language)));
+    return names;
+}
+
+TEST(MechanismFigure, says_which_centres_it_leaves_out) {
+    const Theme theme;
+    std::size_t left_out = 0;
+    for (const std::string& name : example_names())
+        for (const Language language : {Language::en, Language::it}) {
+            const Solution solution = example(name);
+            if (solution.act_of_motion) continue;
+            const std::set<std::string> all = centres_of(solution, language);
+            for (const Spot room : {Spot{70, 60}, Spot{250, 180}}) {
+                const Figure figure = mechanism_figure({solution, theme, fonts(), language}, room.x, room.y, true);
+                const std::set<std::string> drawn = centres_of(figure);
+                const std::string caption = plain(figure.caption) + ",";
+                const std::size_t from = caption.find(language == Language::en ? ", without " : ", senza ");
+                EXPECT_EQ(all == drawn, from == std::string::npos) << name << ": " << caption;
+                constexpr std::size_t most_named = 6;
+                if (all.size() > drawn.size() + most_named) continue;
+                for (const std::string& centre : all) {
+                    const bool is_told = from != std::string::npos && caption.find(" " + centre + ",", from) != std::string::npos;
+                    EXPECT_EQ(is_told, !drawn.contains(centre)) << name << ", " << centre << ": " << caption;
+                    left_out += is_told ? 1 : 0;
+                }
+            }
+        }
+    EXPECT_GT(left_out, 0U);
 }
 
 TEST(CircleDiagram, has_a_chord_for_each_centre_found) {

@@ -210,7 +210,8 @@ private:
         draw_drivers(sketch);
         draw_compass(sketch);
         draw_in_colour(sketch);
-        if (shows.centres) draw_centres(sketch);
+        std::vector<RichText> left_out;
+        if (shows.centres) left_out = draw_centres(sketch);
         draw_equivalent_linkages(sketch);
         for (const Symbol::Letter letter : turnings) draw_turnings(sketch, letter);
         if (dimensions) draw_dimensions(sketch, room, *dimensions);
@@ -232,10 +233,23 @@ private:
         constexpr int most_rounds = 4;
         if (!has_room(plain) || plain.has_key) return plain;
         DimensionWish wish{.names = places_of_names(plain, context.fonts)};
+        if (!left_out.empty()) append(figure.caption, without(left_out));
         for (int round = 0; round < most_rounds; ++round) {
             auto [figure, dimensioned] = drawn(trial, turnings, wish);
             if (!dimensioned || !has_room(figure)) break;
             std::set<std::string> covered = covered_dimensions(figure, context.fonts);
+    /// ", without P_24, P_25": the list of centres has them all, so of many the first will do.
+    RichText without(const std::vector<RichText>& centres) const {
+        constexpr std::size_t most = 6;
+        RichText text = one_piece(word("without centres", context.language) + " ");
+        for (std::size_t i = 0; i < std::min(centres.size(), most); ++i) {
+            if (i > 0) append(text, one_piece(", "));
+            append(text, centres[i]);
+        }
+        if (centres.size() > most) append(text, one_piece(" … (" + std::to_string(centres.size()) + ")"));
+        return text;
+    }
+
             if (covered.empty()) return std::move(figure);
             wish.left_out.merge(covered);
         }

@@ -82,7 +82,8 @@ void draw_drivers(Sketch& sketch);
 void draw_turnings(Sketch& sketch, Symbol::Letter letter);
 /// The statement that ends with the angular velocity (or acceleration) of a body; none: no one does.
 StatementIndex statement_of_turning(const Solution& solution, const Quantity& sought);
-void draw_centres(Sketch& sketch);
+/// Instant centres and the lines that find them. The names of those that are left out, where all of them would crowd the figure.
+std::vector<RichText> draw_centres(Sketch& sketch);
 /// An absolute centre under the velocities: a dot and its name, once; none where a pin stands.
 void draw_pole(Sketch& sketch, const InstantCentre& centre);
 Symbol symbol_of(const Mechanism& mechanism, const InstantCentre& centre);

@@ -632,6 +632,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     // figures
     FixedWords{"figure", "Fig.", "Fig."},
     FixedWords{"mechanism", "Mechanism", "Meccanismo"},
+    FixedWords{"without centres", ", without", ", senza"},
     FixedWords{"mechanism and instant centres", "Mechanism and instant centres", "Meccanismo e centri di istantanea rotazione"},
     FixedWords{"mechanism and its way", "Mechanism as drawn, and its motion", "Meccanismo come disegnato e suo moto"},
     FixedWords{"cam and follower", "Cam and follower", "Camma e punteria"},
