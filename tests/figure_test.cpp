@@ -275,6 +275,32 @@ TEST(FoundTurnings, StandOnTheMechanismWhereTheyCostItNothing) {
     EXPECT_EQ(mechanism_with_found_turnings(context, small, tight, true).scale, any_scale);
 }
 
+/// The four-bar whose crank is also accelerated; it starts from rest where there is no ω.
+Solution accelerated(const std::string& rates) {
+    std::string text = tests::contents(tests::example_file("four_bar"));
+    const std::string given = R"("omega": "-120 rpm")";
+    return solved(text.replace(text.find(given), given.size(), rates));
+}
+
+TEST(GivenAccelerations, StandOnTheMechanismWhereTheyCostItNothing) {
+    const Theme theme;
+    const Spot roomy{100, 90};
+    for (const char* rates : {R"("omega": "-120 rpm", "alpha": 25)", R"("alpha": 25)"}) {
+        const Solution solution = accelerated(rates);
+        for (const Language language : {Language::en, Language::it}) {
+            const std::string said = language == Language::en ? "α_2 = 25 rad/s^2" : "ω̇_2 = 25 rad/s^2";
+            const DrawingContext context{solution, theme, fonts(), language};
+            const Figure plain = mechanism_figure(context, roomy.x, roomy.y, true);
+            const Figure rich = mechanism_with_found_turnings(context, plain, roomy, true);
+            EXPECT_EQ(rich.scale, plain.scale);
+            EXPECT_TRUE(labels_of(rich).contains(said)) << said;
+            EXPECT_TRUE(labels_of(accelerations_on_mechanism(context, 120, 100)).contains(said));
+            EXPECT_TRUE(labels_of(exercise_figure(context, plain.scale, 130, 110)).contains(said));
+            EXPECT_FALSE(labels_of(velocities_on_mechanism(context, 120, 100)).contains(said));
+        }
+    }
+}
+
 /// Names of the instant centres that a figure shows, by the titles of their groups.
 std::set<std::string> centres_of(const Figure& figure) {
     std::set<std::string> names;

@@ -22,8 +22,9 @@ Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter let
 /// The mechanism as an exercise hands it out, at a scale (m for each mm): what its file gives as dimensions where they are free
 /// within the room, drivers, loads and masses with their values; nothing that is found.
 Figure exercise_figure(const DrawingContext& context, double scale, double room_x, double room_y);
-/// mechanism_figure at the scale of `plain`, which it was drawn at without, with ω and α of the bodies, or with ω alone. Empty
-/// and at any_scale where they find no room, or would cost a name or a dimension its place.
+/// mechanism_figure at the scale of `plain`, which it was drawn at without, with ω and α of the bodies, or with ω alone, and with
+/// what the file gives of the drivers' accelerations. Empty and at any_scale where they find no room, or would cost a name or a
+/// dimension its place.
 Figure mechanism_with_found_turnings(const DrawingContext& context, const Figure& plain, Spot room, bool with_centres);
 /// Velocities drawn on the mechanism, ⟂ to the rays from the absolute centres, and ω of its bodies. Kind "body", id "velocities".
 Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y);

@@ -78,6 +78,8 @@ RichText how_far(const Sketch& sketch, const RichText& from, const RichText& to,
 void draw_compass(Sketch& sketch);
 /// ω of a driven body as an arc about its pivot, the speed of a driven slide or point as an arrow beside it.
 void draw_drivers(Sketch& sketch);
+/// What the file gives of their accelerations, as arcs and arrows of their own.
+void draw_accelerations_of_drivers(Sketch& sketch);
 /// What turns, as the solution finds it: ω or α of the bodies as arcs, each with the statement that ends with it.
 void draw_turnings(Sketch& sketch, Symbol::Letter letter);
 /// The statement that ends with the angular velocity (or acceleration) of a body; none: no one does.
