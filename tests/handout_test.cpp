@@ -224,6 +224,30 @@ TEST(Answers, HaveTheTolerancesOfTheirReadings) {
     EXPECT_LT(*omega_3.tolerance, std::abs(omega_3.value));
 }
 
+TEST(Answers, OfBodiesThatTurnTogetherHaveOneTolerance) {
+    int pairs = 0;
+    for (const std::string& name : example_names()) {
+        const Solution solution = example(name);
+        if (solution.bodies.empty()) continue;
+        const SheetOptions options;
+        const DrawnSheet sheet = draw_solution(solution, options, fonts());
+        const DrawingContext context{solution, options.theme, fonts()};
+        std::map<Quantity::Kind, std::map<BodyIndex, std::optional<double>>> tolerances;
+        for (const render::Answer& each : answers_of(context, sheet.figures))
+            if (each.symbol.letter == Symbol::Letter::omega || each.symbol.letter == Symbol::Letter::alpha)
+                tolerances[each.quantity.kind].emplace(each.quantity.body, each.tolerance);
+        for (const Joint& joint : solution.mechanism.joints)
+            for (const auto& [kind, of_bodies] : tolerances) {
+                const auto first = of_bodies.find(joint.bodies[0]), second = of_bodies.find(joint.bodies[1]);
+                if (!joint.pair().holds_rotation || first == of_bodies.end() || second == of_bodies.end()) continue;
+                ++pairs;
+                EXPECT_EQ(first->second.has_value(), second->second.has_value()) << name << ", " << joint.name;
+                EXPECT_NEAR(first->second.value_or(0), second->second.value_or(0), 1e-12) << name << ", " << joint.name;
+            }
+    }
+    EXPECT_GT(pairs, 5);
+}
+
 TEST(Handouts, CoverNothing) {
     std::size_t turn = 0;
     std::map<render::Fault::Kind, int> counts;
