@@ -80,6 +80,8 @@ Box extent_of_free_body(const Solution& solution, std::size_t index);
 /// The mechanism with its lines of action, points of concurrency and the sense of loads, efforts and ground reactions.
 /// `load`: the body whose loads alone the context's solution has (under_loads_alone); empty: all act.
 Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load = "");
+/// Whether it shows a point of concurrency; `of_several`: one that no body cut free shows, since its lines are of several bodies.
+bool has_meets(const Solution& solution, bool of_several);
 /// The force polygons of the bodies at one scale; each is a group of kind "forces", id "forces-<body>". `tables`: with what is
 /// known of each force below, where there is room; those of bodies taken together, too. `only`: that polygon alone.
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y,
