@@ -148,6 +148,16 @@ TEST_F(CommandLine, AFileOfAnotherKindHasOneFaultThatSaysWhoseItIs) {
     }
 }
 
+/// As wide as it is touched over the turn, and square to the way: its lower side lies where the cam touches.
+TEST_F(CommandLine, AFlatFollowerIsDrawnWithItsPlate) {
+    write("lever.json", contents(example_file("cams/flat_faced_lever")));
+    write("roller.json", contents(example_file("cams/disc_cam")));
+    ASSERT_EQ(run("cam lever.json --at 60° -o lever.svg").status, 0);
+    EXPECT_NE(contents(folder_ / "lever.svg").find("data-name=\"plate\""), std::string::npos);
+    ASSERT_EQ(run("cam roller.json -o roller.svg").status, 0);
+    EXPECT_EQ(contents(folder_ / "roller.svg").find("data-name=\"plate\""), std::string::npos);
+}
+
 TEST_F(CommandLine, SpeaksOneLanguage) {
     const struct {
         const char* arguments;
