@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "engine/centre_symbol.hpp"
 #include "render/page/shapes.hpp"
@@ -196,6 +197,37 @@ TEST(MechanismFigure, is_the_same_drawing_at_any_size) {
         EXPECT_NEAR(figure.box.width(), expected.box.width(), 12);  // the bar's numbers are longer
         expect_well_grouped(figure);
     }
+}
+
+/// A number on the tint of a wheel would be taken for that wheel's.
+TEST(MechanismFigure, has_the_numbers_of_wheels_on_no_other_wheel) {
+    const Theme theme;
+    int seen = 0;
+    for (const char* name : {"planetary_train", "joint_contact/spur_gears", "rack_and_pinion", "disc_in_ring", "cam_from_law",
+                             "cam_roller_follower", "variants/planetary_train"})
+        for (double wide = 50; wide <= 170; wide += 10) {
+            const Spot room{wide, 0.8 * wide};
+            const Solution solution = example(name);
+            const Mechanism& mechanism = solution.mechanism;
+            const Figure figure = mechanism_figure({solution, theme, fonts()}, room.x, room.y, false);
+            const auto on_paper = [&](const Vector& place) {
+                return figure.origin + (1 / figure.scale) * Spot{place.x.to_double(), -place.y.to_double()};
+            };
+            for (const Mark& mark : figure.marks) {
+                const auto* text = std::get_if<TextMark>(&mark);
+                const auto numbered = text == nullptr ? std::nullopt : mechanism.body_named(text->words);
+                if (!numbered || text->cls != "label" || !mechanism.body(*numbered).circle) continue;
+                ++seen;
+                for (const BodyIndex other : mechanism.moving_bodies()) {
+                    const auto& wheel = mechanism.body(other).circle;
+                    if (other == *numbered || !wheel) continue;
+                    EXPECT_GT(length(box_of(std::span(&mark, 1)).middle() - on_paper(solution.pose.at(wheel->centre))),
+                              wheel->radius.to_double() / figure.scale)
+                        << name << ", body " << text->words;
+                }
+            }
+        }
+    EXPECT_GT(seen, 8);
 }
 
 TEST(MechanismFigure, of_a_single_point_is_drawn) {
