@@ -257,8 +257,20 @@ private:
             base.places.push_back({radius * std::cos(round), radius * std::sin(round)});
         }
         std::vector<render::Way> ways{base, profile};
+        if (is_flat()) ways.push_back(plate());
         if (cam_.follower.face == Follower::Face::roller) ways.push_back(pitch);
         return ways;
+    }
+    /// Of a flat face, square to its way: as long as it is touched over the whole turn, and a little more at both ends.
+    render::Way plate() const {
+        constexpr double beyond = 0.12, thickness = 0.09;  // of the base circle's radius
+        const double radius = cam_.base_circle.to_double();
+        const CamState state = geometry_.at(at_);
+        const Spot along = quarter_turn(state.outward), foot = dot(state.outward, state.contact) * state.outward;
+        const Spot from = foot + ((*summary_.face)[0] - beyond * radius) * along;
+        const Spot to = foot + ((*summary_.face)[1] + beyond * radius) * along;
+        const Spot up = thickness * radius * state.outward;
+        return {.name = "plate", .is_path = true, .places = {from, to, to + up, from + up, from}, .outline = BodyIndex(2)};
     }
     /// A status where something is missing, which has been said.
     std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme, std::vector<Output>& outputs) {

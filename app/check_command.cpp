@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "constructions/conditions.hpp"
+#include "constructions/degeneracy.hpp"
 #include "constructions/oversights.hpp"
 #include "constructions/solve.hpp"
 #include "engine/mechanism.hpp"
@@ -86,6 +87,7 @@ Status check_command(const CheckRequest& request) {
     if (const auto status = check_exercise(*mechanism, name, language)) return *status;
     if (stands_for_joints(*mechanism)) return check_problem(*mechanism, name, language);
     std::vector<Message> remarks = pose->remarks;
+    for (Message& each : remarks_on_lengths(*mechanism, *pose)) remarks.push_back(std::move(each));
     for (Message& each : oversights(*mechanism, *pose, mobility_of(*mechanism, *pose))) remarks.push_back(std::move(each));
     for (const Message& remark : remarks)
         say(name, Words(render::word("a remark", language) + ": " + render::tell(remark, language)), language);

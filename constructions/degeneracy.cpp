@@ -74,4 +74,24 @@ std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobil
     return remarks;
 }
 
+std::vector<Message> remarks_on_lengths(const Mechanism& mechanism, const Pose& pose) {
+    std::vector<Message> remarks;
+    for (const BodyIndex body : mechanism.moving_bodies()) {
+        std::vector<PointIndex> pins;
+        bool has_others = false;  // a guide or a profile may give the body its size
+        for (const Joint& joint : mechanism.joints) {
+            if (!joint.connects(body)) continue;
+            const bool is_pin = joint.pair().is_hinge() || (joint.pair().is_slot() && joint.bodies[0] == body);
+            has_others = has_others || !is_pin;
+            if (std::find(pins.begin(), pins.end(), joint.point) == pins.end()) pins.push_back(joint.point);
+        }
+        const auto is_at_first = [&](PointIndex pin) { return pose.at(pin) == pose.at(pins.front()); };
+        if (has_others || pins.size() < 2 || !std::all_of(pins.begin(), pins.end(), is_at_first)) continue;
+        Names names;
+        for (const PointIndex pin : pins) names.push_back(mechanism.point(pin).name);
+        remarks.push_back({Sentence::link_without_length, {BodyName{mechanism.body(body).name}, names}});
+    }
+    return remarks;
+}
+
 }  // namespace kinegraph

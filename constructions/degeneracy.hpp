@@ -17,4 +17,7 @@ std::optional<InstantMotion> degenerate_motion(const Mechanism& mechanism, const
 std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobility& mobility,
                                          const std::optional<InstantMotion>& motion);
 
+/// Links of which all pins lie at one place: each is told with their names, since a crank of length zero was hardly meant.
+std::vector<Message> remarks_on_lengths(const Mechanism& mechanism, const Pose& pose);
+
 }  // namespace kinegraph

@@ -252,6 +252,7 @@ private:
         solution_.instant_motion = degenerate_motion(mechanism_, solution_.pose, solution_.mobility);
         for (Message& remark : remarks_on_mobility(mechanism_, solution_.mobility, solution_.instant_motion))
             solution_.remarks.push_back(std::move(remark));
+        for (Message& remark : remarks_on_lengths(mechanism_, solution_.pose)) solution_.remarks.push_back(std::move(remark));
     }
 
     /// What is not determined for want of drivers or efforts most likely wants what was forgotten: that is said first.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/cam.hpp"
+#include "engine/file_kind.hpp"
 #include "engine/law_reader.hpp"
 
 namespace kinegraph {
@@ -31,6 +32,7 @@ public:
 
 private:
     void read_file(JsonValue root) {
+        if (const auto other = fault_of_kind(root, FileKind::cam)) return fault(other->first, other->second);
         const Members file =
             members(root, {"$schema", "kinegraph", "title", "units", "cam"}, {"the file of a cam", "il file di una camma"});
         const JsonValue version =

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/exercise_reader.hpp"
+#include "engine/file_kind.hpp"
 #include "engine/json_source.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/reading/bodies_section.hpp"
@@ -60,6 +61,7 @@ private:
     }
 
     void read_file(JsonValue root) {
+        if (const auto other = fault_of_kind(root, FileKind::mechanism)) return fault(other->first, other->second);
         const Members file = members(
             root, {"$schema", "kinegraph", "title",  "units",   "parameters",     "precision", "frame",  "points", "bodies",
                    "joints",  "drivers",   "masses", "gravity", "inertia forces", "loads",     "effort", "motion", "find",

@@ -33,17 +33,22 @@ public:
         constexpr std::size_t longest = 64;
         constexpr int most = 2;
         if (word.size() > longest) return std::nullopt;
-        using Rank = std::tuple<std::size_t, std::uint64_t, std::ptrdiff_t>;
+        const std::string letters = letters_of(word);
+        using Rank = std::tuple<std::size_t, bool, std::size_t, std::uint64_t, std::ptrdiff_t>;
         std::optional<std::pair<Rank, std::string_view>> best;
         for (const std::string_view name : names) {
             if (budget_ == 0) break;
             --budget_;
             if (name.size() > longest) continue;
-            const std::size_t distance = edit_distance(word, name, most);
+            // What is written otherwise but says the same is nearer than any other letter: "v_B" is "v B" rather than "v_C"; and
+            // the same letters in another order are nearer than others.
+            const std::string other = letters_of(name);
+            const std::size_t said = edit_distance(letters, other, most);
             const std::size_t length = std::max(word.size(), name.size());
-            if (distance > std::clamp<std::size_t>(length / 2, 1, most)) continue;
+            if (said > std::clamp<std::size_t>(length / 2, 1, most)) continue;
             const auto prefix = std::mismatch(word.begin(), word.end(), name.begin(), name.end()).first - word.begin();
-            const Rank rank{distance, numbers_apart(word, name), -prefix};
+            const Rank rank{said, !std::is_permutation(letters.begin(), letters.end(), other.begin(), other.end()),
+                            edit_distance(word, name, most), numbers_apart(letters, other), -prefix};
             if (!best || rank < best->first) best = {rank, name};
         }
         if (!best) return std::nullopt;
@@ -51,22 +56,28 @@ public:
     }
 
 private:
-    /// Between two numbers the nearer is the likelier: 5 is 4 rather than 1.
+    /// Without blanks and underscores, in small letters.
+    static std::string letters_of(std::string_view name) {
+        std::string letters;
+        for (const char c : name)
+            if (c != ' ' && c != '_') letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        return letters;
+    }
+    /// Of names that differ in the number at their end alone the nearer number is the likelier: 5 is 4 rather than 1.
     static std::uint64_t numbers_apart(std::string_view a, std::string_view b) {
-        const auto value = [](std::string_view text) -> std::optional<std::int64_t> {
-            constexpr std::size_t longest = 18;
-            if (text.empty() || text.size() > longest) return std::nullopt;
+        constexpr std::size_t longest = 18;
+        constexpr std::uint64_t far = UINT64_MAX;
+        const auto digits_from = [](std::string_view text) { return text.find_last_not_of("0123456789") + 1; };
+        const auto value = [](std::string_view digits) {
             std::int64_t sum = 0;
-            for (const char c : text) {
-                if (c < '0' || c > '9') return std::nullopt;
-                sum = sum * 10 + (c - '0');
-            }
+            for (const char c : digits) sum = sum * 10 + (c - '0');
             return sum;
         };
-        const auto x = value(a);
-        const auto y = value(b);
-        if (!x || !y) return 0;
-        return static_cast<std::uint64_t>(*x > *y ? *x - *y : *y - *x);
+        const std::string_view x = a.substr(digits_from(a)), y = b.substr(digits_from(b));
+        const bool are_numbers = !x.empty() && !y.empty() && std::max(x.size(), y.size()) <= longest;
+        if (!are_numbers || a.substr(0, digits_from(a)) != b.substr(0, digits_from(b))) return far;
+        const std::int64_t apart = value(x) - value(y);
+        return static_cast<std::uint64_t>(apart < 0 ? -apart : apart);
     }
     long budget_ = 200'000;
 };

@@ -61,11 +61,10 @@ Symbol velocity_of_coriolis(Symbol coriolis, bool observed) {
 bool has_own_name(const Symbol& symbol) {
     if (symbol.letter != Symbol::Letter::F && symbol.letter != Symbol::Letter::M) return false;
     const std::string_view name = symbol.about;
-    const auto begins = [&](char letter) { return name.starts_with(letter) && (name.size() == 1 || name[1] == '_'); };
-    if (symbol.letter == Symbol::Letter::F) return begins('F');
-    // A torque is as often a T, with its number.
-    const bool numbered = name.size() > 1 && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
-    return begins('M') || begins('T') || (name.starts_with('T') && numbered);
+    // A letter of its kind alone, with a script, or with a number: F, F_gas, F1. A torque is as often a T.
+    const std::string_view letters = symbol.letter == Symbol::Letter::F ? "F" : "MT";
+    if (name.empty() || letters.find(name[0]) == std::string_view::npos) return false;
+    return name.size() == 1 || name[1] == '_' || name.find_first_not_of("0123456789", 1) == std::string_view::npos;
 }
 
 JointName reader_name(const Mechanism& mechanism, const Joint& joint) {

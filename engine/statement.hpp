@@ -19,7 +19,7 @@ struct Symbol {
     std::string term;   ///< superscript: "n", "t", "rel", "tr", "cor", "∞"
     friend bool operator==(const Symbol&, const Symbol&) = default;
 };
-/// Whether the file's name of a force or couple is a symbol by itself: F, F_gas, M_1, T4; else it is the subscript of F or M.
+/// Whether the file's name of a force or couple is a symbol by itself: F, F_gas, F1, M4, T4; else it is the subscript of F or M.
 bool has_own_name(const Symbol& symbol);
 /// Of a Coriolis term the relative velocity it belongs to: v_AA* of a_AA*^cor, v_B^rel of a_B^cor. `observed`: by an observer.
 Symbol velocity_of_coriolis(Symbol coriolis, bool observed);
@@ -196,6 +196,7 @@ enum class Sentence {
     nearly_repeated,         ///< {0} joint: its constraints all but say what those before it say
     hangs_on_a_hair,         ///< {0} symbol, {1} change in per cent, {2} given point, {3} distance by which it moves
     repeated_constraints,    ///< {0} joint, {1} count
+    link_without_length,     ///< {0} body, {1} names of its pins, which all lie at one place
     lift_off,                ///< {0} joint
     change_point,            ///< {0} count of freedoms by the rank, {1} by Grübler, {2} count of branches
     branch,                  ///< {0} its number, {1} ratios

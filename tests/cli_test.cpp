@@ -122,6 +122,42 @@ TEST_F(CommandLine, CheckSaysThatAFileIsInOrder) {
     EXPECT_EQ(run("check - <four_bar.json").out, "standard input: in order (4 bodies, 4 joints, 1 driver)\n");
 }
 
+TEST_F(CommandLine, AFileOfAnotherKindHasOneFaultThatSaysWhoseItIs) {
+    write("cam.json", contents(example_file("cams/disc_cam")));
+    write("ball.json", contents(example_file("contact/ball_on_plane")));
+    const struct {
+        const char* arguments;
+        const char* said;
+    } rows[] = {
+        {"cam four_bar.json",
+         "four_bar.json: /points: no cam stands in this file: \"points\" is of a mechanism or a problem; use \"kinegraph solve\"\n"},
+        {"cam four_bar.json --lang it",
+         "four_bar.json: /points: in questo file non c’è una camma: \"points\" è di un meccanismo o di un problema; usare "
+         "\"kinegraph solve\"\n"},
+        {"cam ball.json",
+         "ball.json: /hertz: no cam stands in this file: \"hertz\" is of a mechanism or a problem; use \"kinegraph solve\"\n"},
+        {"solve cam.json", "cam.json: /cam: no mechanism stands in this file but a cam; use \"kinegraph cam\"\n"},
+        {"check cam.json --lang it",
+         "cam.json: /cam: in questo file non c’è un meccanismo ma una camma; usare \"kinegraph cam\"\n"},
+    };
+    for (const auto& row : rows) {
+        const Outcome outcome = run(row.arguments);
+        EXPECT_EQ(outcome.status, 2) << row.arguments;
+        EXPECT_EQ(outcome.err, row.said);
+        EXPECT_EQ(outcome.out, "");
+    }
+}
+
+/// As wide as it is touched over the turn, and square to the way: its lower side lies where the cam touches.
+TEST_F(CommandLine, AFlatFollowerIsDrawnWithItsPlate) {
+    write("lever.json", contents(example_file("cams/flat_faced_lever")));
+    write("roller.json", contents(example_file("cams/disc_cam")));
+    ASSERT_EQ(run("cam lever.json --at 60° -o lever.svg").status, 0);
+    EXPECT_NE(contents(folder_ / "lever.svg").find("data-name=\"plate\""), std::string::npos);
+    ASSERT_EQ(run("cam roller.json -o roller.svg").status, 0);
+    EXPECT_EQ(contents(folder_ / "roller.svg").find("data-name=\"plate\""), std::string::npos);
+}
+
 TEST_F(CommandLine, SpeaksOneLanguage) {
     const struct {
         const char* arguments;

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
+#include "engine/centre_symbol.hpp"
 #include "render/page/shapes.hpp"
 #include "tests/fonts.hpp"
 #include "tests/solved.hpp"
@@ -197,6 +199,37 @@ TEST(MechanismFigure, is_the_same_drawing_at_any_size) {
     }
 }
 
+/// A number on the tint of a wheel would be taken for that wheel's.
+TEST(MechanismFigure, has_the_numbers_of_wheels_on_no_other_wheel) {
+    const Theme theme;
+    int seen = 0;
+    for (const char* name : {"planetary_train", "joint_contact/spur_gears", "rack_and_pinion", "disc_in_ring", "cam_from_law",
+                             "cam_roller_follower", "variants/planetary_train"})
+        for (double wide = 50; wide <= 170; wide += 10) {
+            const Spot room{wide, 0.8 * wide};
+            const Solution solution = example(name);
+            const Mechanism& mechanism = solution.mechanism;
+            const Figure figure = mechanism_figure({solution, theme, fonts()}, room.x, room.y, false);
+            const auto on_paper = [&](const Vector& place) {
+                return figure.origin + (1 / figure.scale) * Spot{place.x.to_double(), -place.y.to_double()};
+            };
+            for (const Mark& mark : figure.marks) {
+                const auto* text = std::get_if<TextMark>(&mark);
+                const auto numbered = text == nullptr ? std::nullopt : mechanism.body_named(text->words);
+                if (!numbered || text->cls != "label" || !mechanism.body(*numbered).circle) continue;
+                ++seen;
+                for (const BodyIndex other : mechanism.moving_bodies()) {
+                    const auto& wheel = mechanism.body(other).circle;
+                    if (other == *numbered || !wheel) continue;
+                    EXPECT_GT(length(box_of(std::span(&mark, 1)).middle() - on_paper(solution.pose.at(wheel->centre))),
+                              wheel->radius.to_double() / figure.scale)
+                        << name << ", body " << text->words;
+                }
+            }
+        }
+    EXPECT_GT(seen, 8);
+}
+
 TEST(MechanismFigure, of_a_single_point_is_drawn) {
     const Solution solution = solved(R"({"kinegraph": 1, "points": {"O": [0, 0]}, "bodies": {"2": ["O"]},
         "joints": [{"revolute": "O", "bodies": ["0", "2"]}], "drivers": [{"body": "2", "omega": 1}]})");
@@ -272,6 +305,75 @@ TEST(FoundTurnings, StandOnTheMechanismWhereTheyCostItNothing) {
     EXPECT_TRUE(after.contains("ω_3 = 1.31 rad/s") && after.contains("ω_4 = −4.78 rad/s"));
     const Figure small = mechanism_figure(context, tight.x, tight.y, true);
     EXPECT_EQ(mechanism_with_found_turnings(context, small, tight, true).scale, any_scale);
+}
+
+/// The four-bar whose crank is also accelerated; it starts from rest where there is no ω.
+Solution accelerated(const std::string& rates) {
+    std::string text = tests::contents(tests::example_file("four_bar"));
+    const std::string given = R"("omega": "-120 rpm")";
+    return solved(text.replace(text.find(given), given.size(), rates));
+}
+
+TEST(GivenAccelerations, StandOnTheMechanismWhereTheyCostItNothing) {
+    const Theme theme;
+    const Spot roomy{100, 90};
+    for (const char* rates : {R"("omega": "-120 rpm", "alpha": 25)", R"("alpha": 25)"}) {
+        const Solution solution = accelerated(rates);
+        for (const Language language : {Language::en, Language::it}) {
+            const std::string said = language == Language::en ? "α_2 = 25 rad/s^2" : "ω̇_2 = 25 rad/s^2";
+            const DrawingContext context{solution, theme, fonts(), language};
+            const Figure plain = mechanism_figure(context, roomy.x, roomy.y, true);
+            const Figure rich = mechanism_with_found_turnings(context, plain, roomy, true);
+            EXPECT_EQ(rich.scale, plain.scale);
+            EXPECT_TRUE(labels_of(rich).contains(said)) << said;
+            EXPECT_TRUE(labels_of(accelerations_on_mechanism(context, 120, 100)).contains(said));
+            EXPECT_TRUE(labels_of(exercise_figure(context, plain.scale, 130, 110)).contains(said));
+            EXPECT_FALSE(labels_of(velocities_on_mechanism(context, 120, 100)).contains(said));
+        }
+    }
+}
+
+/// Names of the instant centres that a figure shows, by the titles of their groups.
+std::set<std::string> centres_of(const Figure& figure) {
+    std::set<std::string> names;
+    for (const Mark& mark : figure.marks)
+        if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "centre") names.insert(group->title);
+    return names;
+}
+/// … and those that the solution has.
+std::set<std::string> centres_of(const Solution& solution, Language language) {
+    std::set<std::string> names;
+    for (const InstantCentre& centre : solution.centres)
+        if (centre.at)
+            names.insert(plain(
+                typeset(centre_symbol(solution.mechanism, centre.first, centre.second, centre.at->at_infinity()), language)));
+    return names;
+}
+
+TEST(MechanismFigure, says_which_centres_it_leaves_out) {
+    const Theme theme;
+    std::size_t left_out = 0;
+    for (const std::string& name : example_names())
+        for (const Language language : {Language::en, Language::it}) {
+            const Solution solution = example(name);
+            if (solution.act_of_motion) continue;
+            const std::set<std::string> all = centres_of(solution, language);
+            for (const Spot room : {Spot{70, 60}, Spot{250, 180}}) {
+                const Figure figure = mechanism_figure({solution, theme, fonts(), language}, room.x, room.y, true);
+                const std::set<std::string> drawn = centres_of(figure);
+                const std::string caption = plain(figure.caption) + ",";
+                const std::size_t from = caption.find(language == Language::en ? ", without " : ", senza ");
+                EXPECT_EQ(all == drawn, from == std::string::npos) << name << ": " << caption;
+                constexpr std::size_t most_named = 6;
+                if (all.size() > drawn.size() + most_named) continue;
+                for (const std::string& centre : all) {
+                    const bool is_told = from != std::string::npos && caption.find(" " + centre + ",", from) != std::string::npos;
+                    EXPECT_EQ(is_told, !drawn.contains(centre)) << name << ", " << centre << ": " << caption;
+                    left_out += is_told ? 1 : 0;
+                }
+            }
+        }
+    EXPECT_GT(left_out, 0U);
 }
 
 TEST(CircleDiagram, has_a_chord_for_each_centre_found) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -121,6 +122,61 @@ TEST(Brief, BarsOfTwoForcesShareABand) {
     EXPECT_EQ(bands_with_bars.size(), 1U);
 }
 
+/// The letters that stand in figures, and what the sentences outside of them say.
+struct ShownAndSaid {
+    std::set<std::string> letters;
+    std::set<StatementIndex> said;
+};
+ShownAndSaid shown_and_said(const std::vector<Page>& pages) {
+    ShownAndSaid all;
+    for (const Page& page : pages) {
+        std::vector<std::string> classes;
+        for (const Mark& mark : page.marks) {
+            if (const auto* group = std::get_if<GroupBegin>(&mark)) classes.push_back(group->cls);
+            if (std::holds_alternative<GroupEnd>(mark)) classes.pop_back();
+            const auto* text = std::get_if<TextMark>(&mark);
+            if (text == nullptr) continue;
+            const bool in_figure = std::find(classes.begin(), classes.end(), "figure") != classes.end();
+            if (!in_figure && text->statement != none) all.said.insert(text->statement);
+            std::istringstream words(in_figure ? text->words : std::string());
+            for (std::string word; words >> word;) all.letters.insert(word);
+        }
+    }
+    return all;
+}
+
+/// A point that is argued with is in the file, or can be seen: as a letter, or by its image in a polygon.
+TEST(Brief, NamesNoPointThatNoFigureShows) {
+    for (const std::string& name : example_names())
+        for (const Language language : {Language::en, Language::it}) {
+            const Solution solution = example(name);
+            const ShownAndSaid sheet = shown_and_said(lay_out(solution, brief(language), fonts()));
+            const auto is_bar = [&](const std::string& bar) {
+                const auto& bars = solution.truss->structure.bars;
+                return std::any_of(bars.begin(), bars.end(), [&](const auto& each) { return each.name == bar; });
+            };
+            const auto is_known = [&](std::string point) {
+                if (solution.truss && is_bar(point)) return true;
+                if (point.ends_with('*')) point.pop_back();  // the same place, of another body
+                const auto set = [&](Symbol::Letter letter) { return plain(typeset(Symbol{letter, point, ""}, language)); };
+                const auto& joints = solution.mechanism.joints;
+                return point.empty() || solution.mechanism.point_named(point) ||
+                       sheet.letters.contains(set(Symbol::Letter::point)) || sheet.letters.contains(set(Symbol::Letter::image)) ||
+                       std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) { return joint.name == point; });
+            };
+            for (const StatementIndex statement : sheet.said)
+                for (const Argument& argument : solution.protocol.statements[at_index(statement)].message.arguments) {
+                    if (const auto* point = std::get_if<PointName>(&argument)) {
+                        EXPECT_TRUE(is_known(point->name)) << name << ": " << point->name;
+                    }
+                    if (const auto* segment = std::get_if<kinegraph::Segment>(&argument)) {
+                        EXPECT_TRUE(is_known(segment->from) && is_known(segment->to))
+                            << name << ": " << segment->from << segment->to;
+                    }
+                }
+        }
+}
+
 TEST(Question, ShowsTheDataAndNothingOfTheSolution) {
     for (const char* name : {"four_bar", "exam_2001", "quick_return", "four_bar_weights"}) {
         SCOPED_TRACE(name);
@@ -222,6 +278,30 @@ TEST(Answers, HaveTheTolerancesOfTheirReadings) {
     // No better than the vector that it is found from, and good enough to tell it from zero.
     EXPECT_GT(*omega_3.tolerance, 0.5 * scale / 0.15);
     EXPECT_LT(*omega_3.tolerance, std::abs(omega_3.value));
+}
+
+TEST(Answers, OfBodiesThatTurnTogetherHaveOneTolerance) {
+    int pairs = 0;
+    for (const std::string& name : example_names()) {
+        const Solution solution = example(name);
+        if (solution.bodies.empty()) continue;
+        const SheetOptions options;
+        const DrawnSheet sheet = draw_solution(solution, options, fonts());
+        const DrawingContext context{solution, options.theme, fonts()};
+        std::map<Quantity::Kind, std::map<BodyIndex, std::optional<double>>> tolerances;
+        for (const render::Answer& each : answers_of(context, sheet.figures))
+            if (each.symbol.letter == Symbol::Letter::omega || each.symbol.letter == Symbol::Letter::alpha)
+                tolerances[each.quantity.kind].emplace(each.quantity.body, each.tolerance);
+        for (const Joint& joint : solution.mechanism.joints)
+            for (const auto& [kind, of_bodies] : tolerances) {
+                const auto first = of_bodies.find(joint.bodies[0]), second = of_bodies.find(joint.bodies[1]);
+                if (!joint.pair().holds_rotation || first == of_bodies.end() || second == of_bodies.end()) continue;
+                ++pairs;
+                EXPECT_EQ(first->second.has_value(), second->second.has_value()) << name << ", " << joint.name;
+                EXPECT_NEAR(first->second.value_or(0), second->second.value_or(0), 1e-12) << name << ", " << joint.name;
+            }
+    }
+    EXPECT_GT(pairs, 5);
 }
 
 TEST(Handouts, CoverNothing) {

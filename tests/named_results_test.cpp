@@ -133,5 +133,19 @@ TEST(Ask, FaultsNameThePlaceAndTheNearest) {
     EXPECT_EQ(not_found.error().front().code, ErrorCode::bad_input);
 }
 
+TEST(Ask, NamesAreComparedByTheirLetters) {
+    const auto meant = [](const std::string& asked) {
+        const auto read = read_mechanism(asking("four_bar", "[\"" + asked + "\"]"), "test.json");
+        const std::string said = read ? std::string() : read.error().front().message.en;
+        const std::size_t from = said.find("(did you mean \""), to = said.find("\"?)");
+        return from == std::string::npos ? std::string("none") : said.substr(from + 15, to - from - 15);
+    };
+    for (const char* written : {"v_B", "vB", "v_b", "V_B", "V B"}) EXPECT_EQ(meant(written), "v B") << written;
+    for (const char* written : {"omega3", "omega_3", "Omega 3", "OMEGA3"}) EXPECT_EQ(meant(written), "omega 3") << written;
+    for (const char* written : {"v_Bx", "vBx", "vx_B"}) EXPECT_EQ(meant(written), "vx B") << written;
+    EXPECT_EQ(meant("omega 5"), "omega 4");
+    EXPECT_EQ(meant("fx_A_3_on_2 "), "Fx A 3 on 2");
+}
+
 }  // namespace
 }  // namespace kinegraph

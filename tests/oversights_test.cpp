@@ -69,6 +69,24 @@ TEST(Oversights, BodiesThatNothingConnectsWithTheFrame) {
                     "perhaps {\"revolute\": \"O2\", \"bodies\": [\"1\", \"2\"]}."});
 }
 
+TEST(Lengths, ALinkWhosePinsCoincideIsNamed) {
+    const auto said = [](const Solution& solution, render::Language language) {
+        std::vector<std::string> all;
+        for (const Message& each : solution.remarks)
+            if (each.sentence == Sentence::link_without_length) all.push_back(render::tell(each, language));
+        return all;
+    };
+    const std::string bars = four_bar(bodies, crank + "," + pin_b + "," + pin_o4);
+    std::string text = bars;
+    const std::string crank_pin = R"("A": [20, 30])";
+    text.replace(text.find(crank_pin), crank_pin.size(), R"("A": [0, 0])");
+    const Solution without = solved(text);
+    EXPECT_EQ(said(without, render::Language::en), Lines{"Link 2 has no length: its pins O2, A lie at one place."});
+    EXPECT_EQ(said(without, render::Language::it), Lines{"Il corpo 2 non ha lunghezza: i suoi perni O2, A coincidono."});
+    EXPECT_EQ(said(solved(bars), render::Language::en), Lines{});
+    for (const std::string& name : example_names()) EXPECT_EQ(said(example(name), render::Language::en), Lines{}) << name;
+}
+
 TEST(Oversights, ComeBeforeTheCallForDrivers) {
     const Solution forgotten = solved(four_bar(bodies, crank + "," + pin_b));
     ASSERT_FALSE(forgotten.remarks.empty());

@@ -199,6 +199,20 @@ TEST(Words, ACoupleMayHaveASymbolOfItsOwn) {
     EXPECT_EQ(name_of(Symbol{Symbol::Letter::M, "T4", ""}), "T4");
 }
 
+/// "F1" and "M4" are how a lecturer writes F₁ and M₄.
+TEST(Words, ALoadsNumberIsLowered) {
+    const auto set = [](Symbol::Letter letter, const char* name) {
+        return plain(typeset(Symbol{letter, name, ""}, Language::it));
+    };
+    EXPECT_EQ(set(Symbol::Letter::M, "M4"), "M_4");
+    EXPECT_EQ(set(Symbol::Letter::F, "F1"), "F_1");
+    EXPECT_EQ(set(Symbol::Letter::F, "F12"), "F_12");
+    EXPECT_EQ(name_of(Symbol{Symbol::Letter::M, "M4", ""}), "M4");
+    // The letter of another kind is none of its own, nor is a word.
+    EXPECT_EQ(set(Symbol::Letter::F, "M4"), "F_M4");
+    EXPECT_EQ(set(Symbol::Letter::F, "Fan2"), "F_Fan2");
+}
+
 TEST(Words, DirectionsOfLines) {
     EXPECT_EQ(plain(typeset(LineReason{LineReason::Kind::perpendicular_to_segment, "O2", "A"}, Language::en)), "⟂\u00a0O_2A");
     EXPECT_EQ(plain(typeset(LineReason{LineReason::Kind::parallel_to_guide, "B", ""}, Language::it)), "∥\u00a0guida\u00a0B");

@@ -123,6 +123,18 @@ private:
     void name(RichText text, Spot at, StatementIndex statement, const std::string& place) {
         sketch_.add_label(std::move(text), theme_.text, at, 1.6, statement).holds = {Form::at, {place}};
     }
+    /// Beyond the figure: an arrow where the line to it leaves, with its name and how far it is from where the line comes.
+    void point_out(const RichText& text, Spot place, const RichText& from_name, Spot from, StatementIndex statement) {
+        constexpr double head = 3;
+        if (!contains(view_, from) || length(place - from) < same_place) return;
+        const Spot along = unit(place - from), tip = from + within(view_, from, along).to * along;
+        const std::size_t first = sketch_.construction.size();
+        draw_arrow(sketch_.construction, tip - head * along, tip, theme_.thin, theme_.secondary);
+        belong(sketch_.construction, first, statement);
+        RichText words = text;
+        append(words, how_far(sketch_, from_name, text, length(place - from)));
+        sketch_.add_label(std::move(words), theme_.text, tip, 1.2, statement);
+    }
     RichText point(const std::string& name) const {
         return typeset(Symbol{Symbol::Letter::point, name, ""}, sketch_.context.language);
     }
@@ -167,7 +179,9 @@ private:
         if (meet) draw_line(*pole, *meet, pen, found_.tangent_statement, {Form::through, {held("pole"), held("axis")}});
         if (!meet) draw_line(*pole, *pole + unit(points[1] - points[0]), pen, found_.tangent_statement);
         if (shows(meet)) draw_dot(*meet, found_.tangent_statement, held("axis"));
-        if (shows(meet)) name(point(free_name(sketch_.mechanism, "Q")), *meet, found_.tangent_statement, held("axis"));
+        const RichText of_meet = point(free_name(sketch_.mechanism, "Q"));
+        if (shows(meet)) name(of_meet, *meet, found_.tangent_statement, held("axis"));
+        if (meet && !shows(meet)) point_out(of_meet, *meet, name_of_pole(), *pole, found_.tangent_statement);
     }
 
     void draw_tangent() {
@@ -195,12 +209,19 @@ private:
         draw_circle(inflection, {theme_.outline, theme_.accent, {}, false}, "inflection", found_.inflection_statement);
         if (shows(end)) draw_dot(*end, found_.inflection_statement, held("inflection"));
         if (shows(end) && shows(pole)) axes.push_back({kinegraph::name_of(symbol_of_diameter()), *pole, *end, ""});
-        if (shows(end)) name(point(found_.inflection_name), *end, found_.inflection_statement, held("inflection"));
+        if (shows(end))
+            name(point(found_.inflection_name), *end, found_.inflection_statement, held("inflection"));
+        else
+            point_out(point(found_.inflection_name), *end, name_of_pole(), *pole, found_.inflection_statement);
         if (second) {
             const Pen pen{theme_.outline, theme_.secondary, dashes(), false};
             draw_circle(between(*pole, *second), pen, "tangential", found_.bresse_statement);
             draw_segment(*end, *second, sketch_.thin(), found_.bresse_statement, held("inflection"), held("tangential"));
-            if (shows(second)) name(point(found_.tangential_name), *second, found_.bresse_statement, held("tangential"));
+            const RichText of_second = point(found_.tangential_name), of_end = point(found_.inflection_name);
+            if (shows(second))
+                name(of_second, *second, found_.bresse_statement, held("tangential"));
+            else
+                point_out(of_second, *second, of_end, *end, found_.bresse_statement);
         }
         if (!shows(still) || found_.acceleration_name == found_.inflection_name) return;
         sketch_.centres.emplace_back(ring(*still, 1.0, theme_.paper, {theme_.outline, theme_.text, {}, false}));
@@ -315,8 +336,10 @@ private:
         const auto pole = on_paper(spot_of(found_.pole));
         if (!shows(pole)) return;
         draw_dot(*pole, found_.pole_statement, held("pole"));
-        name(typeset(centre_symbol(sketch_.mechanism, frame, found_.body, false), sketch_.context.language), *pole,
-             found_.pole_statement, held("pole"));
+        name(name_of_pole(), *pole, found_.pole_statement, held("pole"));
+    }
+    RichText name_of_pole() const {
+        return typeset(centre_symbol(sketch_.mechanism, frame, found_.body, false), sketch_.context.language);
     }
 
     Sketch& sketch_;

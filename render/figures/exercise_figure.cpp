@@ -25,6 +25,7 @@ public:
         draw_in_colour(sketch_);
         clutter_.add(sketch_.bodies);
         clutter_.add(sketch_.ground);
+        draw_accelerations_of_drivers(sketch_);
         clutter_.add(sketch_.arrows);
         for (const Load& load : mechanism_.loads) std::visit([&](const auto& each) { draw_load(each); }, load);
         if (mechanism_.motion) draw_motion(*mechanism_.motion);

@@ -22,8 +22,9 @@ Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter let
 /// The mechanism as an exercise hands it out, at a scale (m for each mm): what its file gives as dimensions where they are free
 /// within the room, drivers, loads and masses with their values; nothing that is found.
 Figure exercise_figure(const DrawingContext& context, double scale, double room_x, double room_y);
-/// mechanism_figure at the scale of `plain`, which it was drawn at without, with ω and α of the bodies, or with ω alone. Empty
-/// and at any_scale where they find no room, or would cost a name or a dimension its place.
+/// mechanism_figure at the scale of `plain`, which it was drawn at without, with ω and α of the bodies, or with ω alone, and with
+/// what the file gives of the drivers' accelerations. Empty and at any_scale where they find no room, or would cost a name or a
+/// dimension its place.
 Figure mechanism_with_found_turnings(const DrawingContext& context, const Figure& plain, Spot room, bool with_centres);
 /// Velocities drawn on the mechanism, ⟂ to the rays from the absolute centres, and ω of its bodies. Kind "body", id "velocities".
 Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y);
@@ -79,6 +80,8 @@ Box extent_of_free_body(const Solution& solution, std::size_t index);
 /// The mechanism with its lines of action, points of concurrency and the sense of loads, efforts and ground reactions.
 /// `load`: the body whose loads alone the context's solution has (under_loads_alone); empty: all act.
 Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load = "");
+/// Whether it shows a point of concurrency; `of_several`: one that no body cut free shows, since its lines are of several bodies.
+bool has_meets(const Solution& solution, bool of_several);
 /// The force polygons of the bodies at one scale; each is a group of kind "forces", id "forces-<body>". `tables`: with what is
 /// known of each force below, where there is room; those of bodies taken together, too. `only`: that polygon alone.
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y,

@@ -748,6 +748,17 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     });
 }
 
+bool has_meets(const Solution& solution, bool of_several) {
+    const Meets meets = all_shown_meets(solution);
+    return std::any_of(meets.begin(), meets.end(), [&](const FreeBody::Meet& meet) {
+        const auto shows = [&](const FreeBody& body) {
+            const Meets own = shown_meets(solution, body);
+            return std::any_of(own.begin(), own.end(), [&](const auto& each) { return each.name == meet.name; });
+        };
+        return !of_several || std::none_of(solution.free_bodies.begin(), solution.free_bodies.end(), shows);
+    });
+}
+
 Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load) {
     const Solution& solution = context.solution;
     const Subject subject(solution);

@@ -20,10 +20,16 @@ using namespace drawing;
 
 namespace {
 
+/// Arrows of motion besides the rates of the drivers.
+struct Arrows {
+    std::vector<Symbol::Letter> found{};    ///< ω or α of the bodies
+    bool accelerations_of_drivers = false;  ///< that the file gives
+};
+
 /// What a mechanism's figure shows besides the mechanism.
 struct Shows {
     bool centres = false;
-    std::vector<Symbol::Letter> turnings{};  ///< ω or α of the bodies
+    Arrows arrows{};
     const std::vector<Way>* ways = nullptr;
     Box without_ways{};  ///< what the mechanism alone spans, m; with ways
 };
@@ -166,53 +172,58 @@ struct MechanismFigure {
         const FitPolicy policy{
             .room = room, .first = first, .asked = asked, .keeps_asked = true, .coarsest = coarsest, .names_stay_in_room = true};
         return fit(policy, [&](const Trial& trial) {
-            if (context.dimensions == Dimensions::on) return drawn(trial, shows.turnings, DimensionWish{.all = true}).figure;
-            Figure plain = drawn(trial, shows.turnings, std::nullopt).figure;
+            if (context.dimensions == Dimensions::on) return drawn(trial, shows.arrows, DimensionWish{.all = true}).figure;
+            Figure plain = drawn(trial, shows.arrows, std::nullopt).figure;
             if (context.dimensions == Dimensions::off) return plain;
-            return with_free_dimensions(trial, std::move(plain), shows.turnings);
+            return with_free_dimensions(trial, std::move(plain), shows.arrows);
         });
     }
 
-    /// The same with ω and α, or ω alone, where that costs it neither its scale nor a name or a dimension its place; else empty
-    /// and at any_scale.
-    Figure with_turnings(const Figure& plain) const {
+    /// The same with ω and α, or ω alone, and what the file gives of the drivers' accelerations, where that costs it neither its
+    /// scale nor a name or a dimension its place; else empty and at any_scale.
+    Figure with_more_arrows(const Figure& plain) const {
         using enum Symbol::Letter;
         struct Choice {
-            Turnings letters;
+            Arrows arrows;
             double most_pulled;  // of them, by a leader: they are looked for then rather than seen
         };
+        const bool given = accelerations_given() > 0;
+        std::vector<Choice> choices{{{{omega, alpha}, given}, 0.5}, {{{omega}, given}, 0.7}};
+        // Data go before results.
+        if (given) choices.insert(choices.end(), {{{{}, true}, 0.7}, {{{omega}, false}, 0.7}});
         constexpr std::size_t most = 6;        // more crowd any figure
         constexpr double room_of_each = 1200;  // mm²: in less none found a place
         const Trial trial{.scale = plain.scale, .strict = true};
-        for (const auto& [letters, most_pulled] : {Choice{{omega, alpha}, 0.5}, Choice{{omega}, 0.7}}) {
-            const std::size_t turnings = turnings_in(letters);
-            if (turnings == 0 || turnings > most || room.x * room.y < room_of_each * static_cast<double>(turnings)) continue;
-            Figure figure = drawn(trial, letters, std::nullopt).figure;
+        for (const auto& [arrows, most_pulled] : choices) {
+            const std::size_t count = count_of(arrows);
+            if (count == 0 || count > most || room.x * room.y < room_of_each * static_cast<double>(count)) continue;
+            Figure figure = drawn(trial, arrows, std::nullopt).figure;
             if (!has_room(figure) || figure.has_key) continue;
-            if (dimensions_in(plain) > 0) figure = with_free_dimensions(trial, std::move(figure), letters);
+            if (dimensions_in(plain) > 0) figure = with_free_dimensions(trial, std::move(figure), arrows);
             const double pulled = static_cast<double>(figure.leaders) - static_cast<double>(plain.leaders);
-            const bool is_clear = pulled <= std::max(1.0, most_pulled * static_cast<double>(turnings));
+            const bool is_clear = pulled <= std::max(1.0, most_pulled * static_cast<double>(count));
             if (is_clear && dimensions_in(figure) >= dimensions_in(plain)) return figure;
         }
         return Figure::empty_at(any_scale);
     }
 
 private:
-    using Turnings = std::vector<Symbol::Letter>;
     struct Drawn {
         Figure figure;
         bool dimensioned;
     };
-    Drawn drawn(const Trial& trial, const Turnings& turnings, const std::optional<DimensionWish>& dimensions) const {
+    Drawn drawn(const Trial& trial, const Arrows& arrows, const std::optional<DimensionWish>& dimensions) const {
         Sketch sketch(subject, context, trial.scale, "");
         const Box alone{(1 / trial.scale) * shows.without_ways.min, (1 / trial.scale) * shows.without_ways.max};
         if (shows.ways != nullptr) draw_ways(sketch, *shows.ways, alone);
         draw_drivers(sketch);
         draw_compass(sketch);
         draw_in_colour(sketch);
-        if (shows.centres) draw_centres(sketch);
+        std::vector<RichText> left_out;
+        if (shows.centres) left_out = draw_centres(sketch);
         draw_equivalent_linkages(sketch);
-        for (const Symbol::Letter letter : turnings) draw_turnings(sketch, letter);
+        if (arrows.accelerations_of_drivers) draw_accelerations_of_drivers(sketch);
+        for (const Symbol::Letter letter : arrows.found) draw_turnings(sketch, letter);
         if (dimensions) draw_dimensions(sketch, room, *dimensions);
         const bool dimensioned = !sketch.dimensions.empty();
         if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways, alone);
@@ -222,18 +233,31 @@ private:
                                         : shows.centres       ? "mechanism and instant centres"
                                                               : "mechanism",
                                         context.language));
+        if (!left_out.empty()) append(figure.caption, without(left_out));
         sketch.close(figure, room, trial.last || trial.asked, trial.scale, subject.mechanism.units.length, trial.strict);
         return {std::move(figure), dimensioned};
     }
 
+    /// ", without P_24, P_25": the list of centres has them all, so of many the first will do.
+    RichText without(const std::vector<RichText>& centres) const {
+        constexpr std::size_t most = 6;
+        RichText text = one_piece(word("without centres", context.language) + " ");
+        for (std::size_t i = 0; i < std::min(centres.size(), most); ++i) {
+            if (i > 0) append(text, one_piece(", "));
+            append(text, centres[i]);
+        }
+        if (centres.size() > most) append(text, one_piece(" … (" + std::to_string(centres.size()) + ")"));
+        return text;
+    }
+
     /// Dimensions that are not asked for never cost the mechanism a step of its scale, nor a name its place: names come first.
     /// One that a name's leader covers is left out, and the rest placed anew.
-    Figure with_free_dimensions(const Trial& trial, Figure plain, const Turnings& turnings) const {
+    Figure with_free_dimensions(const Trial& trial, Figure plain, const Arrows& arrows) const {
         constexpr int most_rounds = 4;
         if (!has_room(plain) || plain.has_key) return plain;
         DimensionWish wish{.names = places_of_names(plain, context.fonts)};
         for (int round = 0; round < most_rounds; ++round) {
-            auto [figure, dimensioned] = drawn(trial, turnings, wish);
+            auto [figure, dimensioned] = drawn(trial, arrows, wish);
             if (!dimensioned || !has_room(figure)) break;
             std::set<std::string> covered = covered_dimensions(figure, context.fonts);
             if (covered.empty()) return std::move(figure);
@@ -247,11 +271,25 @@ private:
             return group && group->cls == "dimension";
         }));
     }
-    /// With those of the drivers, which take their room, too.
-    std::size_t turnings_in(const Turnings& letters) const {
-        std::size_t count = 0;
+    std::size_t accelerations_given() const {
+        const auto is_given = [](const Driver& driver) {
+            return std::visit(
+                [](const auto& one) {
+                    if constexpr (requires { one.alpha; })
+                        return !one.alpha.is_zero();
+                    else
+                        return !one.acceleration.is_zero();
+                },
+                driver);
+        };
+        const std::vector<Driver>& drivers = subject.mechanism.drivers;
+        return static_cast<std::size_t>(std::count_if(drivers.begin(), drivers.end(), is_given));
+    }
+    /// With the rates of the drivers, which take their room, too.
+    std::size_t count_of(const Arrows& arrows) const {
+        std::size_t count = arrows.accelerations_of_drivers ? accelerations_given() : 0;
         for (const BodyMotion& motion : context.solution.bodies)
-            for (const Symbol::Letter letter : letters) {
+            for (const Symbol::Letter letter : arrows.found) {
                 const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
                 count += value && !value->is_zero() ? 1 : 0;
             }
@@ -385,6 +423,7 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
             draw_vector(sketch, what, one, {at, tip});
         }
         draw_drivers(sketch);
+        if (what.of_bodies == Symbol::Letter::alpha) draw_accelerations_of_drivers(sketch);
         draw_turnings(sketch, what.of_bodies);
         for (const auto& [bar, statement] : rays) {
             sketch.construction.emplace_back(line(bar.from, bar.to, sketch.thin()));
@@ -405,7 +444,7 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
 }
 
 Figure mechanism_with_found_turnings(const DrawingContext& context, const Figure& plain, Spot room, bool with_centres) {
-    return MechanismFigure{context, room, {.centres = with_centres}}.with_turnings(plain);
+    return MechanismFigure{context, room, {.centres = with_centres}}.with_more_arrows(plain);
 }
 
 Box extent_of_mechanism(const Solution& solution, bool with_centres) {
@@ -423,7 +462,7 @@ Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>
 }
 
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y) {
-    return MechanismFigure{context, {room_x, room_y}, {.turnings = {letter}}}.fitted(any_scale);
+    return MechanismFigure{context, {room_x, room_y}, {.arrows = {{letter}, letter == Symbol::Letter::alpha}}}.fitted(any_scale);
 }
 
 Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y) {

@@ -47,6 +47,14 @@ public:
         }
     }
 
+    /// Names of those that are not drawn though they could be.
+    std::vector<RichText> left_out() const {
+        std::vector<RichText> names;
+        for (const std::size_t c : order_)
+            if (where_[c] != Where::nowhere && !drawn_[c]) names.push_back(name_of_centre(c));
+        return names;
+    }
+
 private:
     enum class Where { nowhere, here, far, infinity };
     /// A construction line, drawn once however many centres lie on it.
@@ -358,6 +366,10 @@ void draw_pole(Sketch& sketch, const InstantCentre& centre) {
     sketch.add_label(name, sketch.theme.text, at, 1.7, centre.statement);
 }
 
-void draw_centres(Sketch& sketch) { CentresDrawing(sketch).draw(); }
+std::vector<RichText> draw_centres(Sketch& sketch) {
+    CentresDrawing drawing(sketch);
+    drawing.draw();
+    return drawing.left_out();
+}
 
 }  // namespace kinegraph::render::drawing

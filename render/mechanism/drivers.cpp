@@ -92,6 +92,11 @@ Spot pivot_of(const Layout& layout, BodyIndex body) {
     return layout.shape(body).middle;
 }
 
+const Unit& per_second_squared() {
+    static const Unit unit{"rad/s²", 1};
+    return unit;
+}
+
 RichText value_of(const Sketch& sketch, const Symbol& symbol, const std::string& figure, const Unit& unit) {
     RichText text = typeset(symbol, sketch.context.language);
     append(text, with_powers(" = " + figure + " " + unit.symbol));
@@ -107,46 +112,97 @@ RichText found_value(const Sketch& sketch, const Symbol& symbol, double value, c
     return value_of(sketch, symbol, number(value / unit.si.to_double(), digits, sketch.context.language), unit);
 }
 
-void draw_driver(Sketch& sketch, const SpinDriver& spin) {
-    const double omega = spin.omega.to_double();
+/// What is drawn of a driver: its rate, or how that changes.
+enum class Given { rate, acceleration };
+
+/// `clutter`: what else is drawn already; none where the driver's arrow is the first.
+void draw_driver(Sketch& sketch, const SpinDriver& spin, Given given, Clutter* clutter) {
+    const bool is_rate = given == Given::rate;
+    const double value = (is_rate ? spin.omega : spin.alpha).to_double();
     const std::optional<Spot> pivot = pivot_of_driver(sketch, spin);
-    if (omega == 0 || !pivot) return;
-    Symbol symbol{Symbol::Letter::omega, sketch.mechanism.body(spin.body).name, ""};
+    if (value == 0 || !pivot) return;
+    Symbol symbol{is_rate ? Symbol::Letter::omega : Symbol::Letter::alpha, sketch.mechanism.body(spin.body).name, ""};
     if (spin.relative_to != frame) symbol.about += sketch.mechanism.body(spin.relative_to).name;
-    const RichText text = given_value(sketch, symbol, omega, sketch.mechanism.units.angular_velocity);
-    draw_turning(sketch, {spin.body, *pivot, omega > 0, text, none}, nullptr);
+    const RichText text =
+        given_value(sketch, symbol, value, is_rate ? sketch.mechanism.units.angular_velocity : per_second_squared());
+    draw_turning(sketch, {spin.body, *pivot, value > 0, text, none}, clutter);
 }
 
-/// The speed of a driven slide or point, as an arrow about `start`.
-void draw_straight(Sketch& sketch, Spot start, Spot along, double speed, BodyIndex body, const std::string& about) {
-    if (speed == 0) return;
-    const Spot half = 7.0 * (speed < 0 ? -1.0 * along : along);
-    const Colour colour = sketch.theme.colour_of(body).letter;
+/// The speed of a driven slide or point, or its acceleration.
+struct Straight {
+    Spot along;
+    double value = 0;
+    Symbol symbol;
+    const Unit& unit;
+    BodyIndex body = none;
+};
+Straight straight(const Sketch& sketch, Given given, Spot along, const auto& driver, BodyIndex body, const std::string& about) {
+    const Units& units = sketch.mechanism.units;
+    if (given == Given::rate) return {along, driver.speed.to_double(), {Symbol::Letter::v, about, ""}, units.velocity, body};
+    return {along, driver.acceleration.to_double(), {Symbol::Letter::a, about, ""}, units.acceleration, body};
+}
+
+constexpr double half_of_straight = 7;  // mm
+
+/// As an arrow about `start`.
+void draw_straight(Sketch& sketch, Spot start, const Straight& arrow, Clutter* clutter) {
+    const Spot half = half_of_straight * (arrow.value < 0 ? -1.0 * arrow.along : arrow.along);
+    const Colour colour = sketch.theme.colour_of(arrow.body).letter;
     draw_arrow(sketch.arrows, start - half, start + half, sketch.theme.outline, colour);
-    RichText text = given_value(sketch, {Symbol::Letter::v, about, ""}, speed, sketch.mechanism.units.velocity);
-    sketch.add_label(std::move(text), colour, start, 1.5).toward = start + half;
+    if (clutter) clutter->add(start - half, start + half);
+    sketch.add_label(given_value(sketch, arrow.symbol, arrow.value, arrow.unit), colour, start, 1.5).toward = start + half;
 }
 
-void draw_driver(Sketch& sketch, const SlideDriver& slide) {
+/// Where the least is in the way of an arrow; each place has a price of its own.
+Spot free_place(const Sketch& sketch, Spot at, const Straight& arrow, const std::vector<std::pair<Spot, double>>& places,
+                const Clutter* clutter) {
+    Cheapest<Spot> best;
+    for (auto [aside, price] : places) {
+        const Spot half = half_of_straight * arrow.along, start = at + aside;
+        for (int i = -3; i <= 3; ++i) price += sketch.crowding(start + (i / 3.0) * half, at);
+        if (clutter) price += 6 * clutter->along(start - half, start + half);
+        best.offer(price, start);
+    }
+    return best.choice;
+}
+
+/// Beside the slide; its acceleration on the other side, or further out.
+void draw_driver(Sketch& sketch, const SlideDriver& slide, Given given, Clutter* clutter) {
     const Joint& joint = sketch.mechanism.joint(slide.joint);
-    const Spot along = sketch.guide(joint);
+    const Spot along = sketch.guide(joint), at = sketch.spot(joint);
+    const Straight arrow = straight(sketch, given, along, slide, joint.bodies[0], reader_name(sketch.mechanism, joint).name);
+    if (arrow.value == 0) return;
     Spot side = turned(along);
     if (side.y > 0 || (side.y == 0 && side.x > 0)) side = -1.0 * side;
-    const Spot start = sketch.spot(joint) + (sketch.measures.slider_side + 5.0) * side;
-    draw_straight(sketch, start, along, slide.speed.to_double(), joint.bodies[0], reader_name(sketch.mechanism, joint).name);
+    const double off = sketch.measures.slider_side + 5.0;
+    if (given == Given::rate) return draw_straight(sketch, at + off * side, arrow, clutter);
+    const std::vector<std::pair<Spot, double>> places{
+        {-off * side, 0}, {(off + 6) * side, 0.3}, {-(off + 6) * side, 0.6}, {(off + 12) * side, 0.9}};
+    draw_straight(sketch, free_place(sketch, at, arrow, places, clutter), arrow, clutter);
 }
 
 /// Ahead of the point, or beside it where a body or a line runs that way.
-void draw_driver(Sketch& sketch, const PointDriver& point) {
+void draw_driver(Sketch& sketch, const PointDriver& point, Given given, Clutter* clutter) {
     const Spot along = paper_direction(direction_of(point.along, sketch.subject.solution.pose)), at = sketch.spot(point.at);
-    Cheapest<Spot> best;
-    for (const Spot aside :
-         {11.0 * along, 5.0 * turned(along), -5.0 * turned(along), 8.0 * turned(along), -8.0 * turned(along)}) {
-        double price = 0.1 * length(aside - 11.0 * along);
-        for (int i = -3; i <= 3; ++i) price += sketch.crowding(at + aside + 7.0 / 3 * i * along, at);
-        best.offer(price, at + aside);
-    }
-    draw_straight(sketch, best.choice, along, point.speed.to_double(), point.body, sketch.mechanism.point(point.at).name);
+    const Straight arrow = straight(sketch, given, along, point, point.body, sketch.mechanism.point(point.at).name);
+    if (arrow.value == 0) return;
+    std::vector<std::pair<Spot, double>> places;
+    for (const Spot aside : {11.0 * along, 5.0 * turned(along), -5.0 * turned(along), 8.0 * turned(along), -8.0 * turned(along)})
+        places.emplace_back(aside, 0.1 * length(aside - 11.0 * along));
+    draw_straight(sketch, free_place(sketch, at, arrow, places, clutter), arrow, clutter);
+}
+
+void draw_all_drivers(Sketch& sketch, Given given, Clutter* clutter) {
+    for (const Driver& driver : sketch.mechanism.drivers)
+        std::visit([&](const auto& one) { draw_driver(sketch, one, given, clutter); }, driver);
+}
+
+/// Ground and arrows: what stands in the way of a further arrow, besides the bodies.
+Clutter clutter_of(const Sketch& sketch) {
+    Clutter clutter;
+    clutter.add(sketch.ground);
+    clutter.add(sketch.arrows);
+    return clutter;
 }
 
 }  // namespace
@@ -168,9 +224,7 @@ StatementIndex statement_of_turning(const Solution& solution, const Quantity& so
 
 void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
     const Solution& solution = sketch.subject.solution;
-    Clutter clutter;
-    clutter.add(sketch.ground);
-    clutter.add(sketch.arrows);
+    Clutter clutter = clutter_of(sketch);
     for (const BodyIndex body : indices(std::min(sketch.mechanism.bodies.size(), solution.bodies.size()), frame.next())) {
         const BodyMotion& motion = solution.bodies[at_index(body)];
         const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
@@ -179,15 +233,17 @@ void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
         const auto kind = letter == Symbol::Letter::omega ? Quantity::Kind::omega : Quantity::Kind::alpha;
         const StatementIndex statement = statement_of_turning(solution, {.kind = kind, .body = body});
         if (statement == none) continue;
-        const Unit per_second_squared{"rad/s²", 1};
-        const Unit& unit = kind == Quantity::Kind::omega ? sketch.mechanism.units.angular_velocity : per_second_squared;
+        const Unit& unit = kind == Quantity::Kind::omega ? sketch.mechanism.units.angular_velocity : per_second_squared();
         const RichText text = found_value(sketch, symbol, value->to_double(), unit);
         draw_turning(sketch, {body, pivot_of(sketch, body), value->sign() > 0, text, statement}, &clutter);
     }
 }
 
-void draw_drivers(Sketch& sketch) {
-    for (const Driver& driver : sketch.mechanism.drivers) std::visit([&](const auto& one) { draw_driver(sketch, one); }, driver);
+void draw_drivers(Sketch& sketch) { draw_all_drivers(sketch, Given::rate, nullptr); }
+
+void draw_accelerations_of_drivers(Sketch& sketch) {
+    Clutter clutter = clutter_of(sketch);
+    draw_all_drivers(sketch, Given::acceleration, &clutter);
 }
 
 }  // namespace kinegraph::render::drawing

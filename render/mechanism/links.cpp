@@ -138,41 +138,93 @@ void draw_link(Sketch& sketch, BodyIndex body, const std::vector<BodyIndex>& bel
     sketch.bodies.emplace_back(GroupEnd{});
 }
 
-void draw_balloon(Sketch& sketch, BodyIndex body) {
+namespace {
+
+constexpr double balloon_radius = 2.3;
+
+/// Where the number of a body wants to stand: about an anchor, or beside a line that runs there.
+struct Stand {
+    Spot anchor;
+    std::optional<Spot> toward = std::nullopt;
+    double clearance = 6.4;
+};
+
+/// Whether a number there would stand on the tint of another body's wheel, which would then seem to be its own.
+bool is_on_other_wheel(const Layout& layout, BodyIndex body, Spot at) {
+    for (const BodyIndex other : layout.mechanism.moving_bodies())
+        for (const Rim& rim : layout.shape(other).rims) {
+            if (other == body || rim.form == Rim::Form::arc || rim.hollow) continue;
+            if (length(at - rim.centre) < rim.radius + balloon_radius) return true;
+        }
+    return false;
+}
+
+/// Beside the rim, above on the right if nothing is against it; else further round, or on the wheel's own tint.
+Stand stand_at_wheel(const Layout& layout, BodyIndex body, Spot centre, double radius) {
+    constexpr double off = 1.8, least_within = 9, foreign = 3;
+    const auto price_of = [&](Spot at) { return is_on_other_wheel(layout, body, at) ? foreign : 0; };
+    Cheapest<Stand> best;
+    for (const int step : {0, 1, -1, 2, -2, 3, -3, 4}) {
+        const Spot out = polar_spot((step - 1) * pi_number / 4), on_rim = centre + radius * out;
+        const double price = 0.1 * std::abs(step);
+        const Spot beside = on_rim + (off + balloon_radius) * out;
+        // Where nothing is against the first place, its neighbours are the labels' own business.
+        best.offer(price + price_of(beside) + (step == 0 ? 0 : layout.crowding(beside, centre)),
+                   {on_rim, on_rim + 4 * std::sqrt(2.0) * turned(out), off});
+        if (radius < least_within) continue;
+        const Spot within = centre + 0.6 * radius * out;
+        best.offer(price + 0.25 + price_of(within) + layout.crowding(within, centre), {within, std::nullopt, 0.3});
+    }
+    return best.choice;
+}
+
+/// Beside the longest of its lines, in the middle unless another wheel lies on both sides there.
+Stand stand_at_line(const Layout& layout, BodyIndex body, const Bar& longest) {
+    constexpr double off = 2.7;
+    const Spot across = (off + balloon_radius) * turned(direction(longest));
+    Cheapest<Stand> best;
+    for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
+        const Spot at = middle(longest) + (share - 0.5) * (longest.to - longest.from);
+        const bool is_free = !is_on_other_wheel(layout, body, at + across) || !is_on_other_wheel(layout, body, at - across);
+        best.offer(std::abs(share - 0.5) + (is_free ? 0 : 1), {at, longest.to, off});
+    }
+    return best.choice;
+}
+
+Stand stand_of(const Sketch& sketch, BodyIndex body) {
     const Body& data = sketch.mechanism.body(body);
     const Shape& shape = sketch.shape(body);
+    if (!shape.strokes.empty() && length(longest_of(shape.strokes)) > 6)
+        return stand_at_line(sketch, body, longest_of(shape.strokes));
+    // A block or a wheel: beside it.
+    if (data.circle)
+        return stand_at_wheel(sketch, body, sketch.spot(data.circle->centre), data.circle->radius.to_double() / sketch.scale());
+    Stand stand{shape.middle};
+    for (const Joint& joint : sketch.mechanism.joints) {
+        if (!joint.pair().is_sleeve() || joint.bodies[0] != body) continue;
+        const auto [half, side] = sketch.block(joint);
+        stand = {sketch.spot(joint), sketch.spot(joint) + (half + 2) * sketch.guide(joint), side + 2.2};
+    }
+    return stand;
+}
+
+}  // namespace
+
+void draw_balloon(Sketch& sketch, BodyIndex body) {
+    const Body& data = sketch.mechanism.body(body);
     const Theme& theme = sketch.theme;
+    const Stand stand = stand_of(sketch, body);
     LabelRequest request{.text = one_piece(data.name),
                          .size = data.name.size() > 1 ? theme.small : theme.derived,
                          .colour = theme.colour_of(body).letter,
-                         .anchor = shape.middle,
-                         .clearance = 6.4,
+                         .anchor = stand.anchor,
+                         .toward = stand.toward,
+                         .clearance = stand.clearance,
                          .dashes = theme.body(body).dashes};
     if (sketch.context.fonts.shape(request.text, request.size).width < 3.7)
-        request.balloon = 2.3;
+        request.balloon = balloon_radius;
     else
         request.size = theme.derived;
-    const auto stand_at = [&](Spot anchor, Spot toward, double clearance) {
-        request.anchor = anchor;
-        request.toward = toward;
-        request.clearance = clearance;
-    };
-    if (!shape.strokes.empty() && length(longest_of(shape.strokes)) > 6) {
-        const Bar& longest = longest_of(shape.strokes);
-        stand_at(middle(longest), longest.to, 2.7);
-    } else {
-        // A block or a wheel: beside it.
-        for (const Joint& joint : sketch.mechanism.joints) {
-            if (!joint.pair().is_sleeve() || joint.bodies[0] != body) continue;
-            const auto [half, side] = sketch.block(joint);
-            stand_at(sketch.spot(joint), sketch.spot(joint) + (half + 2) * sketch.guide(joint), side + 2.2);
-        }
-        if (data.circle) {
-            const double radius = data.circle->radius.to_double() / sketch.scale();
-            const Spot on_rim = sketch.spot(data.circle->centre) + (radius * std::sqrt(0.5)) * Spot{1, -1};
-            stand_at(on_rim, on_rim + 4.0 * Spot{1, 1}, 1.8);
-        }
-    }
     sketch.labels.push_back(std::move(request));
 }
 

@@ -78,11 +78,14 @@ RichText how_far(const Sketch& sketch, const RichText& from, const RichText& to,
 void draw_compass(Sketch& sketch);
 /// ω of a driven body as an arc about its pivot, the speed of a driven slide or point as an arrow beside it.
 void draw_drivers(Sketch& sketch);
+/// What the file gives of their accelerations, as arcs and arrows of their own.
+void draw_accelerations_of_drivers(Sketch& sketch);
 /// What turns, as the solution finds it: ω or α of the bodies as arcs, each with the statement that ends with it.
 void draw_turnings(Sketch& sketch, Symbol::Letter letter);
 /// The statement that ends with the angular velocity (or acceleration) of a body; none: no one does.
 StatementIndex statement_of_turning(const Solution& solution, const Quantity& sought);
-void draw_centres(Sketch& sketch);
+/// Instant centres and the lines that find them. The names of those that are left out, where all of them would crowd the figure.
+std::vector<RichText> draw_centres(Sketch& sketch);
 /// An absolute centre under the velocities: a dot and its name, once; none where a pin stands.
 void draw_pole(Sketch& sketch, const InstantCentre& centre);
 Symbol symbol_of(const Mechanism& mechanism, const InstantCentre& centre);

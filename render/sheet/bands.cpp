@@ -444,11 +444,11 @@ void Bands::collect_curvature() {
 }
 
 void Bands::collect_forces() {
-    // In brief the mechanism is drawn once, and the bodies cut free have their lines of action.
+    // In brief the mechanism is drawn once, and the bodies cut free have their lines of action, as far as these are their own.
     const bool has_strings = std::any_of(solution_.taken_together.begin(), solution_.taken_together.end(),
                                          [](const TakenTogether& together) { return together.funicular.has_value(); });
-    const bool drawn_already =
-        detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty() && !has_strings;
+    const bool drawn_already = detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty() &&
+                               !has_strings && !has_meets(solution_, true);
     // What is said of its lines stands with the first body then.
     const std::size_t at_lines = list.size();
     if (!drawn_already) add("lines-of-action", {"lines-of-action"}).draws_mechanism = true;

@@ -199,7 +199,7 @@ void WantedFigures::add_superposition() {
         const DrawingContext& alone = alone_contexts_.emplace_back(
             DrawingContext{alone_.back(), context_.theme, context_.fonts, context_.language, context_.dimensions});
         const std::string load = name_of(s.mechanism, s.superposition->parts[i]);
-        if (detail_ == SolutionDetail::full) {
+        if (detail_ == SolutionDetail::full || has_meets(alone.solution, false)) {
             Wanted lines = mechanism("lines-load-" + load, false);
             lines.asked.reset();
             lines.rim_x = 34;

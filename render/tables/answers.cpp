@@ -29,6 +29,18 @@ bool is_driven(const Mechanism& mechanism, const Quantity& quantity) {
     });
 }
 
+/// The bodies that turn as one does, itself first: sleeves, guides and clamps let them not turn against each other.
+std::vector<BodyIndex> turning_with(const Mechanism& mechanism, BodyIndex body) {
+    std::vector<BodyIndex> all{body};
+    for (std::size_t known = 0; known < all.size(); ++known)
+        for (const Joint& joint : mechanism.joints) {
+            if (!joint.pair().holds_rotation || !joint.connects(all[known])) continue;
+            for (const BodyIndex other : joint.bodies)
+                if (std::find(all.begin(), all.end(), other) == all.end()) all.push_back(other);
+        }
+    return all;
+}
+
 class Answers {
 public:
     Answers(const DrawingContext& context, const std::vector<Figure>& drawn)
@@ -101,11 +113,13 @@ private:
         return std::nullopt;
     }
 
-    /// From the vector and the length of which ω or α is the quotient: the pair that is read best.
+    /// From the vector and the length of which ω or α is the quotient: the pair that is read best, on whichever of the bodies
+    /// that turn together.
     std::optional<double> tolerance_of_turning(const ResultRow& row) const {
         if (!length_scale_ || row.drawing == 0) return std::nullopt;
         const bool is_omega = row.quantity.kind == Kind::omega;
         const double turning = std::abs(found_turning(row.quantity));
+        const std::vector<BodyIndex> together = turning_with(mechanism_, row.quantity.body);
         std::optional<double> least;
         for (const ResultRow& other : motion_) {
             const Quantity& q = other.quantity;
@@ -114,11 +128,12 @@ private:
             double radius = 0;
             if (q.part == (is_omega ? Quantity::Part::relative : Quantity::Part::tangential)) {
                 const Unit& unit = is_omega ? mechanism_.units.velocity : mechanism_.units.acceleration;
-                const bool own = q.body == row.quantity.body ||
-                                 (carries(row.quantity.body, q.point) && carries(row.quantity.body, q.seen_from));
+                const bool own = std::any_of(together.begin(), together.end(), [&](BodyIndex body) {
+                    return q.body == body || (carries(body, q.point) && carries(body, q.seen_from));
+                });
                 if (own) radius = other.drawing * unit.si.to_double() / turning;
             } else if (is_omega && q.part == Quantity::Part::whole) {
-                radius = distance_from_pivot(row.quantity.body, q.point);
+                for (const BodyIndex body : together) radius = std::max(radius, distance_from_pivot(body, q.point));
             }
             if (!(radius > 0)) continue;
             const double share = reading_by_hand / *other.millimetres + reading_by_hand * *length_scale_ / radius;

@@ -457,6 +457,8 @@ constexpr std::array
         Row{Sentence::repeated_constraints,
             "Joint {0} repeats {1} {1|constraint|constraints} that the others impose already at this position.",
             "La coppia {0} ripete {1} {1|vincolo|vincoli} che le altre impongono già in questa configurazione."},
+        Row{Sentence::link_without_length, "Link {0} has no length: its pins {1} lie at one place.",
+            "Il corpo {0} non ha lunghezza: i suoi perni {1} coincidono."},
         Row{Sentence::lift_off, "The contact at {0} would have to pull: there the bodies lift off.",
             "Il contatto in {0} dovrebbe tirare: lì i corpi si staccano."},
         Row{Sentence::change_point,
@@ -630,6 +632,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     // figures
     FixedWords{"figure", "Fig.", "Fig."},
     FixedWords{"mechanism", "Mechanism", "Meccanismo"},
+    FixedWords{"without centres", ", without", ", senza"},
     FixedWords{"mechanism and instant centres", "Mechanism and instant centres", "Meccanismo e centri di istantanea rotazione"},
     FixedWords{"mechanism and its way", "Mechanism as drawn, and its motion", "Meccanismo come disegnato e suo moto"},
     FixedWords{"cam and follower", "Cam and follower", "Camma e punteria"},
