@@ -75,7 +75,7 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
     if (drawing.resolve()) {
         const Run run = drawing.run(whole);
         ForceResults results = cut_free(model, board, mechanism, mobility, run, runs.meets(), {}, false);
-        results.truss = drawing.finish(run);
+        results.truss = drawing.finish();
         results.truss->whole = whole_of(model, runs.meets(), whole);
         for (const Unsolved& missing : drawing.unsolved()) results.unsolved.push_back(missing);
         if (!drawing.has_plan())
@@ -89,7 +89,7 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
     if (!run.complete || !results.unsolved.empty()) return results;
     TrussDrawing bars(model, board, mechanism, truss, run);
     bars.read_off(run);
-    results.truss = bars.finish(run);
+    results.truss = bars.finish();
     results.remarks.push_back({Sentence::truss_without_order, {Count{static_cast<int>(truss.bars.size())}}});
     return results;
 }

@@ -14,17 +14,18 @@
 #include <optional>
 #include <utility>
 
+#include "engine/numeric/plane_pair.hpp"
 #include "engine/rounding.hpp"
 
 namespace kinegraph {
 namespace {
 
-using Pair = std::array<double, 2>;
+using numeric::inner;
+using numeric::Pair;
+using numeric::quarter;
+using numeric::rough;
+using numeric::operator-;
 
-double inner(const Pair& a, const Pair& b) { return a[0] * b[0] + a[1] * b[1]; }
-Pair operator-(const Pair& a, const Pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
-Pair quarter(const Pair& a) { return {-a[1], a[0]}; }
-Pair rough(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
 Vector exactly(const Pair& a) { return {Exact::from_double(a[0]), Exact::from_double(a[1])}; }
 Pair unit(const Vector& a) {
     const double l = length(a);

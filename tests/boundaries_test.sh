@@ -47,8 +47,9 @@ check() {
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
         includes '"' $rooms | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|tests|bench)/[a-z]' |
             breach "own headers are written from the root, room first"
-        includes '[<"](unsupported/)?Eigen/' $rooms | grep -vE '^engine/check(_forces|_hertz)?\.cpp:' |
+        includes '[<"](unsupported/)?Eigen/' $rooms | grep -vE '^engine/(check(_forces|_hertz)?\.cpp|numeric/[a-z_]*\.[ch]pp):' |
             breach "Eigen is the checks': engine/check.cpp's and those of its like"
+        includes '["<]engine/numeric/' $rooms | grep -vE '^engine/(check|numeric/)' | breach "engine/numeric is the checks' alone"
         includes '[<"](cairo/)?cairo' $rooms | grep -v '^render/backends/cairo_backend\.cpp:' |
             breach "cairo is render/backends/cairo_backend.cpp's"
         includes '[<"]hb' $rooms | grep -vE '^render/text/(typeface|subset)\.cpp:' |
@@ -62,7 +63,7 @@ check() {
             printf '%s\n' "$users" | breach "more than two files of the engine include CGAL"
         fi
         grep -rn 'JointKind::' engine constructions render app 2>/dev/null |
-            grep -vE '^engine/(pair|check|check_forces|mechanism)\.[ch]pp:' | breach "kinds of joint are engine/pair's and the check's"
+            grep -vE '^engine/(pair|check|check_forces|mechanism|numeric/equilibrium_equations)\.[ch]pp:' | breach "kinds of joint are engine/pair's and the check's"
     )
     [ -z "$found" ] && return 0
     printf '%s\n' "$found"
@@ -109,6 +110,8 @@ seen "room first" engine/a.cpp '"b.hpp"'
 seen "check.cpp's" engine/board.cpp '<Eigen/Dense>'
 seen "check.cpp's" tests/a_test.cpp '<Eigen/Dense>'
 seen "check.cpp's" engine/check_forces.hpp '<Eigen/Dense>'
+seen "the checks' alone" constructions/a.cpp '"engine/numeric/b.hpp"'
+seen "the checks' alone" engine/board.cpp '"engine/numeric/b.hpp"'
 seen "cairo_backend.cpp's" render/text/text.cpp '<cairo/cairo.h>'
 seen "cairo_backend.cpp's" app/main.cpp '<cairo-pdf.h>'
 seen "algebra_ginac.cpp's" engine/expression.cpp '<ginac/ginac.h>'
@@ -118,7 +121,7 @@ seen "more than two" engine/a.cpp '<CGAL/a.h>' engine/b.cpp '<CGAL/a.h>' engine/
 seen "kinds of joint" constructions/a.cpp 'JointKind::gear'
 seen "" engine/pair.cpp 'JointKind::gear' engine/check_forces.cpp 'JointKind::weld' tests/a_test.cpp 'JointKind::gear'
 seen "" engine/a.cpp '<CGAL/a.h>' engine/a.cpp '<CGAL/b.h>' engine/b.cpp '<CGAL/a.h>' engine/check.cpp '<Eigen/QR>' \
-    engine/check_forces.cpp '<Eigen/Dense>' \
+    engine/check_forces.cpp '<Eigen/Dense>' engine/numeric/a.hpp '<Eigen/Dense>' engine/check_forces.cpp '"engine/numeric/a.hpp"' \
     render/backends/cairo_backend.cpp '<cairo/cairo.h>' app/main.cpp '"render/page/page.hpp"' render/text/a.cpp '"render/ink/a.hpp"' \
     render/figures/a.cpp '"render/tables/a.hpp"' render/figures/a.cpp '"render/figures/b.hpp"' constructions/a.cpp '"engine/a.hpp"'
 exit $failed
