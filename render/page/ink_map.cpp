@@ -269,24 +269,29 @@ void InkMap::rows_of(const InkBox& box, Look look) const {
     const auto from = static_cast<std::size_t>(up(std::max(0.0, left)));
     const auto to = static_cast<std::size_t>(down(std::min(columns_ - 1.0, right)));
     if (from > to) return;
-    const std::uint64_t head = ~std::uint64_t{0} << (from % 64), tail = ~std::uint64_t{0} >> (63 - to % 64);
-    const auto each_word = [&](const std::uint64_t* words, auto see) {
-        if (from / 64 == to / 64) return see(words[from / 64] & head & tail);
-        if (!see(words[from / 64] & head)) return false;
-        for (std::size_t word = from / 64 + 1; word < to / 64; ++word)
-            if (!see(words[word])) return false;
-        return see(words[to / 64] & tail);
-    };
-    const auto is_blank = [](std::uint64_t word) { return word == 0; };
+    const auto top = static_cast<std::size_t>(up(std::max(0.0, first)));
     const auto end = static_cast<std::size_t>(down(std::min(rows_ - 1.0, last))) + 1;
-    for (auto row = static_cast<std::size_t>(up(std::max(0.0, first))); row < end;) {
-        const std::size_t next = (row / band + 1) * band;
-        if (each_word(bands_.data() + row / band * words_, is_blank))
-            row = next;
-        else
-            for (; row < std::min(next, end); ++row)
-                if (!each_word(bits_.data() + row * words_, look)) return;
+    // A column of words after the other: most boxes have one or two.
+    for (std::size_t word = from / 64; word <= to / 64; ++word) {
+        std::uint64_t mask = ~std::uint64_t{0};
+        if (word == from / 64) mask &= ~std::uint64_t{0} << (from % 64);
+        if (word == to / 64) mask &= ~std::uint64_t{0} >> (63 - to % 64);
+        if (!column_of(word, mask, top, end, look)) return;
     }
+}
+
+/// The words of one column, from a row to before another, cut to a mask; whether look() never said no.
+template <class Look>
+bool InkMap::column_of(std::size_t word, std::uint64_t mask, std::size_t top, std::size_t end, Look look) const {
+    const std::uint64_t* of_band = bands_.data() + top / band * words_ + word;
+    for (std::size_t row = top; row < end; of_band += words_) {
+        const std::size_t next = std::min((row / band + 1) * band, end);
+        if ((*of_band & mask) != 0)
+            for (const std::uint64_t* bits = bits_.data() + row * words_ + word; row < next; ++row, bits += words_)
+                if (!look(*bits & mask)) return false;
+        row = next;
+    }
+    return true;
 }
 
 /// Rows of a band are looked at only where something in it is inked.
