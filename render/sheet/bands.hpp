@@ -12,6 +12,7 @@
 #include "render/sheet/wanted_figures.hpp"
 #include "render/tables/equation_block.hpp"
 #include "render/tables/equation_text.hpp"
+#include "render/tables/prose.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
@@ -25,6 +26,7 @@ struct Passage {
     void take_rows(std::vector<Block> blocks);
     /// Of a table: the first line is its head. No lines: neither head nor rows.
     void take_table(std::vector<Block> lines);
+    void take_table(std::vector<SharedBlock> lines);
 };
 
 /// One question of the solution.
@@ -97,6 +99,7 @@ private:
     std::optional<std::size_t> same_before(const Band& band, const Statement& added) const;
     void number_steps();
     void deal_out_results();
+    Passage table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results, double measure) const;
     void add_remarks();
 
     const DrawingContext& context_;
@@ -108,9 +111,10 @@ private:
     std::vector<ResultRow> results_;
     std::map<std::string, RichText> remarks_;  // on figures as drawn
     std::vector<EquationItem> equations_;
-    std::vector<LineNumbers> lines_;                // of the polygons of motion
-    mutable NaturalBlocks natural_;                 // of the equations, as they were set first
-    mutable std::map<std::size_t, RichText> said_;  // by statement, once asked
+    std::vector<LineNumbers> lines_;                      // of the polygons of motion
+    mutable NaturalBlocks natural_;                       // of the equations, as they were set first
+    mutable std::map<std::size_t, Paragraph> said_;       // by statement, once asked
+    mutable std::map<std::size_t, ResultsTable> tables_;  // of results that are not measured, by their first row
 };
 
 }  // namespace kinegraph::render

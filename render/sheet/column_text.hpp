@@ -49,7 +49,7 @@ private:
     template <class Place>
     bool flow(const TextColumns& columns, double height, Place place) const;
 
-    double height_of(const SharedBlock& block) const { return block->height * scale_; }
+    double height_of(const SharedBlock& block) const { return block.height() * scale_; }
 
     std::vector<Passage> passages_;
     double scale_;
