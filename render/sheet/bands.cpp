@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "engine/assert.hpp"
@@ -31,7 +32,7 @@ public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
     BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
              const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations,
-             const std::vector<LineNumbers>& lines, NaturalBlocks& natural, std::map<std::size_t, Paragraph>& said,
+             const std::vector<LineNumbers>& lines, NaturalBlocks& natural, std::map<std::size_t, Said>& said,
              const WantedFigures& wanted)
         : context_(context),
           solution_(context.solution),
@@ -108,32 +109,39 @@ private:
         std::vector<SharedBlock> rows;
         for (const std::size_t i : statements) {
             const Statement& statement = solution_.protocol.statements[i];
-            auto words = said_.find(i);
-            if (words == said_.end()) words = said_.try_emplace(i, context_, said(i), indent, std::to_string(steps_.at(i))).first;
-            std::vector<Block> equations;
+            auto known = said_.find(i);
+            if (known == said_.end())
+                known = said_.emplace(i, Said{Paragraph(context_, said(i), indent, std::to_string(steps_.at(i)))}).first;
+            std::vector<SharedBlock> equations;
             if (statement.equation && !equations_apart_)
-                equations.push_back(equation_block(context_, *statement.equation, measure_ - indent));
+                equations.push_back(equation(known->second, *statement.equation, measure_ - indent));
             const DrawingContext& context = wanted_.context_at(StatementIndex(i));
             for (const FreeBody* body : closed_by(context.solution, StatementIndex(i)))
                 if (Block block = force_equation_block(context, *body, true); block.width > 0 && block.width <= measure_ - indent)
-                    equations.push_back(std::move(block));
-            double height = words->second.height(measure_);
-            for (const Block& equation : equations) height += equation.height + under_equation;
-            rows.emplace_back(measure_, height,
-                              [&paragraph = words->second, measure = measure_, equations = std::move(equations), i] {
-                                  return step(paragraph.set(measure), equations, StatementIndex(i));
-                              });
+                    equations.emplace_back(std::move(block));
+            const Paragraph& sentence = known->second.sentence;
+            double height = sentence.height(measure_);
+            for (const SharedBlock& equation : equations) height += equation.height() + under_equation;
+            rows.emplace_back(measure_, height, [&sentence, measure = measure_, equations = std::move(equations), i] {
+                return step(sentence.set(measure), equations, StatementIndex(i));
+            });
         }
         return rows;
     }
     /// A sentence and its equations, one under the other.
-    static std::vector<Mark> step(Block sentence, const std::vector<Block>& equations, StatementIndex statement) {
-        for (const Block& equation : equations) {
-            set(sentence.marks, equation, {indent, sentence.height + 0.5});
-            sentence.height += equation.height + under_equation;
+    static std::vector<Mark> step(Block sentence, const std::vector<SharedBlock>& equations, StatementIndex statement) {
+        for (const SharedBlock& equation : equations) {
+            set(sentence.marks, equation.set(), {indent, sentence.height + 0.5});
+            sentence.height += equation.height() + under_equation;
         }
         belong(sentence.marks, 0, statement);
         return std::move(sentence.marks);
+    }
+
+    /// The same at all widths that hold it in one row.
+    SharedBlock equation(Said& said, const Equation& equation, double most) const {
+        if (!said.equation) said.equation = equation_block(context_, equation, std::numeric_limits<double>::infinity());
+        return said.equation->width() <= most ? *said.equation : SharedBlock(equation_block(context_, equation, most));
     }
 
     /// A sentence, and of whom it holds likewise.
@@ -271,7 +279,7 @@ private:
     const std::vector<EquationItem>& equations_;
     const std::vector<LineNumbers>& lines_;
     NaturalBlocks& natural_;
-    std::map<std::size_t, Paragraph>& said_;
+    std::map<std::size_t, Said>& said_;
     const WantedFigures& wanted_;
 };
 

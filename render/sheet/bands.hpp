@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,12 @@ struct Band {
     std::size_t first_row = 0;  ///< of its text, which goes on over pages only where no page holds it
     std::size_t end_row = std::numeric_limits<std::size_t>::max();
     bool draws_mechanism = false;  ///< one such band to a page: what stands in its figure has the names of the mechanism's parts
+};
+
+/// A statement as it is said, once it was asked for.
+struct Said {
+    Paragraph sentence;
+    std::optional<SharedBlock> equation{};  ///< in one row, as wide as that is
 };
 
 /// Of the text of a band and of those that it goes on in, its own rows; what goes on from a page before begins in the middle.
@@ -113,7 +120,7 @@ private:
     std::vector<EquationItem> equations_;
     std::vector<LineNumbers> lines_;                      // of the polygons of motion
     mutable NaturalBlocks natural_;                       // of the equations, as they were set first
-    mutable std::map<std::size_t, Paragraph> said_;       // by statement, once asked
+    mutable std::map<std::size_t, Said> said_;            // by statement
     mutable std::map<std::size_t, ResultsTable> tables_;  // of results that are not measured, by their first row
 };
 
