@@ -98,12 +98,9 @@ double ColumnText::height(const TextColumns& columns) const {
     return most;
 }
 
-double ColumnText::height(int columns) const {
-    const auto index = static_cast<std::size_t>(columns);
-    if (heights_.size() <= index) heights_.resize(index + 1, -1);
-    double& known = heights_[index];
-    if (known < 0) known = height(TextColumns(index));
-    return known;
+double ColumnText::height_found(std::size_t columns) const {
+    if (heights_.size() <= columns) heights_.resize(columns + 1, -1);
+    return heights_[columns] = height(TextColumns(columns));
 }
 
 void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& columns) const {
