@@ -289,8 +289,8 @@ TEST(Results, InTheTableAreReadToATenthOfAMillimetre) {
     row.numeric = 0.5027;
     row.unit = "m/s";
     std::set<std::string> words;
-    for (const Block& line : results_lines(context, {row}, 90))
-        for (const Mark& mark : line.marks)
+    for (const SharedBlock& line : ResultsTable(context, {row}).lines(90))
+        for (const Mark& mark : line.set().marks)
             if (const auto* text = std::get_if<TextMark>(&mark)) words.insert(text->words);
     EXPECT_TRUE(words.contains("100.5"));
     EXPECT_TRUE(words.contains("0.5025")) << "100.5 mm at 0.005 m/s a millimetre";

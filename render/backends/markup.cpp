@@ -56,7 +56,7 @@ char* put_decimals(char* at, std::uint64_t rest) {
 
 void Bytes::grow(std::size_t more) {
     constexpr std::size_t least = 512;
-    capacity_ = std::max(2 * capacity_, least) + more;
+    capacity_ = std::max({2 * capacity_, least, size_ + more});
     auto larger = std::make_unique_for_overwrite<char[]>(capacity_);
     if (size_ > 0) std::memcpy(larger.get(), bytes_.get(), size_);
     bytes_ = std::move(larger);

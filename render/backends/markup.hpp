@@ -18,6 +18,10 @@ class Bytes {
 public:
     std::size_t size() const { return size_; }
     void clear() { size_ = 0; }
+    /// For about so many in all.
+    void reserve(std::size_t size) {
+        if (capacity_ < size) grow(size - size_);
+    }
     std::string_view text() const { return {bytes_.get(), size_}; }
 
     void put(char c) { *room(1) = c, ++size_; }
@@ -52,6 +56,8 @@ public:
     Markup();
     explicit Markup(std::size_t depth);
 
+    /// For about so many bytes.
+    void reserve(std::size_t size) { bytes_.reserve(size); }
     /// Where the next element begins: another part may be put in between.
     std::size_t place() {
         close_tag();

@@ -103,6 +103,7 @@ public:
         : page_(page), fonts_(fonts), outlines_(outlines), type_(type) {}
 
     std::string write() {
+        out_.reserve(about_as_long());
         out_.begin("svg");
         out_.attribute("xmlns", "http://www.w3.org/2000/svg");
         out_.attribute("xmlns:xlink", "http://www.w3.org/1999/xlink");
@@ -141,6 +142,15 @@ public:
     }
 
 private:
+    /// Bytes that it takes, or a little more.
+    std::size_t about_as_long() const {
+        constexpr std::size_t of_a_letter = 64, of_a_mark = 200;
+        std::size_t letters = 0;
+        for (const Mark& mark : page_.marks)
+            if (const auto* text = std::get_if<TextMark>(&mark)) letters += text->glyphs.size();
+        return of_a_letter * letters + of_a_mark * page_.marks.size();
+    }
+
     Markup definitions() const {
         Markup defined(1);
         const bool has_rules = type_ != nullptr && !type_->rules.empty();

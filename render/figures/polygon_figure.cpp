@@ -27,6 +27,12 @@ constexpr double coincident = 0.02;     // mm: drawn as one
 class Drawing {
 public:
     Drawing(const DrawingContext& context, const PolygonScene& scene) : context_(context), scene_(scene), numbers_(scene) {}
+    /// One without letters, for what its strokes take.
+    static Drawing of_strokes(const DrawingContext& context, const PolygonScene& scene) {
+        Drawing drawing(context, scene);
+        drawing.has_names_ = false;
+        return drawing;
+    }
 
     bool empty() const { return scene_.empty(); }
     double width() const { return scene_.width(); }
@@ -49,7 +55,7 @@ public:
         Figure figure;
         figure.kind = kind();
         figure.id = legal_id(scene_.id);
-        figure.caption = caption();
+        if (has_names_) figure.caption = caption();
         figure.scale = scale;
         figure.has_scale = !scene_.vectors.empty();
         figure.unit = scene_.unit.symbol;
@@ -58,6 +64,7 @@ public:
     }
     PolygonParts parts_of(const Figure& figure) const {
         PolygonParts parts;
+        parts.has_names = has_names_;
         add_vectors(parts, figure);
         set_side_by_side(parts);
         add_trials(parts, figure);
@@ -115,8 +122,9 @@ private:
     };
     void add_lines(PolygonParts& parts, const Figure& figure) const {
         const std::size_t first = parts.lines.size();
-        std::vector<std::string> words;
+        std::vector<const LineReason*> reasons;
         std::vector<Ray> rays;
+        const auto said = [&](const LineReason& reason) { return plain(typeset(reason, context_.language)); };
         for (const SceneLine& each : scene_.lines) {
             Spot along{each.along.x, -each.along.y};
             const Spot support = spot(figure, each.support), meet = spot(figure, each.meet);
@@ -126,19 +134,18 @@ private:
             drawn.from = support - short_of_pole * along;
             drawn.to = meet + overshoot * along;
             if (std::abs(reach) < coincident) drawn.from = support - overshoot * along;
-            const RichText reason = typeset(each.reason, context_.language);
-            const std::string said = plain(reason);
             bool twice = false;
-            for (std::size_t i = 0; i < words.size(); ++i)
-                twice = twice || (words[i] == said && length(parts.lines[first + i].to - drawn.to) < coincident);
+            for (std::size_t i = 0; i < reasons.size(); ++i)
+                twice = twice ||
+                        (length(parts.lines[first + i].to - drawn.to) < coincident && said(*reasons[i]) == said(each.reason));
             if (twice) continue;
-            words.push_back(said);
+            reasons.push_back(&each.reason);
             drawn.pen = {context_.theme.thin, context_.theme.secondary, {}, false};
             drawn.statement = each.statement;
-            if (each.reason.kind != LineReason::Kind::known) {
+            if (has_names_ && each.reason.kind != LineReason::Kind::known) {
                 if (const std::string number = numbers_.before(each.statement, each.reason); !number.empty())
                     drawn.mark = one_piece(number);
-                append(drawn.mark, reason);
+                append(drawn.mark, typeset(each.reason, context_.language));
                 drawn.mark_at = meet + (0.58 * overshoot) * along;
                 drawn.mark_toward = meet + overshoot * along;
             }
@@ -197,7 +204,7 @@ private:
         error.from = foot;
         error.to = tip;
         error.pen = {context_.theme.thin, context_.theme.text, {}, false};
-        error.mark = typeset(miss.symbol, context_.language);
+        if (has_names_) error.mark = typeset(miss.symbol, context_.language);
         error.mark_at = 0.5 * (foot + tip);
         error.mark_toward = tip;
         error.mark_along = false;
@@ -208,11 +215,13 @@ private:
     void add_vectors(PolygonParts& parts, const Figure& figure) const {
         for (const SceneVector& each : scene_.vectors) {
             PolygonVector drawn;
-            drawn.name = each.name;
             drawn.tail = spot(figure, each.tail);
             drawn.tip = spot(figure, each.tip);
             drawn.value = each.value;
-            drawn.text = typeset(each.symbol, context_.language);
+            if (has_names_) {
+                drawn.name = each.name;
+                drawn.text = typeset(each.symbol, context_.language);
+            }
             drawn.colour = context_.theme.colour_of(each.body);
             drawn.has_right_angles = each.has_right_angles;
             drawn.statement = each.statement;
@@ -225,9 +234,9 @@ private:
             PolygonImage drawn;
             drawn.kind = each.kind;
             drawn.at = spot(figure, each.at);
-            drawn.text = typeset(each.symbol, context_.language);
+            if (has_names_) drawn.text = typeset(each.symbol, context_.language);
             if (each.kind != SceneImage::Kind::trial)
-                drawn.name = name_of(each.symbol);
+                drawn.name = has_names_ ? name_of(each.symbol) : "";
             else if (!drawn.text.empty())
                 drawn.text.back().sup += each.trial == 1 ? "I" : "II";
             drawn.statement = each.statement;
@@ -322,6 +331,7 @@ private:
     const DrawingContext& context_;
     const PolygonScene& scene_;
     LineNumbers numbers_;
+    bool has_names_ = true;
 };
 
 // Where a room is too small for lettering at all, the smallest figure that still shows something is handed out: no smaller than
@@ -470,7 +480,7 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
 }
 
 Spot strokes_of_polygon(const DrawingContext& context, const PolygonScene& scene, double scale) {
-    const Box box = Drawing(context, scene).at(scale).box;
+    const Box box = Drawing::of_strokes(context, scene).at(scale).box;
     return {box.width(), box.height()};
 }
 

@@ -66,6 +66,7 @@ struct PolygonParts {
     std::vector<PolygonImage> images;
     std::vector<PolygonCorner> corners;
     bool opposites_share_label = false;  ///< as forces do: F_32 = −F_23
+    bool has_names = true;               ///< else it is drawn for what its strokes take: no labels, no groups
 };
 
 /// Vectors that would lie upon each other stand side by side, as in books: the first in its place, each other in the first lane

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "render/mechanism/sketch.hpp"
 #include "render/page/ink_map.hpp"
@@ -65,9 +66,9 @@ private:
         double from, sweep;  // radians clockwise on paper
         std::string text, name;
     };
-    /// What a try would draw.
+    /// What a try would draw. Most are priced and never drawn.
     struct Trial {
-        std::vector<Mark> marks;
+        std::function<void(std::vector<Mark>&)> draw;
         std::vector<Bar> strokes;
         std::vector<Bar> extensions;
         Spot text_at;
@@ -351,7 +352,7 @@ private:
         std::vector<Mark>& marks = sketch_.dimensions;
         marks.emplace_back(GroupBegin{"dimension", std::move(group), title, {}});
         for (const Bar& extension : best->extensions) marks.emplace_back(line(extension.from, extension.to, thin()));
-        for (Mark& mark : best->marks) marks.push_back(std::move(mark));
+        best->draw(marks);
         const std::size_t before = marks.size();
         set_text(marks, text.shaped, best->text_at - Spot{text.width() / 2, 0}, sketch_.theme.text, "label");
         for (std::size_t i = before; i < marks.size(); ++i)
@@ -385,8 +386,10 @@ private:
                 const double level = side > 0 ? far + reach : near - reach;
                 Trial trial;
                 const Spot a = datum.from + level * across, b = a + run * along;
-                draw_arrow(trial.marks, 0.5 * (a + b), b, sketch_.theme.thin, sketch_.theme.text);
-                draw_arrow(trial.marks, 0.5 * (a + b), a, sketch_.theme.thin, sketch_.theme.text);
+                trial.draw = [this, a, b](std::vector<Mark>& marks) {
+                    draw_arrow(marks, 0.5 * (a + b), b, sketch_.theme.thin, sketch_.theme.text);
+                    draw_arrow(marks, 0.5 * (a + b), a, sketch_.theme.thin, sketch_.theme.text);
+                };
                 trial.strokes = {{a, b}};
                 const double clear = sketch_.measures.pin_radius + 0.7;
                 for (const auto& [point, foot] : {std::pair{datum.from, a}, std::pair{datum.to, b}}) {
@@ -414,9 +417,11 @@ private:
             // From outside onto the rim, the figure beyond on a shelf.
             const Spot rim = datum.centre + datum.radius * out, knee = rim + 6.5 * out;
             const Spot shelf{out.x >= 0 ? 1.0 : -1.0, 0};
-            draw_arrow(trial.marks, knee, rim, sketch_.theme.thin, sketch_.theme.text);
             const Spot end = knee + (text.width() + 0.8) * shelf;
-            trial.marks.emplace_back(line(knee, end, thin()));
+            trial.draw = [this, knee, rim, end](std::vector<Mark>& marks) {
+                draw_arrow(marks, knee, rim, sketch_.theme.thin, sketch_.theme.text);
+                marks.emplace_back(line(knee, end, thin()));
+            };
             trial.strokes = {{rim + 1.6 * out, knee}, {knee, end}};
             trial.text_at = 0.5 * (knee + end) + Spot{0, -text_gap};
             trial.price = 0.02 * i;
@@ -431,8 +436,10 @@ private:
         for (const double radius : {9.0, 12.0, 15.0, 18.5, 22.0}) {
             if (std::abs(datum.sweep) * radius < 4) continue;
             Trial trial;
-            draw_arc_arrow(trial.marks, datum.vertex, radius, datum.from, datum.from + datum.sweep, sketch_.theme.thin,
-                           sketch_.theme.text);
+            trial.draw = [this, &datum, radius](std::vector<Mark>& marks) {
+                draw_arc_arrow(marks, datum.vertex, radius, datum.from, datum.from + datum.sweep, sketch_.theme.thin,
+                               sketch_.theme.text);
+            };
             const int parts = 6;
             const double turn = datum.sweep > 0 ? 1 : -1;
             // Where arc and link meet is meant: it ends a little before.

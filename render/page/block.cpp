@@ -43,12 +43,24 @@ Block scaled(Block block, double factor) {
     return block;
 }
 SharedBlock scaled(const SharedBlock& block, double factor) {
-    return factor == 1 ? block : SharedBlock(scaled(Block(*block), factor));
+    if (factor == 1) return block;
+    return {block.width() * factor, block.height() * factor, [block, factor] { return scaled(block.set(), factor).marks; }};
 }
 
-const Block& SharedBlock::none() {
-    static const Block nothing;
-    return nothing;
+SharedBlock::SharedBlock(Block block)
+    : kept_(std::make_shared<Kept>(Kept{block.width, block.height, std::move(block.marks), nullptr})) {}
+SharedBlock::SharedBlock(double width, double height, Set set)
+    : kept_(std::make_shared<Kept>(Kept{width, height, {}, std::move(set)})) {}
+
+double SharedBlock::right() const {
+    if (!kept_) return 0;
+    if (!kept_->right) kept_->right = box_of(set().marks).max.x;
+    return *kept_->right;
+}
+
+Block SharedBlock::set() const {
+    if (!kept_) return {};
+    return {kept_->set ? kept_->set() : kept_->marks, kept_->width, kept_->height};
 }
 
 }  // namespace kinegraph::render

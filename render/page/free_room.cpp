@@ -2,6 +2,7 @@
 #include "render/page/free_room.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -73,16 +74,18 @@ bool FreeBoxes::has(const Box& box) const {
            inked_[bottom * width + left] - inked_[top * width + left];
 }
 
-std::vector<Spot> covered(const std::vector<Mark>& marks) {
-    std::vector<Spot> spots;
+namespace {
+
+/// Shows see() the places that marks cover.
+template <class See>
+void look_over(const std::vector<Mark>& marks, See see) {
     const auto fill = [&](const Box& box) {
         for (double y = box.min.y; y < box.max.y + 0.9; y += 0.9)
-            for (double x = box.min.x; x < box.max.x + 0.9; x += 0.9)
-                spots.push_back({std::min(x, box.max.x), std::min(y, box.max.y)});
+            for (double x = box.min.x; x < box.max.x + 0.9; x += 0.9) see(Spot{std::min(x, box.max.x), std::min(y, box.max.y)});
     };
     const auto stroke = [&](Spot from, Spot to) {
         const int pieces = std::max(1, static_cast<int>(std::ceil(length(to - from) / 0.9)));
-        for (int i = 0; i <= pieces; ++i) spots.push_back(from + (static_cast<double>(i) / pieces) * (to - from));
+        for (int i = 0; i <= pieces; ++i) see(from + (static_cast<double>(i) / pieces) * (to - from));
     };
     for (const Mark& mark : marks) {
         if (const auto* path = std::get_if<Path>(&mark)) {
@@ -108,7 +111,7 @@ std::vector<Spot> covered(const std::vector<Mark>& marks) {
                     for (int i = 0; i <= pieces; ++i) {
                         const double angle = a->from + sweep * i / pieces;
                         pen = a->centre + a->radius * Spot{std::cos(angle), std::sin(angle)};
-                        spots.push_back(pen);
+                        see(pen);
                     }
                 } else {
                     stroke(pen, start);
@@ -118,23 +121,32 @@ std::vector<Spot> covered(const std::vector<Mark>& marks) {
             fill(box_of(std::span(&mark, 1)));
         }
     }
+}
+
+}  // namespace
+
+std::vector<Spot> covered(const std::vector<Mark>& marks) {
+    std::vector<Spot> spots;
+    look_over(marks, [&](Spot spot) { spots.push_back(spot); });
     return spots;
 }
 
 std::optional<Spot> free_place(const std::vector<Mark>& marks, const Box& within, Spot size) {
-    const std::vector<Spot> spots = covered(marks);
-    for (const bool bottom : {true, false}) {
-        const double top = bottom ? within.max.y - size.y : within.min.y;
-        std::vector<double> taken;  // from the left
-        for (const Spot spot : spots)
-            if (spot.y > top - clear && spot.y < top + size.y + clear) taken.push_back(spot.x);
-        std::sort(taken.begin(), taken.end());
+    // What is taken at the lower edge and at the upper, from the left.
+    const std::array<double, 2> tops{within.max.y - size.y, within.min.y};
+    std::array<std::vector<double>, 2> taken;
+    look_over(marks, [&](Spot spot) {
+        for (std::size_t edge = 0; edge < tops.size(); ++edge)
+            if (spot.y > tops[edge] - clear && spot.y < tops[edge] + size.y + clear) taken[edge].push_back(spot.x);
+    });
+    for (std::size_t edge = 0; edge < tops.size(); ++edge) {
+        std::sort(taken[edge].begin(), taken[edge].end());
         double left = within.min.x;
-        for (const double x : taken) {
+        for (const double x : taken[edge]) {
             if (x - clear >= left + size.x) break;
             left = std::max(left, x + clear);
         }
-        if (left + size.x <= within.max.x) return Spot{left, top};
+        if (left + size.x <= within.max.x) return Spot{left, tops[edge]};
     }
     return std::nullopt;
 }

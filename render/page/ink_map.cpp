@@ -46,13 +46,17 @@ public:
         return at(std::max(lean_along_ * y - along_, lean_across_ * y - across_),
                   std::min(lean_along_ * y + along_, lean_across_ * y + across_));
     }
-    /// One that holds those of all rows from one to another.
+    /// One that holds those of all rows from one to another, as seen from the middle of the box.
     Run round(int from, int to) const {
         const double y = below_centre(from), z = below_centre(to);
-        const auto [least_along, most_along] = std::minmax({lean_along_ * y, lean_along_ * z});
-        const auto [least_across, most_across] = std::minmax({lean_across_ * y, lean_across_ * z});
-        return at(std::max(least_along - along_, least_across - across_), std::min(most_along + along_, most_across + across_));
+        const bool right = lean_along_ >= 0, across_right = lean_across_ >= 0;
+        return {std::max(lean_along_ * (right ? y : z) - along_, lean_across_ * (across_right ? y : z) - across_),
+                std::min(lean_along_ * (right ? z : y) + along_, lean_across_ * (across_right ? z : y) + across_)};
     }
+    /// Whether all rows have the same.
+    bool is_upright() const { return lean_along_ == 0 && lean_across_ == 0; }
+
+    Spot centre() const { return centre_; }
 
     int first = 0, last = -1;  ///< rows
 
@@ -222,8 +226,20 @@ void InkMap::ink(const Path& path) {
 
 void InkMap::fill(const InkBox& box) {
     const Runs runs(box, origin_.y, pitch_, rows_);
-    for (int row = runs.first; row <= runs.last; ++row)
-        if (const auto [from, to] = runs.of(row); from <= to) ink_row(row, from, to);
+    if (!runs.is_upright()) {
+        for (int row = runs.first; row <= runs.last; ++row)
+            if (const auto [from, to] = runs.of(row); from <= to) ink_row(row, from, to);
+        return;
+    }
+    if (runs.first > runs.last) return;
+    const auto [from, to] = runs.of(runs.first);
+    words_of(0, from, to, [&](std::size_t word, std::uint64_t mask) {
+        for (auto row = static_cast<std::size_t>(runs.first); row <= static_cast<std::size_t>(runs.last); ++row) {
+            bits_[row * words_ + word] |= mask;
+            bands_[row / band * words_ + word] |= mask;
+        }
+        return true;
+    });
 }
 
 void InkMap::fill(const std::vector<Spot>& corners) {
@@ -269,37 +285,53 @@ void InkMap::rows_of(const InkBox& box, Look look) const {
     const auto from = static_cast<std::size_t>(up(std::max(0.0, left)));
     const auto to = static_cast<std::size_t>(down(std::min(columns_ - 1.0, right)));
     if (from > to) return;
-    const std::uint64_t head = ~std::uint64_t{0} << (from % 64), tail = ~std::uint64_t{0} >> (63 - to % 64);
-    const auto each_word = [&](const std::uint64_t* words, auto see) {
-        if (from / 64 == to / 64) return see(words[from / 64] & head & tail);
-        if (!see(words[from / 64] & head)) return false;
-        for (std::size_t word = from / 64 + 1; word < to / 64; ++word)
-            if (!see(words[word])) return false;
-        return see(words[to / 64] & tail);
-    };
-    const auto is_blank = [](std::uint64_t word) { return word == 0; };
+    const auto top = static_cast<std::size_t>(up(std::max(0.0, first)));
     const auto end = static_cast<std::size_t>(down(std::min(rows_ - 1.0, last))) + 1;
-    for (auto row = static_cast<std::size_t>(up(std::max(0.0, first))); row < end;) {
-        const std::size_t next = (row / band + 1) * band;
-        if (each_word(bands_.data() + row / band * words_, is_blank))
-            row = next;
-        else
-            for (; row < std::min(next, end); ++row)
-                if (!each_word(bits_.data() + row * words_, look)) return;
+    // A column of words after the other: most boxes have one or two.
+    for (std::size_t word = from / 64; word <= to / 64; ++word) {
+        std::uint64_t mask = ~std::uint64_t{0};
+        if (word == from / 64) mask &= ~std::uint64_t{0} << (from % 64);
+        if (word == to / 64) mask &= ~std::uint64_t{0} >> (63 - to % 64);
+        if (!column_of(word, mask, top, end, look)) return;
     }
+}
+
+/// The words of one column, from a row to before another, cut to a mask; whether look() never said no.
+template <class Look>
+bool InkMap::column_of(std::size_t word, std::uint64_t mask, std::size_t top, std::size_t end, Look look) const {
+    const std::uint64_t* of_band = bands_.data() + top / band * words_ + word;
+    for (std::size_t row = top; row < end; of_band += words_) {
+        const std::size_t next = std::min((row / band + 1) * band, end);
+        if ((*of_band & mask) != 0)
+            for (const std::uint64_t* bits = bits_.data() + row * words_ + word; row < next; ++row, bits += words_)
+                if (!look(*bits & mask)) return false;
+        row = next;
+    }
+    return true;
 }
 
 /// Rows of a band are looked at only where something in it is inked.
 template <class Turned, class Look>
 void InkMap::rows_of_turned(const Turned& runs, Look look) const {
     constexpr int rows_of_band = static_cast<int>(band);
+    // A band may be thought inked by a bit beside the box: what its rows say counts.
+    constexpr double margin = 0.01;  // bits
+    const double bits = 1 / pitch_, middle = (runs.centre().x - origin_.x) * bits - 0.5;
+    const auto is_blank = [&](std::size_t of_band, double least, double most) {
+        const double first_bit = middle + least * bits - margin, last_bit = middle + most * bits + margin;
+        if (!(last_bit >= 0 && first_bit < columns_ && least <= most)) return true;
+        const auto first = static_cast<std::size_t>(std::max(0.0, first_bit));
+        const auto last = static_cast<std::size_t>(std::min(columns_ - 1.0, last_bit));
+        std::uint64_t mask = ~std::uint64_t{0} << (first % 64);
+        for (std::size_t word = first / 64; word < last / 64; ++word, mask = ~std::uint64_t{0})
+            if ((bands_[of_band + word] & mask) != 0) return false;
+        return (bands_[of_band + last / 64] & mask & (~std::uint64_t{0} >> (63 - last % 64))) == 0;
+    };
     for (int row = runs.first; row <= runs.last;) {
         const int end = std::min((row / rows_of_band + 1) * rows_of_band, runs.last + 1);
         const auto of_band = static_cast<std::size_t>(row) / band * words_;
         const auto [least, most] = runs.round(row, end - 1);
-        const bool blank =
-            words_of(of_band, least, most, [&](std::size_t word, std::uint64_t mask) { return (bands_[word] & mask) == 0; });
-        for (; !blank && row < end; ++row) {
+        for (const bool blank = is_blank(of_band, least, most); !blank && row < end; ++row) {
             const auto [from, to] = runs.of(row);
             const auto of_row = static_cast<std::size_t>(row) * words_;
             if (from <= to &&

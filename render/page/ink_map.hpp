@@ -55,9 +55,11 @@ public:
     int crossings(Spot from, Spot to, int most = all) const;
 
 private:
-    /// Shows look() the words of a box row by row, until it says no; blank ones may be left out.
+    /// Shows look() the words of a box, until it says no; blank ones may be left out.
     template <class Look>
     void rows_of(const InkBox& box, Look look) const;
+    template <class Look>
+    bool column_of(std::size_t word, std::uint64_t mask, std::size_t top, std::size_t end, Look look) const;
     template <class Turned, class Look>
     void rows_of_turned(const Turned& runs, Look look) const;
     /// The words that hold the bits from x to x of the row whose first word is `base`, until look() says no; whether it never

@@ -65,7 +65,7 @@ void enlarge(Box& box, const Box& by) {
     enlarge(box, by.max);
 }
 Box extent_of(const InkBox& box) {
-    const Spot reach = box.reach();
+    const Spot reach = box.axis.y == 0 ? box.half : box.reach();  // most are upright
     return {box.centre - reach, box.centre + reach};
 }
 
@@ -212,11 +212,14 @@ public:
     Placing(const std::vector<LabelRequest>& requests, const Box& box, const Fonts& fonts, const Ground& ground,
             const std::optional<Spot>& room, bool strict)
         : requests_(requests), ground_(ground), box_(box), strict_(strict) {
+        const std::size_t count = requests_.size();
+        shaped_.reserve(count), overhang_.reserve(count), halves_.reserve(count);
         if (room) spare_ = {std::max(0.0, room->x - box_.width()) / 2, std::max(0.0, room->y - box_.height()) / 2};
         for (const LabelRequest& request : requests_) {
             const double measure = room && request.balloon <= 0 ? std::max(0.5 * room->x, least_measure) : 1e300;
             shaped_.push_back(shaped_within(request.text, request.size, fonts, measure));
             overhang_.push_back(overhang_of(shaped_.back(), fonts));
+            halves_.push_back(half_of(halves_.size()));
         }
         places_.resize(requests_.size());
         chosen_.resize(requests_.size());
@@ -251,7 +254,8 @@ public:
         return true;
     }
 
-    const ShapedLine& shaped(std::size_t i) const { return shaped_[i]; }
+    /// To be set, once.
+    ShapedLine take_shaped(std::size_t i) { return std::move(shaped_[i]); }
     const Candidate& chosen(std::size_t i) const { return chosen_[i]; }
     /// Whether some label is in the way.
     bool is_crowded() const {
@@ -293,10 +297,11 @@ private:
     static constexpr double forgiven = 0.3;  // of what leans out of a box: the margin has room for it
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    InkBox box_at(std::size_t i, Spot centre, Spot axis) const {
-        if (const double r = requests_[i].balloon; r > 0) return {centre, {r, r}, axis};
+    InkBox box_at(std::size_t i, Spot centre, Spot axis) const { return {centre, halves_[i], axis}; }
+    Spot half_of(std::size_t i) const {
+        if (const double r = requests_[i].balloon; r > 0) return {r, r};
         const ShapedLine& s = shaped_[i];
-        return {centre, {s.width / 2 + std::max(0.0, overhang_[i] - forgiven), (s.ascent + s.descent) / 2}, axis};
+        return {s.width / 2 + std::max(0.0, overhang_[i] - forgiven), (s.ascent + s.descent) / 2};
     }
     /// The box of all ink of a label that stands in a box: what leans out of it, the pen of the circle round a number.
     InkBox inked(std::size_t i, InkBox box) const {
@@ -311,9 +316,10 @@ private:
 
     void propose(std::size_t i) {
         // Memory that grows step by step takes twice as much of it, and a place is no small thing.
-        constexpr std::size_t beside_it = 104, along_it = 152, around = 120;
+        constexpr std::size_t beside_it = 104, along_it = 152, around = 120, most_kinds = 3;
         const bool beside = beside_line(i);
         places_[i].all.reserve(!beside ? around : requests_[i].along ? along_it : beside_it);
+        places_[i].free.reserve(most_kinds), places_[i].covering.reserve(most_kinds);
         if (beside)
             propose_beside_line(i, *requests_[i].toward);
         else
@@ -356,7 +362,9 @@ private:
     /// The most wanted first: where one of them is free, the others need no look.
     static void rank(const Places& places, Places::Kind& kind, bool free) {
         if (std::exchange(kind.is_ranked, true)) return;
+        constexpr std::size_t often_met = 16;
         kind.waiting.reserve(kind.end - kind.first);
+        kind.met.reserve(std::min(often_met, kind.end - kind.first));
         for (std::size_t place = kind.first; place < kind.end; ++place)
             if (const Candidate& candidate = places.all[place]; candidate.free == free)
                 kind.waiting.push_back({candidate.price + (free ? 0 : covers_stroke), place, false});
@@ -843,6 +851,7 @@ private:
     Spot spare_{1e9, 1e9};  // how far a label may stand out of the box on each side
     std::vector<ShapedLine> shaped_;
     std::vector<double> overhang_;  // of their ink
+    std::vector<Spot> halves_;      // of the boxes that they take
     std::vector<Places> places_;
     std::vector<Candidate> chosen_;
     std::optional<InkMap> taken_, threads_;  // what labels take, and their leaders
@@ -887,7 +896,7 @@ void draw_leader(std::vector<Mark>& marks, const Candidate& place, Colour colour
     marks.emplace_back(disc(from, leader_dot, colour));
 }
 
-void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, const ShapedLine& shaped, Colour leaders) {
+void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, ShapedLine shaped, Colour leaders) {
     const std::size_t own = figure.marks.size();
     if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
     if (place.leader) draw_leader(figure.marks, place, leaders), ++figure.leaders;
@@ -898,8 +907,8 @@ void set_label(Figure& figure, const LabelRequest& request, const Candidate& pla
             circle(centre, request.balloon, {0.35, request.colour, going_round(request.dashes, round), false}));
     }
     const std::size_t first = figure.marks.size();
-    set_text(figure.marks, shaped, {centre.x - shaped.width / 2, centre.y + (shaped.ascent - shaped.descent) / 2}, request.colour,
-             "label");
+    const Spot origin{centre.x - shaped.width / 2, centre.y + (shaped.ascent - shaped.descent) / 2};
+    set_text(figure.marks, std::move(shaped), origin, request.colour, "label");
     for (std::size_t k = first; k < figure.marks.size(); ++k) {
         auto& text = std::get<TextMark>(figure.marks[k]);
         text.pivot = centre;
@@ -962,7 +971,7 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     const bool closed = is_closed(figure);
     if (closed) figure.marks.pop_back();
     for (std::size_t i = 0; i < requests.size(); ++i)
-        set_label(figure, requests[i], placing->chosen(i), placing->shaped(i), leaders);
+        set_label(figure, requests[i], placing->chosen(i), placing->take_shaped(i), leaders);
     if (!key.empty()) set_key(figure, key, measure);
     if (closed) figure.marks.emplace_back(GroupEnd{});
     for (std::size_t i = names; i < figure.labels.size(); ++i) figure.unnamed.push_back(std::move(figure.labels[i].text));

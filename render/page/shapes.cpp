@@ -118,12 +118,14 @@ struct Bounds {
         look_round(0, whole_turn, [&](Spot on) { all.push_back(on); });
         return all;
     }
+    static constexpr double letter_wide = 0.62;  ///< of its em box
     void add(const TextMark& text) {
         if (text.angle == 0) return add_upright(text);
         const double c = std::cos(text.angle), s = std::sin(text.angle);
         for (const Glyph& glyph : text.glyphs)
             // The letter's em box is near enough for a figure's edge; labels are placed by their true ink.
-            for (const Spot corner : {Spot{0, -0.72}, Spot{0.62, -0.72}, Spot{0, 0.22}, Spot{0.62, 0.22}}) {
+            for (const Spot corner : {Spot{0, -letter_over}, Spot{letter_wide, -letter_over}, Spot{0, letter_under},
+                                      Spot{letter_wide, letter_under}}) {
                 const Spot at = glyph.origin + glyph.size * corner - text.pivot;
                 add(text.pivot + Spot{at.x * c - at.y * s, at.x * s + at.y * c});
             }
@@ -131,7 +133,7 @@ struct Bounds {
     /// The same without turning: two corners say all.
     void add_upright(const TextMark& text) {
         for (const Glyph& glyph : text.glyphs)
-            for (const Spot corner : {Spot{0, -0.72}, Spot{0.62, 0.22}})
+            for (const Spot corner : {Spot{0, -letter_over}, Spot{letter_wide, letter_under}})
                 add(text.pivot + (glyph.origin + glyph.size * corner - text.pivot));
     }
 };

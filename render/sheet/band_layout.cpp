@@ -206,7 +206,7 @@ bool BandLayouts::improves(const Best& best, const BandLayout& layout, Spot room
     return false;
 }
 
-void BandLayouts::try_figures(Best& best, const BandLayout& layout, Spot room) const {
+void BandLayouts::try_figures(Best& best, const BandLayout& layout, Spot room, double spare, double share_of_height) const {
     if (!may_improve(best, layout)) return;
     for (const bool stacked : {false, true}) {
         if (stacked && figures_.sizes().size() < 2) break;
@@ -216,6 +216,7 @@ void BandLayouts::try_figures(Best& best, const BandLayout& layout, Spot room) c
         best.room = room;
         best.layout.stacked = stacked;
         best.layout.worth = layout.worth + share->worth;
+        best.spare = std::min(spare, share_of_height * (room.y - (stacked ? share->length : share->across)));
     }
 }
 
@@ -242,8 +243,13 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
     if (!fresh) return found->second;
     WorthByHeight& worth = found->second;
     worth.assign(static_cast<std::size_t>(most) + 1, BandLayout::impossible);
+    // Tells the least height, about, at which it is still worth as much.
     const auto ask = [&](std::size_t height) {
-        worth[height] = best_in(width, static_cast<double>(height) * step, notch).layout.worth;
+        const Best best = best_in(width, static_cast<double>(height) * step, notch);
+        worth[height] = best.layout.worth;
+        constexpr double rounding = 1e-6;
+        const auto lower = static_cast<std::size_t>(std::max(0.0, best.spare / step + rounding));
+        return height - std::min(lower, height);
     };
     // Between two heights that are known.
     const std::function<void(std::size_t, std::size_t)> fill = [&](std::size_t low, std::size_t high) {
@@ -256,8 +262,18 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
         fill(low, middle);
         fill(middle, high);
     };
-    ask(worth.size() - 1);
-    fill(0, worth.size() - 1);
+    // From the top down, each time to where it is about to be worth less.
+    std::size_t high = worth.size() - 1, stride = 1;
+    std::size_t least = ask(high);
+    while (high > 1 && worth[high] > BandLayout::possible) {
+        const bool knows_where = least < high;
+        const std::size_t next = knows_where ? std::max<std::size_t>(least, 1) : high - std::min(stride, high - 1);
+        least = ask(next);
+        fill(next, high);
+        if (!knows_where) stride = worth[next] == worth[high] ? 2 * stride : 1;
+        high = next;
+    }
+    fill(0, high);
     return worth;
 }
 
@@ -299,27 +315,32 @@ void BandLayouts::try_all(Best& best, const BandLayout& base, double whole, doub
     BandLayout layout = base;
     if (words.empty()) {
         layout.divided = 0;
-        return try_figures(best, layout, {whole, above});
+        return try_figures(best, layout, {whole, above}, above);
     }
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
     if (layout.columns > 0 && words.height(layout.columns) <= above) {
         if (figures_.sizes().empty()) {
             layout.worth -= price_of_columns * layout.columns;
-            if (layout.worth > best.layout.worth) best.layout = layout;
+            if (!(layout.worth > best.layout.worth)) return;
+            best.layout = layout;
+            best.spare = above - words.height(layout.columns);
             return;
         }
         const double left = above - words.height(layout.columns) - text_gap;
-        if (left > least_beside) try_figures(best, layout, {whole, left});
+        if (left > least_beside) try_figures(best, layout, {whole, left}, left - least_beside);
     }
     layout.beside = true;
     for (layout.columns = 1; layout.columns <= most_beside && !figures_.sizes().empty(); ++layout.columns) {
+        // Each column more costs more.
+        layout.worth = base.worth + worth_of_beside - price_of_columns * layout.columns;
+        if (!may_improve(best, layout)) break;
         const double left = whole - layout.columns * (words.measure() + gap);
         if (left < least_beside || words.height(layout.columns) > above) continue;
-        layout.worth = base.worth + worth_of_beside - price_of_columns * layout.columns;
-        try_figures(best, layout, {left, above});
+        const double spare = above - words.height(layout.columns);
+        try_figures(best, layout, {left, above}, spare);
         // Figures stand left of the title block, the text above it.
         if (notch.high > 0 && std::min(left, notch.left) > least_beside)
-            try_figures(best, layout, {std::min(left, notch.left), height});
+            try_figures(best, layout, {std::min(left, notch.left), height}, spare);
     }
     if (!figures_.sizes().empty()) try_round(best, layout, whole, height, notch);
 }
@@ -341,10 +362,9 @@ void BandLayouts::try_round(Best& best, BandLayout layout, double whole, double 
     const ColumnText& words = text(layout.divided, layout.cornered);
     layout.beside = true;
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
-    const double worth = (layout.cornered ? worth_of_corner : 0) - price_of_columns * layout.columns;
-    if (layout.columns * height - least_beside < words.whole_height()) return;
+    layout.worth = (layout.cornered ? worth_of_corner : 0) - price_of_columns * layout.columns;
+    if (!may_improve(best, layout) || layout.columns * height - least_beside < words.whole_height()) return;
     for (layout.under = 1; layout.under < layout.columns; ++layout.under) {
-        layout.worth = worth;
         const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);
         double low = least_beside, high = left <= notch.left || notch.high == 0 ? height : height - notch.high;
         // Not worth a search where even all of the height makes nothing better.
@@ -360,7 +380,8 @@ void BandLayouts::try_round(Best& best, BandLayout layout, double whole, double 
             const double middle = 0.5 * (low + high);
             (holds(middle) ? low : high) = middle;
         }
-        try_figures(best, layout, {left, low});
+        // What the figures lose in height, the text gains in all of its columns.
+        try_figures(best, layout, {left, low}, height, static_cast<double>(layout.under) / layout.columns);
     }
 }
 

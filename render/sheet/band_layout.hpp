@@ -126,11 +126,13 @@ private:
         BandLayout layout{};
         Spot room{};
         double most_of_figures = 0;  ///< no worth of them is more
+        double spare = 0;            ///< by how much the room may be lower and still hold it, about
     };
     Best best_in(Width width, double height, Notch notch) const;
     void try_round(Best& best, BandLayout layout, double whole, double height, Notch notch) const;
     void try_all(Best& best, const BandLayout& base, double whole, double height, Notch notch) const;
-    void try_figures(Best& best, const BandLayout& layout, Spot room) const;
+    /// `spare`: of the text, as Best's; `share_of_height`: by how much the room is lower where the figures are by 1 mm.
+    void try_figures(Best& best, const BandLayout& layout, Spot room, double spare, double share_of_height = 1) const;
     bool may_improve(const Best& best, const BandLayout& layout) const;
     bool improves(const Best& best, const BandLayout& layout, Spot room) const;
     std::vector<Spot> rooms_of(const Best& best) const;

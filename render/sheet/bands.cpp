@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "engine/assert.hpp"
@@ -31,7 +32,7 @@ public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
     BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
              const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations,
-             const std::vector<LineNumbers>& lines, NaturalBlocks& natural, std::map<std::size_t, RichText>& said,
+             const std::vector<LineNumbers>& lines, NaturalBlocks& natural, std::map<std::size_t, Said>& said,
              const WantedFigures& wanted)
         : context_(context),
           solution_(context.solution),
@@ -46,8 +47,8 @@ public:
           said_(said),
           wanted_(wanted) {}
 
-    Passage passage_of(const Band::Part& part, const std::vector<ResultRow>& results,
-                       const std::map<std::string, RichText>& on_figures) const {
+    /// Of all but the results.
+    Passage passage_of(const Band::Part& part, const std::map<std::string, RichText>& on_figures) const {
         switch (part.kind) {
             case Kind::bodies:
                 return under("bodies", body_lines(context_, measure_));
@@ -57,11 +58,12 @@ public:
             case Kind::centres:
                 return under("instant centres", centre_lines(context_, measure_),
                              one_piece(solution_.mechanism.units.length.symbol));
-            case Kind::steps:
-                return under("steps " + std::string(name_of(solution_.protocol.statements[part.which.front()].section)),
-                             steps(part.which));
-            case Kind::results:
-                return table(part.which, results);
+            case Kind::steps: {
+                Passage passage =
+                    under("steps " + std::string(name_of(solution_.protocol.statements[part.which.front()].section)), {});
+                passage.rows = steps(part.which);
+                return passage;
+            }
             case Kind::reactions:
                 return table_under("forces", reaction_lines(context_, measure_));
             case Kind::bars:
@@ -76,16 +78,16 @@ public:
                 return under("unsolved", unsolved());
             case Kind::remarks:
                 return under("remarks", remarks(on_figures));
+            case Kind::results:
+                break;
         }
-        KG_ASSERT(false, "a part has a kind");
+        KG_ASSERT(false, "a part has words of its own");
     }
 
 private:
     Passage under(const std::string& title, std::vector<Block> rows, const RichText& note = {}) const {
         const std::string words = word(title, context_.language);
-        Passage passage{heading_block(context_, measure_, words, note),
-                        heading_block(context_, measure_, words + ", " + word("continued", context_.language), note),
-                        {}};
+        Passage passage{heading_block(context_, measure_, words, note), continued(words, note), {}};
         passage.take_rows(std::move(rows));
         return passage;
     }
@@ -95,33 +97,51 @@ private:
         passage.take_table(std::move(lines));
         return passage;
     }
-    Block paragraph(const RichText& text, double indent = 0, const std::string& number_text = {}) const {
-        return paragraph_block(context_, measure_, text, indent, number_text);
+    /// The heading again where a passage goes on, which few do.
+    SharedBlock continued(const std::string& words, const RichText& note = {}) const {
+        return {measure_, heading_height, [&context = context_, measure = measure_, words, note] {
+                    return heading_block(context, measure, words + ", " + word("continued", context.language), note).marks;
+                }};
     }
+    Block paragraph(const RichText& text) const { return paragraph_block(context_, measure_, text); }
 
-    std::vector<Block> steps(const std::vector<std::size_t>& statements) const {
-        constexpr double indent = 6;
-        std::vector<Block> rows;
+    std::vector<SharedBlock> steps(const std::vector<std::size_t>& statements) const {
+        std::vector<SharedBlock> rows;
         for (const std::size_t i : statements) {
             const Statement& statement = solution_.protocol.statements[i];
-            const auto [words, fresh] = said_.try_emplace(i);
-            if (fresh) words->second = said(i);
-            Block row = paragraph(words->second, indent, std::to_string(steps_.at(i)));
-            std::vector<Block> equations;
+            auto known = said_.find(i);
+            if (known == said_.end())
+                known = said_.emplace(i, Said{Paragraph(context_, said(i), indent, std::to_string(steps_.at(i)))}).first;
+            std::vector<SharedBlock> equations;
             if (statement.equation && !equations_apart_)
-                equations.push_back(equation_block(context_, *statement.equation, measure_ - indent));
+                equations.push_back(equation(known->second, *statement.equation, measure_ - indent));
             const DrawingContext& context = wanted_.context_at(StatementIndex(i));
             for (const FreeBody* body : closed_by(context.solution, StatementIndex(i)))
                 if (Block block = force_equation_block(context, *body, true); block.width > 0 && block.width <= measure_ - indent)
-                    equations.push_back(std::move(block));
-            for (const Block& equation : equations) {
-                set(row.marks, equation, {indent, row.height + 0.5});
-                row.height += equation.height + 2.5;
-            }
-            belong(row.marks, 0, StatementIndex(i));
-            rows.push_back(std::move(row));
+                    equations.emplace_back(std::move(block));
+            const Paragraph& sentence = known->second.sentence;
+            double height = sentence.height(measure_);
+            for (const SharedBlock& equation : equations) height += equation.height() + under_equation;
+            rows.emplace_back(measure_, height, [&sentence, measure = measure_, equations = std::move(equations), i] {
+                return step(sentence.set(measure), equations, StatementIndex(i));
+            });
         }
         return rows;
+    }
+    /// A sentence and its equations, one under the other.
+    static std::vector<Mark> step(Block sentence, const std::vector<SharedBlock>& equations, StatementIndex statement) {
+        for (const SharedBlock& equation : equations) {
+            set(sentence.marks, equation.set(), {indent, sentence.height + 0.5});
+            sentence.height += equation.height() + under_equation;
+        }
+        belong(sentence.marks, 0, statement);
+        return std::move(sentence.marks);
+    }
+
+    /// The same at all widths that hold it in one row.
+    SharedBlock equation(Said& said, const Equation& equation, double most) const {
+        if (!said.equation) said.equation = equation_block(context_, equation, std::numeric_limits<double>::infinity());
+        return said.equation->width() <= most ? *said.equation : SharedBlock(equation_block(context_, equation, most));
     }
 
     /// A sentence, and of whom it holds likewise.
@@ -151,18 +171,8 @@ private:
         const auto first = equations_.begin() + static_cast<std::ptrdiff_t>(which.front());
         const auto end = equations_.begin() + static_cast<std::ptrdiff_t>(which.back());
         const std::string& words = first->words;
-        Passage passage{heading_block(context_, measure_, words),
-                        heading_block(context_, measure_, words + ", " + word("continued", context_.language)),
-                        {}};
+        Passage passage{heading_block(context_, measure_, words), continued(words), {}};
         passage.take_rows(equation_blocks(context_, {first + 1, end}, measure_, natural_));
-        return passage;
-    }
-
-    Passage table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results) const {
-        std::vector<ResultRow> rows;
-        for (const std::size_t i : which) rows.push_back(results[i]);
-        Passage passage;
-        passage.take_table(results_lines(context_, rows, measure_));
         return passage;
     }
 
@@ -256,6 +266,9 @@ private:
         return text;
     }
 
+    static constexpr double indent = 6;            // of a sentence behind its number
+    static constexpr double under_equation = 2.5;  // with what is over it
+
     const DrawingContext& context_;
     const Solution& solution_;
     double measure_;
@@ -266,7 +279,7 @@ private:
     const std::vector<EquationItem>& equations_;
     const std::vector<LineNumbers>& lines_;
     NaturalBlocks& natural_;
-    std::map<std::size_t, RichText>& said_;
+    std::map<std::size_t, Said>& said_;
     const WantedFigures& wanted_;
 };
 
@@ -674,15 +687,37 @@ Block Bands::equations(const Band& band, double most) const {
 }
 
 Passage Bands::text(const Band::Part& part, double measure, bool equations_apart, const std::vector<ResultRow>& results) const {
+    if (part.kind == Kind::results) return table(part.which, results, measure);
     const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, lines_,
                           natural_, said_, wanted_);
-    return writer.passage_of(part, results, remarks_);
+    return writer.passage_of(part, remarks_);
+}
+
+/// Their columns are as wide at every width.
+Passage Bands::table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results, double measure) const {
+    const auto made = [&] {
+        std::vector<ResultRow> rows;
+        for (const std::size_t i : which) rows.push_back(results[i]);
+        return ResultsTable(context_, rows);
+    };
+    Passage passage;
+    if (&results != &results_) {
+        passage.take_table(made().lines(measure));
+        return passage;
+    }
+    auto known = tables_.find(which.front());
+    if (known == tables_.end()) known = tables_.emplace(which.front(), made()).first;
+    passage.take_table(known->second.lines(measure));
+    return passage;
 }
 
 void Passage::take_rows(std::vector<Block> blocks) {
     rows.assign(std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end()));
 }
 void Passage::take_table(std::vector<Block> lines) {
+    take_table(std::vector<SharedBlock>(std::make_move_iterator(lines.begin()), std::make_move_iterator(lines.end())));
+}
+void Passage::take_table(std::vector<SharedBlock> lines) {
     if (lines.empty()) return;
     head = std::move(lines.front());
     rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));

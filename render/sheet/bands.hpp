@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "render/sheet/wanted_figures.hpp"
 #include "render/tables/equation_block.hpp"
 #include "render/tables/equation_text.hpp"
+#include "render/tables/prose.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
@@ -25,6 +27,7 @@ struct Passage {
     void take_rows(std::vector<Block> blocks);
     /// Of a table: the first line is its head. No lines: neither head nor rows.
     void take_table(std::vector<Block> lines);
+    void take_table(std::vector<SharedBlock> lines);
 };
 
 /// One question of the solution.
@@ -54,6 +57,12 @@ struct Band {
     std::size_t first_row = 0;  ///< of its text, which goes on over pages only where no page holds it
     std::size_t end_row = std::numeric_limits<std::size_t>::max();
     bool draws_mechanism = false;  ///< one such band to a page: what stands in its figure has the names of the mechanism's parts
+};
+
+/// A statement as it is said, once it was asked for.
+struct Said {
+    Paragraph sentence;
+    std::optional<SharedBlock> equation{};  ///< in one row, as wide as that is
 };
 
 /// Of the text of a band and of those that it goes on in, its own rows; what goes on from a page before begins in the middle.
@@ -97,6 +106,7 @@ private:
     std::optional<std::size_t> same_before(const Band& band, const Statement& added) const;
     void number_steps();
     void deal_out_results();
+    Passage table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results, double measure) const;
     void add_remarks();
 
     const DrawingContext& context_;
@@ -108,9 +118,10 @@ private:
     std::vector<ResultRow> results_;
     std::map<std::string, RichText> remarks_;  // on figures as drawn
     std::vector<EquationItem> equations_;
-    std::vector<LineNumbers> lines_;                // of the polygons of motion
-    mutable NaturalBlocks natural_;                 // of the equations, as they were set first
-    mutable std::map<std::size_t, RichText> said_;  // by statement, once asked
+    std::vector<LineNumbers> lines_;                      // of the polygons of motion
+    mutable NaturalBlocks natural_;                       // of the equations, as they were set first
+    mutable std::map<std::size_t, Said> said_;            // by statement
+    mutable std::map<std::size_t, ResultsTable> tables_;  // of results that are not measured, by their first row
 };
 
 }  // namespace kinegraph::render

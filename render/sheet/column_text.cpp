@@ -16,10 +16,10 @@ constexpr double two_lines = 7.5;  // mm; rows lower than this do not stand alon
 /// none by itself in the end.
 std::size_t end_of_group(const std::vector<SharedBlock>& rows, double scale, std::size_t first) {
     std::size_t end = first + 1;
-    double height = rows[first]->height * scale;
-    while (first == 0 && end < rows.size() && height < two_lines) height += rows[end++]->height * scale;
+    double height = rows[first].height() * scale;
+    while (first == 0 && end < rows.size() && height < two_lines) height += rows[end++].height() * scale;
     double left = 0;
-    for (std::size_t i = end; i < rows.size() && left < two_lines; ++i) left += rows[i]->height * scale;
+    for (std::size_t i = end; i < rows.size() && left < two_lines; ++i) left += rows[i].height() * scale;
     return left < two_lines ? rows.size() : end;
 }
 
@@ -27,10 +27,9 @@ std::size_t end_of_group(const std::vector<SharedBlock>& rows, double scale, std
 
 bool is_wider(const Passage& passage, double scale, double measure) {
     constexpr double ink = 0.2;
-    const std::vector<Mark>& heading = passage.heading->marks;
-    return (!heading.empty() && scale * box_of(heading).max.x > measure + ink) ||
+    return scale * passage.heading.right() > measure + ink ||
            std::any_of(passage.rows.begin(), passage.rows.end(),
-                       [&](const SharedBlock& row) { return scale * row->width > measure + ink; });
+                       [&](const SharedBlock& row) { return scale * row.width() > measure + ink; });
 }
 
 ColumnText::ColumnText(std::vector<Passage> passages, double measure, double scale)
@@ -99,12 +98,9 @@ double ColumnText::height(const TextColumns& columns) const {
     return most;
 }
 
-double ColumnText::height(int columns) const {
-    const auto index = static_cast<std::size_t>(columns);
-    if (heights_.size() <= index) heights_.resize(index + 1, -1);
-    double& known = heights_[index];
-    if (known < 0) known = height(TextColumns(index));
-    return known;
+double ColumnText::height_found(std::size_t columns) const {
+    if (heights_.size() <= columns) heights_.resize(columns + 1, -1);
+    return heights_[columns] = height(TextColumns(columns));
 }
 
 void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& columns) const {
@@ -112,7 +108,7 @@ void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& colum
         const Passage& passage = passages_[group.passage];
         Spot corner{at.x + columns[column].x, at.y + columns[column].top + y};
         const auto put = [&](const SharedBlock& block) {
-            if (!block->marks.empty()) render::set(marks, scaled(*block, scale_), corner);
+            render::set(marks, scaled(block.set(), scale_), corner);
             corner.y += height_of(block);
         };
         if (group.first == 0) put(passage.heading);

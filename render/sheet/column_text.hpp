@@ -28,7 +28,10 @@ public:
     /// Whether a table or a heading is wider than its column.
     bool is_too_wide() const { return too_wide_; }
     /// The least height at which it stands in so many columns.
-    double height(int columns) const;
+    double height(int columns) const {
+        const auto index = static_cast<std::size_t>(columns);
+        return index < heights_.size() && heights_[index] >= 0 ? heights_[index] : height_found(index);
+    }
     void set(std::vector<Mark>& marks, Spot at, int columns, double between) const;
 
     /// The same in columns of different heights, from the first to the last.
@@ -49,7 +52,8 @@ private:
     template <class Place>
     bool flow(const TextColumns& columns, double height, Place place) const;
 
-    double height_of(const SharedBlock& block) const { return block->height * scale_; }
+    double height_found(std::size_t columns) const;
+    double height_of(const SharedBlock& block) const { return block.height() * scale_; }
 
     std::vector<Passage> passages_;
     double scale_;

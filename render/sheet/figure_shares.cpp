@@ -102,6 +102,7 @@ void FigureShares::note(Way& way, Order order) const {
             share.length += own + (share.length > 0 ? gap : 0);
             ++share.shown;
         }
+        share.across = std::max(share.across, across(size, order));
         share.worth += size.worth;
     }
     if (!way.shares.empty() && share.length >= way.shares.back().length) return;

@@ -29,7 +29,8 @@ public:
     };
     struct Share {
         double worth = 0, length = 0;
-        int shown = 0;  ///< figures that are not left out
+        double across = 0;  ///< what it takes the other way
+        int shown = 0;      ///< figures that are not left out
     };
 
     /// `sizes`: of each figure, the largest first.

@@ -188,17 +188,17 @@ private:
         else
             y = free.front().top;
         const auto put = [&](const SharedBlock& block) {
-            if (!block->marks.empty()) render::set(sheets_[free[now].page], *block, {free[now].left, y});
-            y += block->height;
+            render::set(sheets_[free[now].page], block.set(), {free[now].left, y});
+            y += block.height();
         };
         for (Passage& passage : passages) {
             for (SharedBlock* block : {&passage.heading, &passage.heading_again, &passage.head}) *block = reduced(*block);
             for (std::size_t i = 0; i < passage.rows.size(); ++i) {
                 const SharedBlock row = reduced(passage.rows[i]);
-                const double above = i == 0 ? passage.heading->height + passage.head->height : 0;
+                const double above = i == 0 ? passage.heading.height() + passage.head.height() : 0;
                 const bool at_top = y <= free[now].top;
                 if (i == 0 && !at_top) y += passage_gap;
-                const bool turns = !at_top && y + above + row->height > free[now].bottom;
+                const bool turns = !at_top && y + above + row.height() > free[now].bottom;
                 if (turns) next();
                 if (i == 0)
                     put(passage.heading), put(passage.head);

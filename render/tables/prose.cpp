@@ -2,7 +2,7 @@
 #include "render/tables/prose.hpp"
 
 #include <algorithm>
-#include <span>
+#include <utility>
 
 #include "render/page/shapes.hpp"
 
@@ -18,34 +18,57 @@ Block heading_block(const DrawingContext& context, double measure, const std::st
             set_text(block.marks, small, {shaped.width + 4, 3.6}, context.theme.secondary, "text");
     }
     block.width = measure;
-    block.height = 5.6;
+    block.height = heading_height;
+    return block;
+}
+
+namespace {
+
+constexpr double first_baseline = 3.2;
+
+}  // namespace
+
+Paragraph::Paragraph(const DrawingContext& context, RichText text, double indent, std::string number)
+    : context_(context),
+      text_(context.fonts.measured(std::move(text), context.theme.body_text)),
+      indent_(indent),
+      number_(std::move(number)) {}
+
+std::vector<Paragraph::Line> Paragraph::lines(double measure) const {
+    std::vector<Line> lines;
+    for (const MeasuredText::Line& words : text_.lines(measure - indent_)) {
+        // What stands over and under letters may ask for more than the lead.
+        constexpr double clear = 0.15;
+        const double baseline = lines.empty()
+                                    ? first_baseline
+                                    : lines.back().baseline + std::max(lead(), lines.back().words.under + words.over + clear);
+        lines.push_back({words, baseline});
+    }
+    return lines;
+}
+
+double Paragraph::height_of(const std::vector<Line>& lines) const {
+    return (lines.empty() ? first_baseline : lines.back().baseline) + lead() - first_baseline + 0.7;
+}
+double Paragraph::height(double measure) const { return height_of(lines(measure)); }
+
+Block Paragraph::set(double measure) const {
+    const Theme& theme = context_.theme;
+    Block block;
+    if (!number_.empty())
+        set_text(block.marks, context_.fonts.shape(one_piece(number_), theme.body_text), {0, first_baseline}, theme.secondary,
+                 "text");
+    const std::vector<Line> all = lines(measure);
+    for (const Line& each : all)
+        set_text(block.marks, context_.fonts.set(text_, each.words), {indent_, each.baseline}, theme.text, "text");
+    block.width = measure;
+    block.height = height_of(all);
     return block;
 }
 
 Block paragraph_block(const DrawingContext& context, double measure, const RichText& text, double indent,
                       const std::string& number) {
-    Block block;
-    double baseline = 3.2;
-    if (!number.empty())
-        set_text(block.marks, context.fonts.shape(one_piece(number), context.theme.body_text), {0, baseline},
-                 context.theme.secondary, "text");
-    const double lead = 3.85 / 9 * context.theme.body_text;
-    double under = 0;  // the ink of the line before
-    for (ShapedLine& each : context.fonts.wrap(text, context.theme.body_text, measure - indent)) {
-        const std::size_t first = block.marks.size();
-        set_text(block.marks, std::move(each), {indent, 0}, context.theme.text, "text");
-        const auto line = std::span(block.marks).subspan(first);
-        // What stands over and under letters may ask for more than the lead.
-        constexpr double clear = 0.15;
-        const Box ink = box_of(line);
-        if (block.height > 0) baseline += std::max(lead, under - ink.min.y + clear);
-        under = ink.max.y;
-        move(line, 0, baseline);
-        block.height = baseline;
-    }
-    block.width = measure;
-    block.height = baseline + lead - 3.2 + 0.7;
-    return block;
+    return Paragraph(context, text, indent, number).set(measure);
 }
 
 }  // namespace kinegraph::render

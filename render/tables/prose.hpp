@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "render/page/block.hpp"
 #include "render/scene/drawing_context.hpp"
@@ -10,6 +11,31 @@ namespace kinegraph::render {
 
 /// A heading, and beside it, where there is room, a note in small print.
 Block heading_block(const DrawingContext& context, double measure, const std::string& text, const RichText& note = {});
+/// What heading_block() takes.
+constexpr double heading_height = 5.6;
+
+/// A paragraph whose words are measured once, for the widths at which it is tried; its context outlives it.
+class Paragraph {
+public:
+    /// It hangs by `indent` behind its number.
+    Paragraph(const DrawingContext& context, RichText text, double indent = 0, std::string number = {});
+    double height(double measure) const;
+    Block set(double measure) const;
+
+private:
+    struct Line {
+        MeasuredText::Line words;
+        double baseline;
+    };
+    std::vector<Line> lines(double measure) const;
+    double lead() const { return 3.85 / 9 * context_.theme.body_text; }
+    double height_of(const std::vector<Line>& lines) const;
+
+    const DrawingContext& context_;
+    MeasuredText text_;
+    double indent_;
+    std::string number_;
+};
 /// A paragraph, hanging by `indent` behind its number.
 Block paragraph_block(const DrawingContext& context, double measure, const RichText& text, double indent = 0,
                       const std::string& number = {});

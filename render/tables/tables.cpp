@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
+#include <utility>
 
 #include "engine/assert.hpp"
 #include "engine/centre_symbol.hpp"
@@ -338,100 +340,139 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
     return MotionRows(context, figures).rows();
 }
 
-std::vector<Block> results_lines(const DrawingContext& context, const std::vector<ResultRow>& rows, double width) {
-    const Language language = context.language;
-    const Theme& theme = context.theme;
-    const Fonts& fonts = context.fonts;
+/// What its rows say, and how wide its columns are.
+struct ResultsTable::Parts {
+    static constexpr std::size_t columns = 6;  // quantity, mm, drawing, numeric, unit, difference
+    using Widths = std::array<double, columns>;
     struct Line {
-        std::array<ShapedLine, 6> cells;  // quantity, mm, drawing, numeric, unit, difference
+        std::array<RichText, columns> cells;
+        bool begins = false;  ///< a group, with a rule over it
     };
-    const auto shape = [&](const std::string& text, double size) { return fonts.shape(with_powers(text), size); };
 
-    std::map<std::pair<RowGroup, std::string>, double> largest;  // by group and unit
-    for (const ResultRow& row : rows) {
-        double& most = largest[{row.group, row.unit}];
-        most = std::max({most, std::abs(row.drawing), std::abs(row.numeric.value_or(0))});
-    }
-    Line head;
-    head.cells[1] = shape("mm", theme.small);
-    head.cells[2] = shape(word("drawing", language), theme.small);
-    head.cells[3] = shape(word("numeric", language), theme.small);
-    head.cells[4] = shape(word("unit", language), theme.small);
-    head.cells[5] = shape(word("difference", language) + " %", theme.small);
-    std::array<double, 6> widths{};
-    for (std::size_t c = 0; c < 6; ++c) widths[c] = head.cells[c].width;
-    std::vector<Line> lines;
-    for (const ResultRow& row : rows) {
-        const double most = largest[{row.group, row.unit}];
-        const auto decimals = decimals_for(most);
-        const bool is_scalar = row.quantity.kind == Quantity::Kind::omega || row.quantity.kind == Quantity::Kind::alpha;
-        const auto value = [&](double v) {
-            std::string text = cell(v, decimals, language);
-            // Positive turns are said to be so.
-            return is_scalar && v > 0 && text.find_first_of("123456789") != std::string::npos ? "+" + text : text;
-        };
-        RichText quantity = typeset(row.symbol, language);
-        for (Piece& piece : quantity)
-            if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the length of the vector, a scalar
-        if (!row.detail.empty()) quantity.push_back(one_piece(" (" + row.detail + ")").front());
-        Line each;
-        each.cells[0] = fonts.shape(quantity, theme.body_text + 0.5);
-        each.cells[1] = shape(row.millimetres ? fixed(*row.millimetres, 1, language) : "–", theme.body_text);
-        // A length is what was read; what has no length in a figure (ω, α, couples) is as the construction gives it.
-        const std::optional<Reading> reading = reading_of(row);
-        const double drawn = reading ? reading->value : row.drawing;
-        each.cells[2] = shape(reading && decimals ? fixed(drawn, std::min(*decimals, reading->decimals), language) : value(drawn),
-                              theme.body_text);
-        each.cells[3] = shape(row.numeric ? value(*row.numeric) : "–", theme.body_text);
-        each.cells[4] = shape(row.unit, theme.body_text);
-        std::string difference = "–";
-        // Read to 0.1 mm, what is shorter than this is off by a fifth and more.
-        constexpr double readable = 0.5;
-        const bool too_short_to_read = reading && row.millimetres && !(*row.millimetres >= readable);
-        if (row.numeric && !too_short_to_read) {
-            const double gap = drawn - *row.numeric;
-            const double percent = std::abs(gap) <= 1e-9 * most ? 0
-                                   : *row.numeric != 0          ? 100 * gap / std::abs(*row.numeric)
-                                                                : 100;
-            difference = fixed(percent, 2, language);
-            if (percent >= 0.005) difference.insert(0, "+");
+    Parts(const DrawingContext& drawing, const std::vector<ResultRow>& rows) : context(drawing) {
+        const auto small = [](const std::string& text) { return with_powers(text); };
+        const Language language = context.language;
+        head.cells = {RichText{},
+                      small("mm"),
+                      small(word("drawing", language)),
+                      small(word("numeric", language)),
+                      small(word("unit", language)),
+                      small(word("difference", language) + " %")};
+        measure(head, context.theme.small, context.theme.small);
+        // The arithmetic of the readings, "mm × 0.005", where one scale holds.
+        if (const auto scale = scale_of(rows)) product = small("mm × " + round_number(*scale, language));
+        std::map<std::pair<RowGroup, std::string>, double> largest;  // by group and unit
+        for (const ResultRow& row : rows) {
+            double& most = largest[{row.group, row.unit}];
+            most = std::max({most, std::abs(row.drawing), std::abs(row.numeric.value_or(0))});
         }
-        each.cells[5] = shape(difference, theme.body_text);
-        for (std::size_t c = 0; c < 6; ++c) widths[c] = std::max(widths[c], each.cells[c].width);
-        lines.push_back(std::move(each));
+        lines.reserve(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            Line& line = lines.emplace_back(line_of(rows[i], largest[{rows[i].group, rows[i].unit}]));
+            line.begins = i > 0 && rows[i].group != rows[i - 1].group;
+            measure(line, symbol_size(), context.theme.body_text);
+        }
     }
+
+    double symbol_size() const { return context.theme.body_text + 0.5; }
+    void measure(const Line& line, double first_size, double size) {
+        for (std::size_t c = 0; c < columns; ++c)
+            widths[c] = std::max(widths[c], context.fonts.width(line.cells[c], c == 0 ? first_size : size));
+    }
+    /// `most`: the largest number of its group.
+    Line line_of(const ResultRow& row, double most) const;
+    /// The marks of a line whose columns begin at `left`.
+    void set(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const;
+
+    const DrawingContext& context;
+    Line head;
+    RichText product{};  ///< said in the head where it has room for it; none: there are several scales
+    std::vector<Line> lines{};
+    Widths widths{};
+};
+
+ResultsTable::Parts::Line ResultsTable::Parts::line_of(const ResultRow& row, double most) const {
+    const Language language = context.language;
+    const auto decimals = decimals_for(most);
+    const bool is_scalar = row.quantity.kind == Quantity::Kind::omega || row.quantity.kind == Quantity::Kind::alpha;
+    const auto value = [&](double v) {
+        std::string text = cell(v, decimals, language);
+        // Positive turns are said to be so.
+        return is_scalar && v > 0 && text.find_first_of("123456789") != std::string::npos ? "+" + text : text;
+    };
+    RichText quantity = typeset(row.symbol, language);
+    for (Piece& piece : quantity)
+        if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the length of the vector, a scalar
+    if (!row.detail.empty()) quantity.push_back(one_piece(" (" + row.detail + ")").front());
+    // A length is what was read; what has no length in a figure (ω, α, couples) is as the construction gives it.
+    const std::optional<Reading> reading = reading_of(row);
+    const double drawn = reading ? reading->value : row.drawing;
+    std::string difference = "–";
+    // Read to 0.1 mm, what is shorter than this is off by a fifth and more.
+    constexpr double readable = 0.5;
+    const bool too_short_to_read = reading && row.millimetres && !(*row.millimetres >= readable);
+    if (row.numeric && !too_short_to_read) {
+        const double gap = drawn - *row.numeric;
+        const double percent = std::abs(gap) <= 1e-9 * most ? 0 : *row.numeric != 0 ? 100 * gap / std::abs(*row.numeric) : 100;
+        difference = fixed(percent, 2, language);
+        if (percent >= 0.005) difference.insert(0, "+");
+    }
+    return {{std::move(quantity), with_powers(row.millimetres ? fixed(*row.millimetres, 1, language) : "–"),
+             with_powers(reading && decimals ? fixed(drawn, std::min(*decimals, reading->decimals), language) : value(drawn)),
+             with_powers(row.numeric ? value(*row.numeric) : "–"), with_powers(row.unit), with_powers(difference)}};
+}
+
+void ResultsTable::Parts::set(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const {
+    const Theme& theme = context.theme;
+    const bool is_head = &line == &head;
+    const Colour colour = is_head ? theme.secondary : theme.text;
+    const auto shape = [&](std::size_t c) {
+        return context.fonts.shape(line.cells[c], is_head ? theme.small : c == 0 ? symbol_size() : theme.body_text);
+    };
+    set_text(marks, shape(0), {left[0], baseline}, theme.text, "text");
+    set_text(marks, shape(4), {left[4], baseline}, colour, "text");
+    for (const std::size_t c : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{5}}) {
+        ShapedLine shaped = shape(c);
+        const bool is_of_readings = is_head && c == 1 && !product.empty();
+        if (is_of_readings)
+            if (ShapedLine said = context.fonts.shape(product, theme.small); said.width <= left[1] + widths[1])
+                shaped = std::move(said);
+        set_right(marks, std::move(shaped), left[c] + widths[c], baseline, colour);
+    }
+}
+
+ResultsTable::ResultsTable(const DrawingContext& context, const std::vector<ResultRow>& rows)
+    : parts_(std::make_shared<const Parts>(context, rows)) {}
+
+std::vector<SharedBlock> ResultsTable::lines(double width) const {
+    constexpr double head_height = 4.8, over_group = 0.4, under_last = 0.8;
+    const Parts::Widths& widths = parts_->widths;
     double total = 0;
     for (const double w : widths) total += w;
     const double gap = std::clamp((width - total) / 5, 1.6, 9.0);
-    std::array<double, 6> left{};
-    for (std::size_t c = 1; c < 6; ++c) left[c] = left[c - 1] + widths[c - 1] + gap;
+    Parts::Widths left{};
+    for (std::size_t c = 1; c < Parts::columns; ++c) left[c] = left[c - 1] + widths[c - 1] + gap;
+    const double whole = left.back() + widths.back();
 
-    const double whole = left[5] + widths[5];
-    const auto set_line = [&](Block& block, Line each, double baseline, Colour colour) {
-        block.marks.reserve(each.cells.size() + 2);  // with two rules
-        set_text(block.marks, std::move(each.cells[0]), {left[0], baseline}, theme.text, "text");
-        set_text(block.marks, std::move(each.cells[4]), {left[4], baseline}, colour, "text");
-        for (const std::size_t c : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{5}})
-            set_right(block.marks, std::move(each.cells[c]), left[c] + widths[c], baseline, colour);
+    const auto line = [parts = parts_, left, whole](const Parts::Line& each, double height, bool is_last) {
+        const Theme& theme = parts->context.theme;
+        std::vector<Mark> marks;
+        marks.reserve(Parts::columns + 3);  // with rules
+        const bool is_head = &each == &parts->head;
+        if (is_head) marks.emplace_back(rule(0, whole, 0, theme.outline, theme.text));
+        if (each.begins) marks.emplace_back(rule(0, whole, over_group, theme.thin, theme.secondary));
+        parts->set(marks, each, left, is_head ? 3.4 : (each.begins ? over_group : 0) + 3.3);
+        if (is_head) marks.emplace_back(rule(0, whole, head_height, theme.thin, theme.text));
+        if (is_last) marks.emplace_back(rule(0, whole, height + 0.6, theme.outline, theme.text));
+        return marks;
     };
-    std::vector<Block> set{{{rule(0, whole, 0, theme.outline, theme.text)}, whole, 4.8}};
-    // The arithmetic of the readings, "mm × 0.005", where one scale holds and the head has room for it.
-    if (const auto scale = scale_of(rows)) {
-        const ShapedLine product = shape("mm × " + round_number(*scale, language), theme.small);
-        if (product.width <= left[1] + widths[1]) head.cells[1] = product;
-    }
-    set_line(set.front(), std::move(head), 3.4, theme.secondary);
-    set.front().marks.emplace_back(rule(0, whole, 4.8, theme.thin, theme.text));
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        Block& block = set.emplace_back(Block{{}, whole, pitch});
-        const bool begins = i > 0 && rows[i].group != rows[i - 1].group;
-        if (begins) block.marks.emplace_back(rule(0, whole, 0.4, theme.thin, theme.secondary));
-        set_line(block, std::move(lines[i]), (begins ? 0.4 : 0) + 3.3, theme.text);
-        block.height += begins ? 0.4 : 0;
-    }
-    Block& last = set.back();
-    last.marks.emplace_back(rule(0, whole, last.height + 0.6, theme.outline, theme.text));
-    last.height += 0.8;
+    const auto add = [&](std::vector<SharedBlock>& set, const Parts::Line& each, double height, bool is_last) {
+        set.emplace_back(whole, height + (is_last ? under_last : 0), [=, &each] { return line(each, height, is_last); });
+    };
+    std::vector<SharedBlock> set;
+    add(set, parts_->head, head_height, parts_->lines.empty());
+    for (const Parts::Line& each : parts_->lines)
+        add(set, each, pitch + (each.begins ? over_group : 0), &each == &parts_->lines.back());
     return set;
 }
 

@@ -3,6 +3,7 @@
 // mechanics beyond moduli of what was found.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,9 +41,18 @@ struct ResultRow {
 };
 /// Rows for the vectors drawn on `figures` (their axes are measured) and for ω and α of the bodies.
 std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures);
-/// Rows as the lines of a table `width` mm wide, its head first: read off the drawing to 0.1 mm, that times the scale, the number
-/// of the check, and by how much the reading misses it.
-std::vector<Block> results_lines(const DrawingContext& context, const std::vector<ResultRow>& rows, double width);
+/// Rows as a table: read off the drawing to 0.1 mm, that times the scale, the number of the check, and by how much the reading
+/// misses it. Its words are measured once, for the widths at which it is tried; its context outlives it.
+class ResultsTable {
+public:
+    ResultsTable(const DrawingContext& context, const std::vector<ResultRow>& rows);
+    /// Its lines where it stands in `width` mm, the head first.
+    std::vector<SharedBlock> lines(double width) const;
+
+private:
+    struct Parts;
+    std::shared_ptr<const Parts> parts_;
+};
 
 /// Instant centres in the order in which they were found: symbol, how, where.
 std::vector<Block> centre_lines(const DrawingContext& context, double width);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <string_view>
@@ -39,6 +40,15 @@ constexpr std::uint8_t bold = static_cast<std::uint8_t>(Face::bold);
 
 bool italic(Face face) { return face == Face::italic || face == Face::bold_italic; }
 
+/// How far the em boxes of letters reach over and under a baseline.
+struct Reach {
+    double over = -std::numeric_limits<double>::infinity(), under = -std::numeric_limits<double>::infinity();
+    void include(const Reach& other) {
+        over = std::max(over, other.over);
+        under = std::max(under, other.under);
+    }
+};
+
 /// A word set in one face at 1 em, origin at 0.
 struct Word {
     struct Placed {
@@ -54,6 +64,7 @@ struct Word {
     double advance = 0;
     Ink last;  // of the last letter
     double top = 0, bottom = 0;
+    Reach reach;  // of its letters
 };
 
 /// Bytes that are shown as a space at which a line may break: the space and ASCII's control characters.
@@ -168,6 +179,7 @@ void Fonts::State::shape_run(std::span<const char32_t> run, std::span<const std:
         pen += glyph.advance;
         if (ink.blank()) continue;
         into.glyphs.push_back({face, glyph.glyph, scale, x, lift, from[glyph.from], form.coded});
+        into.reach.include({lift + letter_over * scale, letter_under * scale - lift});
         into.last = {x + ink.left * scale, lift + ink.bottom * scale, x + ink.right * scale, lift + ink.top * scale};
         into.top = std::max(into.top, into.last.top);
         into.bottom = std::min(into.bottom, into.last.bottom);
@@ -271,6 +283,7 @@ struct Stretch {
     double width;
     bool symbol = false;         // with an index or a power
     const Word* word = nullptr;  // if it is one
+    Reach reach{};               // of its letters, mm
 };
 
 /// Other words in the setting of a piece that has no scripts.
@@ -298,6 +311,7 @@ public:
         return setter;
     }
     double advance() const { return x_; }
+    const Reach& reach() const { return reach_; }
 
     struct Run {
         double advance = 0;
@@ -381,6 +395,7 @@ private:
             run.last = {at + word.last.left * size, word.last.bottom * size - y, at + word.last.right * size,
                         word.last.top * size - y};
             inked(y - word.top * size, y - word.bottom * size);
+            reach_.include({word.reach.over * size - y, word.reach.under * size + y});
         }
         run.advance += word.advance * size;
     }
@@ -432,6 +447,7 @@ private:
     std::size_t letters_;
     bool measures_ = false;
     ShapedLine line_;
+    Reach reach_;
     double x_ = 0;
     std::size_t said_ = 0;  // what the line says so far, bytes
 };
@@ -608,33 +624,85 @@ void break_lines(const std::vector<Stretch>& stretches, double measure, Set set)
 
 }  // namespace
 
-std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, double measure) const {
-    KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
-    RichText changed;
-    const RichText& text = with_raised_digits(given, changed);
-    const double size = millimetres(size_points);
+namespace {
+
+/// What no line divides, in its order.
+template <class State>
+std::vector<Stretch> stretches_of(State& state, const RichText& text, double size) {
     std::vector<Stretch> stretches;
     stretches.reserve(bytes_of(text) / 3);
     for (std::size_t p = 0; p < text.size(); ++p) {
         const Piece& piece = text[p];
         const std::string_view words = piece.text;
         if (has_scripts(piece)) {
-            auto symbol = Setter<State>::measuring(*state_);
+            auto symbol = Setter<State>::measuring(state);
             symbol.set(piece, size);
-            stretches.push_back({p, 0, words.size(), false, symbol.advance(), true});
+            stretches.push_back({p, 0, words.size(), false, symbol.advance(), true, nullptr, symbol.reach()});
             continue;
         }
         for (std::size_t at = 0; at < words.size();) {
             const bool blank = breaks(words[at]);
             std::size_t end = at + 1;
             while (end < words.size() && breaks(words[end]) == blank) ++end;
-            const Word* word = blank ? nullptr : &state_->word(words.substr(at, end - at), piece.face);
+            const Word* word = blank ? nullptr : &state.word(words.substr(at, end - at), piece.face);
             const double em =
-                blank ? state_->faces[static_cast<std::size_t>(piece.face)].space * static_cast<double>(end - at) : word->advance;
-            stretches.push_back({p, at, end, blank, em * size, false, word});
+                blank ? state.faces[static_cast<std::size_t>(piece.face)].space * static_cast<double>(end - at) : word->advance;
+            const Reach reach = blank ? Reach{} : Reach{word->reach.over * size, word->reach.under * size};
+            stretches.push_back({p, at, end, blank, em * size, false, word, reach});
             at = end;
         }
     }
+    return stretches;
+}
+
+}  // namespace
+
+struct MeasuredText::Parts {
+    RichText text;
+    double size;  // mm
+    std::vector<Stretch> stretches;
+};
+
+std::vector<MeasuredText::Line> MeasuredText::lines(double measure) const {
+    std::vector<Line> lines;
+    break_lines(parts_->stretches, measure, [&](std::size_t first, std::size_t end) {
+        Reach reach;
+        for (std::size_t i = first; i < end; ++i) reach.include(parts_->stretches[i].reach);
+        const bool has_letters = reach.over + reach.under > 0;
+        lines.push_back({first, end, has_letters ? reach.over : 0, has_letters ? reach.under : 0});
+    });
+    return lines;
+}
+
+double Fonts::width(const RichText& text, double size_points) const {
+    auto setter = Setter<State>::measuring(*state_);
+    RichText changed;
+    for (const Piece& piece : with_raised_digits(text, changed)) setter.set(piece, millimetres(size_points));
+    return setter.advance();
+}
+
+MeasuredText Fonts::measured(RichText text, double size_points) const {
+    KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
+    RichText changed;
+    const bool is_changed = &with_raised_digits(text, changed) == &changed;
+    RichText set = std::move(is_changed ? changed : text);
+    const double size = millimetres(size_points);
+    std::vector<Stretch> stretches = stretches_of(*state_, set, size);
+    return MeasuredText(
+        std::make_shared<const MeasuredText::Parts>(MeasuredText::Parts{std::move(set), size, std::move(stretches)}));
+}
+
+ShapedLine Fonts::set(const MeasuredText& text, const MeasuredText::Line& line) const {
+    const MeasuredText::Parts& parts = *text.parts_;
+    return line_of(*state_, parts.text, std::span(parts.stretches).subspan(line.first, line.end - line.first), parts.size);
+}
+
+std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, double measure) const {
+    KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
+    RichText changed;
+    const RichText& text = with_raised_digits(given, changed);
+    const double size = millimetres(size_points);
+    const std::vector<Stretch> stretches = stretches_of(*state_, text, size);
     std::vector<ShapedLine> lines;
     break_lines(stretches, measure, [&](std::size_t first, std::size_t last) {
         lines.push_back(line_of(*state_, text, std::span(stretches).subspan(first, last - first), size));

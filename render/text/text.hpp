@@ -1,9 +1,12 @@
 // Text: from words and symbols to glyph outlines, in the four faces of one font. Knows no mechanics and no page.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -43,6 +46,29 @@ struct ShapedLine {
     std::vector<Part> parts;
 };
 
+/// How far the em box of a letter reaches over and under its baseline, em: near enough for the edge of what is set.
+constexpr double letter_over = 0.72, letter_under = 0.22;
+
+/// Text whose words are measured, to be broken into lines at one width after the other. Good as long as its fonts are, and until
+/// they start anew.
+class MeasuredText {
+public:
+    /// A line of it: its stretches, and how far the em boxes of its letters reach over and under the baseline, mm.
+    struct Line {
+        std::size_t first = 0, end = 0;
+        double over = 0, under = 0;
+    };
+    /// As Fonts::wrap breaks it.
+    std::vector<Line> lines(double measure) const;
+
+private:
+    friend class Fonts;
+    struct Parts;
+    explicit MeasuredText(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+
+    std::shared_ptr<const Parts> parts_;
+};
+
 /// The font's four faces, opened once; shaping is const and deterministic.
 class Fonts final : public Glyphs {
 public:
@@ -56,8 +82,13 @@ public:
     /// Sets one line at `size` points. A character that no face has is drawn as its code in a box (U+XXXX) and reported through
     /// `missing()`.
     ShapedLine shape(RichText text, double size_points) const;
+    /// What shape() gives as its width.
+    double width(const RichText& text, double size_points) const;
     /// Breaks at spaces so that no line is wider than `measure` mm (a word longer than that stands alone).
     std::vector<ShapedLine> wrap(const RichText& text, double size_points, double measure) const;
+    /// The same in two steps, for text that is tried at several widths before it is set at one of them.
+    MeasuredText measured(RichText text, double size_points) const;
+    ShapedLine set(const MeasuredText& text, const MeasuredText::Line& line) const;
     const Outline& outline(std::uint8_t face, std::uint32_t index) const override;
     std::string_view file(std::uint8_t face) const override;
     /// Characters met so far that the font has not, in order ("U+4E2D").
