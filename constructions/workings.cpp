@@ -105,7 +105,10 @@ private:
         for (const FreeBody& body : solution_.free_bodies) forces_.added_up(body);
         for (const TakenTogether& together : solution_.taken_together) forces_.added_up(together);
         if (solution_.superposition) forces_.superposed(*solution_.superposition);
-        for (const StatementIndex each : indices_of(protocol_.statements)) forces_.stretched(each);
+        for (const StatementIndex each : indices_of(protocol_.statements)) {
+            forces_.stretched(each);
+            forces_.distributed(each);
+        }
         for (const VirtualMotion& motion : solution_.virtual_motions) forces_.by_virtual_work(motion);
     }
 

@@ -113,6 +113,27 @@ TEST(Workings, TheInertiaForceIsAStep) {
     EXPECT_TRUE(has(said(solution, Sentence::inertia_force), "10~·~1.468 =~14.7~N")) << said(solution, Sentence::inertia_force);
 }
 
+// Area and centroid of a trapezium; the forces' resultant, and by how much a couple moves it aside.
+TEST(Workings, ADistributedLoadAndACoupleHaveTheirNumbers) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "units": {"length": "m", "force": "kN", "moment": "kN m"},
+        "frame": 0, "points": {"A": [0, 0], "C": [2, 0], "B": [6, 0], "D": [8, 0]}, "bodies": {"1": ["A", "C", "B", "D"]},
+        "joints": [{"revolute": "A", "bodies": [0, 1]}, {"contact": "B", "bodies": [1, 0], "tangent": 20}],
+        "loads": [{"distributed": "q", "body": 1, "from": "C", "to": "D", "intensity": ["4 kN/m", "10 kN/m"], "along": -90},
+                  {"couple": "m", "body": 1, "value": 12},
+                  {"force": "P", "body": 1, "at": "D", "magnitude": 5, "along": -120}]})");
+    const std::string load = said(solution, Sentence::distributed_load);
+    EXPECT_TRUE(has(load, "7~·~6 =~42.0~kN") && has(load, "x =~3.43~m")) << load;  // 6·(4 + 2·10)/(3·14)
+    EXPECT_TRUE(has(said(solution, Sentence::known_resultant), "F_q, F_P")) << said(solution, Sentence::known_resultant);
+    const std::string moved = said(solution, Sentence::inertia_moved);
+    EXPECT_TRUE(has(moved, "12/46.4 =~0.259~m")) << moved;  // |(0, −42) + 5(cos 240°, sin 240°)| = 46.4
+}
+
+TEST(Workings, AnImageTellsTheVelocityThatIsReadOff) {
+    const Solution solution = example("watt_six_bar");
+    const std::string text = said(solution, Sentence::image_velocity);
+    EXPECT_TRUE(has(text, "v_C =~")) << text;
+}
+
 TEST(ImagesOfBodies, AreSimilarToThem) {
     const Solution solution = example("watt_six_bar");
     int checked = 0;

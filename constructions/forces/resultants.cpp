@@ -28,13 +28,23 @@ void Resultants::say_resultant(const Group& group, const Wrench& known, const st
     if (actors.size() < 2 || actors.size() > most) return;
     Added added{group, {}, *known.force, known.place, {}, none};
     added.symbol = said_.resultant_symbol(group);
-    Symbols symbols;
+    Symbols forces, couples;
+    Wrench alone;  // the forces, without the couples
     for (const Actor& actor : actors) {
-        symbols.push_back(actor.symbol);
+        (actor.force ? forces : couples).push_back(actor.symbol);
+        if (actor.force) alone = model_.sum(alone, {actor.force, actor.place, {}});
         if (actor.bond >= 0) added.bonds.push_back(actor.bond);
     }
+    // Of the forces first, then moved aside for a couple, as it is drawn.
+    const bool in_two_steps = forces.size() > 1 && couples.size() == 1 && alone.force;
+    Symbols symbols = forces;
+    if (!in_two_steps) symbols.insert(symbols.end(), couples.begin(), couples.end());
     said_.say_of(group, Sentence::known_resultant, {std::move(symbols), added.symbol});
     added.statement = said_.last();
+    if (in_two_steps) said_.say_of(group, Sentence::inertia_moved, {added.symbol, couples.front()});
+    const bool is_moved = !couples.empty() && alone.force;
+    if (is_moved && group.size() == 1 && !model_.is_pin(group.front()))
+        run.levers.push_back({group.front(), alone.place, *known.force, known.place, said_.last(), true});
     run.added.push_back(std::move(added));
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/spring_force.hpp"
+
 namespace kinegraph::workings {
 
 void OfForces::force_found(StatementIndex statement, const FreeBody& body, const AppliedForce& applied, bool in_all) {
@@ -94,6 +96,23 @@ void OfForces::stretched(StatementIndex statement) {
     }
 }
 
+void OfForces::distributed(StatementIndex statement) {
+    const Message& said = telling_.message(statement);
+    if (said.sentence != Sentence::distributed_load) return;
+    const Symbol of = std::get<Symbol>(said.arguments[1]);
+    for (const Load& load : solution_.mechanism.loads) {
+        const auto* over = std::get_if<DistributedLoad>(&load);
+        if (over == nullptr || over->name != of.about) continue;
+        const double ends = distance(solution_.pose.at(over->from), solution_.pose.at(over->to));
+        const double mean = (over->intensity[0].to_double() + over->intensity[1].to_double()) / 2;
+        const double on_each = in(mean * units_.length.si.to_double(), units_.force),
+                     force = in(std::abs(mean) * ends, units_.force);
+        telling_.tell(statement, of, {{std::abs(on_each)}, {in(ends, units_.length)}}, std::nullopt, force, units_.force);
+        telling_.tell(statement, {Symbol::Letter::length, "x", {}}, {}, std::nullopt,
+                      in(centroid_of(*over).place.to_double() * ends, units_.length), units_.length);
+    }
+}
+
 void OfForces::left_over(const Resultant& resultant) {
     if (resultant.vanishes) return;
     const Symbol of = std::get<Symbol>(telling_.message(resultant.statement).arguments[1]);
@@ -135,11 +154,17 @@ void OfForces::resultant_found(const AppliedForce& sum) {
         telling_.tell(sum.force_statement, sum.symbol, {}, std::nullopt, in(length(sum.force), units_.force), units_.force);
 }
 
+/// Whether it is the sentence that moves a force aside.
+bool OfForces::moves(StatementIndex statement, const Symbol& force) const {
+    const Message& said = telling_.message(statement);
+    return said.sentence == Sentence::inertia_moved && std::get<Symbol>(said.arguments[1]) == force;
+}
+
 void OfForces::added_up(const FreeBody& body) {
     for (const AppliedForce& sum : body.sums) {
         resultant_found(sum);
         for (const FreeBody::Arm& arm : body.arms)
-            if (arm.is_shift && arm.statement == sum.force_statement) {
+            if (arm.is_shift && (arm.statement == sum.force_statement || moves(arm.statement, sum.symbol))) {
                 const double aside = in(distance(arm.about, arm.foot), units_.length),
                              force = in(length(sum.force), units_.force);
                 telling_.tell(arm.statement, {Symbol::Letter::length, "d", {}}, {{aside * force}}, force, aside, units_.length);

@@ -23,6 +23,8 @@ public:
     void inertia(StatementIndex statement);
     /// F = k · (l − l_0), M = −k · φ.
     void stretched(StatementIndex statement);
+    /// F = the mean intensity · the length, and how far its line is from the first end.
+    void distributed(StatementIndex statement);
     /// A force by its magnitude, a couple with its sign.
     void left_over(const Resultant& resultant);
     /// Of a cut: the moment of what acts on one side, and F = M/b.
@@ -40,6 +42,7 @@ private:
     void moved_aside(StatementIndex statement, const FreeBody& body, const AppliedForce& applied);
     bool is_by_virtual_work(StatementIndex statement);
     void resultant_found(const AppliedForce& sum);
+    bool moves(StatementIndex statement, const Symbol& force) const;
     void by_moments(const VirtualMotion& motion);
 
     Telling& telling_;

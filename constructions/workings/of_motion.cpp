@@ -41,11 +41,10 @@ void OfMotion::slides(StatementIndex statement, const Recorded<Vector>& found, c
 
 void OfMotion::drawn(const DrawnVector& vector) {
     const Message& said = telling_.message(vector.statement);
-    const bool image = said.sentence == Sentence::image_velocity || said.sentence == Sentence::image_acceleration;
     const bool alike = said.sentence == Sentence::translating_velocity || said.sentence == Sentence::translating_acceleration;
     // A crank that turns uniformly has its normal part alone, which is told.
     const bool uniform = said.sentence == Sentence::crank_acceleration && said.arguments.size() == 5;
-    if (alike || (vector.role == Role::absolute && (image || uniform))) return;
+    if (alike || (vector.role == Role::absolute && uniform)) return;
     const Unit& unit = unit_of(vector);
     const double si = protocol_.modulus_of(vector), value = in(si, unit);
     if (magnitudes_.is_noise(vector.quantity, si))

@@ -71,6 +71,7 @@ private:
         Spot at;
     };
 
+    static constexpr double rim = 9;          // about all that is near, mm
     static constexpr double broken_end = 10;  // of a line to a far centre, mm
 
     bool is_primary(std::size_t c) const { return all_[c].how == InstantCentre::How::primary; }
@@ -99,7 +100,20 @@ private:
             if (where_[c] != Where::here) continue;
             view_.include(place_[c]);
         }
-        view_ = grown(view_, 9);
+        take_in_what_is_beside();
+        view_ = grown(view_, rim);
+    }
+    /// Within the rim, which the arrow to it would take, it is shown itself.
+    void take_in_what_is_beside() {
+        const auto beside = [&] {
+            std::size_t c = 0;
+            while (c < all_.size() && (where_[c] != Where::far || !contains(grown(view_, rim), place_[c]))) ++c;
+            return c;
+        };
+        for (std::size_t c = beside(); c < all_.size(); c = beside()) {
+            where_[c] = Where::here;
+            view_.include(place_[c]);
+        }
     }
 
     /// In the order found; where there are many or little room, only what leads to the absolute centres.

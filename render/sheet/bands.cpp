@@ -493,7 +493,9 @@ void Bands::collect_forces() {
 std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines) const {
     const auto adds = [&](const FreeBody& body) {
         return std::any_of(body.sums.begin(), body.sums.end(),
-                           [&](const AppliedForce& sum) { return sum.force_statement == statement; });
+                           [&](const AppliedForce& sum) { return sum.force_statement == statement; }) ||
+               std::any_of(body.arms.begin(), body.arms.end(),
+                           [&](const FreeBody::Arm& arm) { return arm.is_shift && arm.statement == statement; });
     };
     const auto band_with = [&](const std::string& figure) {
         for (std::size_t b = at_lines; b < list.size(); ++b)

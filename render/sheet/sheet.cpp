@@ -140,7 +140,7 @@ private:
     SheetPlan plan_;
     FigureNeeds needs_;
     DrawnFigures figures_;
-    std::optional<MeasuredText> text_;  // of the bands, once all is drawn
+    std::optional<DrawnText> text_;  // of the bands, once all is drawn
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ std::vector<Figure> all_of(const DrawnFigures& figures) {
 
 }  // namespace
 
-MeasuredText::MeasuredText(const Bands& bands, const DrawnFigures& figures, const SheetFormat& format, BandTexts& planned)
+DrawnText::DrawnText(const Bands& bands, const DrawnFigures& figures, const SheetFormat& format, BandTexts& planned)
     : results_(bands.results_on(all_of(figures))), texts_(bands, results_, format, &planned) {}
 
 std::vector<Page> SheetPages::set(std::size_t after) {

@@ -12,11 +12,11 @@
 namespace kinegraph::render {
 
 /// The text of bands with the lengths that are measured on the figures as drawn.
-class MeasuredText {
+class DrawnText {
 public:
-    MeasuredText(const Bands& bands, const DrawnFigures& figures, const SheetFormat& format, BandTexts& planned);
-    MeasuredText(const MeasuredText&) = delete;  // its texts refer to its results
-    MeasuredText& operator=(const MeasuredText&) = delete;
+    DrawnText(const Bands& bands, const DrawnFigures& figures, const SheetFormat& format, BandTexts& planned);
+    DrawnText(const DrawnText&) = delete;  // its texts refer to its results
+    DrawnText& operator=(const DrawnText&) = delete;
 
     const ColumnText& of(const Band& band, const BandLayout& layout) { return texts_.of(band, layout.divided, layout.cornered); }
 
@@ -30,7 +30,7 @@ struct SheetContents {
     const SheetPlan& plan;
     const Bands& bands;
     DrawnFigures& figures;
-    MeasuredText& text;
+    DrawnText& text;
 };
 
 class SheetPages {
