@@ -108,6 +108,9 @@ public:
         : figure_(figure), context_(context), theme_(context.theme), parts_(parts), details_(details) {}
 
     void draw() {
+        constexpr std::size_t of_a_vector = 6, most_of_another = 3;
+        figure_.marks.reserve(figure_.marks.size() + of_a_vector * parts_.vectors.size() + parts_.lines.size() +
+                              most_of_another * (parts_.pieces.size() + parts_.images.size() + details_.size()));
         draw_trial_images();
         draw_lines();
         draw_corners();
@@ -208,6 +211,8 @@ private:
                        piece.internal, piece.statement);
         std::vector<Drawn> drawn;
         std::vector<Mark> broken, arrows;
+        constexpr std::size_t of_a_vector = 5;
+        arrows.reserve(of_a_vector * parts_.vectors.size());
         for (const PolygonVector& vector : parts_.vectors) draw_vector(vector, drawn, vector.internal ? broken : arrows);
         for (std::vector<Mark>* const marks : {&broken, &arrows})
             figure_.marks.insert(figure_.marks.end(), std::make_move_iterator(marks->begin()),

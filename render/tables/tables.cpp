@@ -160,6 +160,7 @@ private:
         const ShapedLine tick = context_.fonts.shape(one_piece("✓"), 10),
                          question = context_.fonts.shape(one_piece("?", Face::bold), 10);
         Block block;
+        block.marks.reserve((to - from) * (names_.size() + 2) + names_.size() + 2);
         block.width = width(from, to);
         std::vector<double> middles;
         double x = names_width_ + 2.0;
