@@ -175,6 +175,13 @@ std::string written(double value) {
     std::snprintf(text.data(), text.size(), "%.13g", value == 0 ? 0.0 : value);
     return text.data();
 }
+/// How far such a coordinate may be off beside the cam, in the cam's unit of length: points on a circle miss it by a few of its
+/// last digits.
+std::string precision_of(const Cam& cam) {
+    constexpr int digits = 10;
+    const double base = (cam.base_circle / cam.units.length.si).to_double();
+    return "1e" + std::to_string(static_cast<int>(std::floor(std::log10(base))) - digits);
+}
 std::string written(const Spot& place) { return "[" + written(place.x) + ", " + written(place.y) + "]"; }
 
 std::string in_quotes(const std::string& text) {
@@ -205,17 +212,23 @@ public:
     std::string text() && {
         point("O", {0, 0});
         write_follower_points();
-        std::string file = "{\n  \"kinegraph\": 1,\n  \"title\": " + title_of(cam_, turn_) + ",\n  \"units\": {\"length\": \"" +
-                           cam_.units.length.symbol + "\"},\n  \"frame\": 1,\n  \"points\": {" + points_ +
+        std::string file = "{\n  \"kinegraph\": 1,\n  \"title\": " + title_of(cam_, turn_) + ",\n  \"units\": " + units() +
+                           ",\n  \"precision\": " + precision_of(cam_) + ",\n  \"frame\": 1,\n  \"points\": {" + points_ +
                            "\n  },\n  \"bodies\": {\n    \"2\": " + cam_body() + ",\n    \"3\": " + follower_body() +
                            "\n  },\n  \"joints\": [\n    {\"revolute\": \"O\", \"bodies\": [1, 2]},\n    " + contact() +
-                           ",\n    " + guide() +
-                           "\n  ],\n  \"drivers\": [{\"body\": 2, \"omega\": " + written(cam_.omega.to_double()) +
+                           ",\n    " + guide() + "\n  ],\n  \"drivers\": [{\"body\": 2, \"omega\": " +
+                           written((cam_.omega / cam_.units.angular_velocity.si).to_double()) +
                            "}],\n  \"find\": [\"instant centres\", \"velocity\", \"acceleration\"]\n}\n";
         return file;
     }
 
 private:
+    /// The cam's own; its angles are written in degrees.
+    std::string units() const {
+        const Unit &length = cam_.units.length, &rate = cam_.units.angular_velocity;
+        const std::string of_rate = rate.si == 1 ? "" : R"(, "angular velocity": ")" + rate.symbol + '"';
+        return R"({"length": ")" + length.symbol + '"' + of_rate + "}";
+    }
     bool translates() const { return cam_.follower.moves == Follower::Moves::translating; }
     bool is_flat() const { return cam_.follower.face == Follower::Face::flat; }
     const char* centre() const { return is_round_about_origin_ ? "O" : "K"; }

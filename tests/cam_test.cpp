@@ -156,6 +156,16 @@ TEST(Cam, UndercutIsSaid) {
     EXPECT_FALSE(summary_of(fine, *CamGeometry::of(fine)).undercut);
 }
 
+TEST(Cam, ItsMechanismKeepsTheUnitsOfRates) {
+    std::string text = file(kinds[0].follower, dwells("24"), 40, "\"-300 rpm\"");
+    text.replace(text.find(R"("length": "mm")"), 14, R"("length": "mm", "angular velocity": "rpm")");
+    const Cam cam = cam_of(text);
+    const std::string written = mechanism_file_of(cam, *CamGeometry::of(cam), 1);
+    EXPECT_NE(written.find(R"("angular velocity": "rpm")"), std::string::npos) << written;
+    EXPECT_NE(written.find(R"("omega": -300})"), std::string::npos) << written;
+    EXPECT_NEAR(tests::solved(written).bodies[1].omega->to_double(), -10 * pi_, 1e-12);
+}
+
 TEST(Cam, FaultsOfFilesAreTold) {
     const std::string roller = R"({"moves": "translating", "face": "roller", "radius": 10})";
     const std::string law = dwells("20");

@@ -168,6 +168,7 @@ TEST_F(Sweep, ACamIsDrawnAndItsMechanismSolved) {
     EXPECT_EQ(lines_of(contents(folder_ / "cam.csv")).size(), 26U);
     EXPECT_EQ(run("solve at.json --format json").status, 0);
     EXPECT_NE(contents(folder_ / "cam-2.svg").find("data-name=\"pressure angle\""), std::string::npos);
+    EXPECT_EQ(run("solve at.json -o at.svg").err, "") << "its own file is no matter for remarks";
     const auto before = snapshot();
     for (const char* wrong : {"cam cam.json --steps 1", "cam cam.json --at 400", "cam four_bar.json", "cam none.json"}) {
         const Outcome refused = run(std::string(wrong) + " -o x.csv -o x.svg");
