@@ -76,6 +76,7 @@ public:
         fill_rows();
         summary_ = summary_of(cam_, geometry_);
         confirm();
+        for (const Words& jump : jumps()) remarks_.push_back(render::in(jump, language()));
         std::vector<Output> outputs;
         const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
         for (const Target& target : targets) {
@@ -89,7 +90,7 @@ public:
         for (const Words& line : facts()) say_line(line);
         for (const std::string& remark : remarks_) say_line(Words(render::word("a remark", language()) + ": " + remark));
         say_confirmed();
-        return summary_.undercut || not_solved_ > 0 ? Status::unsolved : Status::done;
+        return !summary_.undercuts.empty() || not_solved_ > 0 ? Status::unsolved : Status::done;
     }
 
 private:
@@ -154,8 +155,8 @@ private:
         std::vector<Words> said;
         said.emplace_back("largest pressure angle: {0} at {1}", "massimo angolo di pressione: {0} a {1}",
                           turn_text(summary_.most_pressure), turn_text(summary_.most_pressure_at));
-        if (summary_.undercut) said.push_back(undercut());
-        if (summary_.least_convex && !summary_.undercut)
+        for (const auto& [from, to] : summary_.undercuts) said.push_back(undercut(from, to));
+        if (summary_.least_convex && summary_.undercuts.empty())
             said.emplace_back("least radius of curvature of the profile, convex: {0} at {1}",
                               "minimo raggio di curvatura del profilo, convesso: {0} a {1}", length_text(*summary_.least_convex),
                               turn_text(summary_.least_convex_at));
@@ -171,8 +172,8 @@ private:
         return said;
     }
 
-    Words undercut() const {
-        const Words from = turn_text((*summary_.undercut)[0]), to = turn_text((*summary_.undercut)[1]);
+    Words undercut(double first, double last) const {
+        const Words from = turn_text(first), to = turn_text(last);
         if (is_flat())
             return {
                 "undercut between {0} and {1}: the profile turns back there, and the follower will not keep its law; take a "
@@ -180,12 +181,38 @@ private:
                 "sottotaglio fra {0} e {1}: lì il profilo torna indietro, e la punteria non seguirà la legge; prendere un raggio "
                 "di base maggiore",
                 from, to};
+        const auto lies_within = [&](double turn) {
+            return first <= last ? first <= turn && turn <= last : turn >= first || turn <= last;
+        };
+        if (std::any_of(summary_.corners.begin(), summary_.corners.end(),
+                        [&](const CamCorner& corner) { return corner.is_cut && lies_within(corner.after.turn); }))
+            return {
+                "undercut between {0} and {1}: the pitch curve has a convex corner there, which no roller leaves, and the follower "
+                "will not keep its law; take a law whose speed does not jump",
+                "sottotaglio fra {0} e {1}: lì la curva primitiva ha uno spigolo convesso, che nessuna rotella può percorrere, e la "
+                "punteria non seguirà la legge; prendere una legge senza salti di velocità",
+                from, to};
         return {
             "undercut between {0} and {1}: the pitch curve is tighter than the roller there, and the follower will not keep its "
             "law; take a larger base radius or a smaller roller",
             "sottotaglio fra {0} e {1}: lì la curva primitiva è più stretta della rotella, e la punteria non seguirà la legge; "
             "prendere un raggio di base maggiore o una rotella minore",
             from, to};
+    }
+    /// Speeds count away from the cam, as the law's rise.
+    std::vector<Words> jumps() const {
+        const auto text = [&](const CamState& state) {
+            std::array<char, 32> value{};
+            std::snprintf(value.data(), value.size(), "%.4g ", speed(state));
+            return decimal(value.data() + std::string(translates() ? "m/s" : "rad/s"));
+        };
+        std::vector<Words> said;
+        for (const CamCorner& corner : summary_.corners)
+            said.emplace_back(
+                "at {0} the speed of the follower jumps from {1} to {2}: its acceleration is infinite there (a shock)",
+                "a {0} la velocità della punteria salta da {1} a {2}: lì l’accelerazione è infinita (urto)",
+                turn_text(corner.after.turn), text(corner.before), text(corner.after));
+        return said;
     }
 
     // --- rows ---------------------------------------------------------------------------------------------------------------

@@ -67,14 +67,17 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
     return made;
 }
 
-CamState CamGeometry::at(double turn) const { return is_trace(cam_->follower) ? of_trace(turn) : of_face(turn); }
+CamState CamGeometry::at(double turn) const { return at(turn, cam_->law.at(turn)); }
+CamState CamGeometry::at(double turn, const LawState& rise) const {
+    return is_trace(cam_->follower) ? of_trace(turn, rise) : of_face(turn, rise);
+}
 
 /// With complex numbers, ψ the cam's turn and c the trace point in the frame, the pitch curve is p = e^{−iψ} c on the cam, so
 /// that e^{iψ} p′ = c′ − i c and e^{iψ} p″ = c″ − 2i c′ − c. It is run through clockwise: convex is κ > 0.
-CamState CamGeometry::of_trace(double turn) const {
+CamState CamGeometry::of_trace(double turn, const LawState& rise) const {
     CamState state;
     state.turn = turn;
-    state.rise = cam_->law.at(turn);
+    state.rise = rise;
     const double first = sense_ * state.rise.first, second = state.rise.second;
     Spot c, c_1, c_2, way{0, 1};
     if (cam_->follower.moves == Follower::Moves::translating) {
@@ -102,10 +105,10 @@ CamState CamGeometry::of_trace(double turn) const {
 
 /// The face is the line X·N = H, N = e^{iγ} its normal away from the cam; on the cam its angle is φ = γ − ψ. The profile is the
 /// envelope with support function H(φ): contact at H N + (dH/dφ) iN, radius of curvature H + d²H/dφ².
-CamState CamGeometry::of_face(double turn) const {
+CamState CamGeometry::of_face(double turn, const LawState& rise) const {
     CamState state;
     state.turn = turn;
-    state.rise = cam_->law.at(turn);
+    state.rise = rise;
     const double s_1 = sense_ * state.rise.first, s_2 = state.rise.second;
     Spot normal{0, 1};
     double height = base_ + state.rise.s, height_1 = s_1, height_2 = s_2, phi_1 = -1, phi_2 = 0;
@@ -129,40 +132,6 @@ CamState CamGeometry::of_face(double turn) const {
         cam_->follower.moves == Follower::Moves::translating ? Spot{0, 1} : rises_ * quarter_turn(state.contact - pivot_);
     state.pressure_angle = angle_from(way, normal);
     return state;
-}
-
-// --- over a turn --------------------------------------------------------------------------------------------------------------
-
-CamSummary summary_of(const Cam& cam, const CamGeometry& geometry) {
-    CamSummary found;
-    const double length = cam.law.length(), roller = cam.follower.radius.to_double();
-    constexpr int samples = 7200;
-    for (int i = 0; i <= samples; ++i) {
-        const CamState here = geometry.at(length * i / samples);
-        if (std::abs(here.pressure_angle) > found.most_pressure) {
-            found.most_pressure = std::abs(here.pressure_angle);
-            found.most_pressure_at = here.turn;
-        }
-        if (cam.follower.face == Follower::Face::flat) {
-            const double along = cross(here.outward, here.contact);
-            if (!found.face) found.face = {along, along};
-            found.face = {std::min((*found.face)[0], along), std::max((*found.face)[1], along)};
-        }
-        // A convex pitch curve tighter than the roller, a flat face whose envelope turns back.
-        const bool is_cut = cam.follower.face == Follower::Face::flat ? here.curvature <= 0 || !std::isfinite(here.curvature)
-                                                                      : here.pitch_curvature * roller >= 1;
-        if (is_cut) {
-            if (!found.undercut) found.undercut = {here.turn, here.turn};
-            (*found.undercut)[1] = here.turn;
-            continue;
-        }
-        const double radius = std::abs(1 / here.curvature);
-        auto& least = here.curvature > 0 ? found.least_convex : found.least_concave;
-        if (here.curvature == 0 || (least && radius >= *least)) continue;
-        least = radius;
-        (here.curvature > 0 ? found.least_convex_at : found.least_concave_at) = here.turn;
-    }
-    return found;
 }
 
 // --- as a mechanism file ------------------------------------------------------------------------------------------------------

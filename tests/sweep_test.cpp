@@ -177,6 +177,25 @@ TEST_F(Sweep, ACamIsDrawnAndItsMechanismSolved) {
     }
 }
 
+TEST_F(Sweep, ACornerOfAPitchCurveIsToldAndItsUndercutFails) {
+    std::string text = contents(example_file("cams/disc_cam"));
+    text.replace(text.find("cycloidal"), 9, "constant speed");
+    write("cam.json", text);
+    const Outcome told = run("cam cam.json -o cam.csv");
+    EXPECT_EQ(told.status, 3);
+    EXPECT_NE(told.err.find("undercut between 10"), std::string::npos) << told.err;
+    EXPECT_NE(told.err.find("convex corner"), std::string::npos) << told.err;
+    EXPECT_NE(told.err.find("remark: at 0° the speed of the follower jumps from 0 m/s to 0.1571 m/s"), std::string::npos)
+        << told.err;
+    EXPECT_NE(told.err.find("remark: at 110° the speed of the follower jumps from 0.1571 m/s to 0 m/s"), std::string::npos)
+        << told.err;
+    const Outcome italian = run("cam cam.json -o cam.csv --lang it");
+    EXPECT_EQ(italian.status, 3);
+    EXPECT_NE(italian.err.find("sottotaglio fra 10"), std::string::npos) << italian.err;
+    EXPECT_NE(italian.err.find("osservazione: a 110° la velocità della punteria salta da 0,1571 m/s a 0 m/s"), std::string::npos)
+        << italian.err;
+}
+
 TEST_F(Sweep, SaysItInItalianToo) {
     const auto says = [&](const std::string& arguments, int status, const std::string& pattern) {
         const Outcome outcome = run(arguments + " --lang it -o out.csv");
