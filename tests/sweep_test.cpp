@@ -196,6 +196,32 @@ TEST_F(Sweep, ACornerOfAPitchCurveIsToldAndItsUndercutFails) {
         << italian.err;
 }
 
+TEST_F(Sweep, ACamsSheetHasItsDataAndSaysItsSigns) {
+    // Its follower rises clockwise: the pivot lies on the right, the contact on the left.
+    write("rocker.json", R"({"kinegraph": 1, "units": {"length": "mm"}, "cam": {"omega": "200 rpm", "base radius": 35,
+        "follower": {"moves": "oscillating", "face": "roller", "radius": 9, "pivot": [95, 10], "arm": 80},
+        "law": [{"form": "3-4-5", "rise": 22, "turn": 120}, {"form": "rest", "turn": 40},
+                {"form": "constant acceleration", "rise": -22, "turn": 130}, {"form": "rest", "turn": 70}]}})");
+    ASSERT_EQ(run("cam rocker.json --at 60° -o en.svg -o at.json").status, 0);
+    ASSERT_EQ(run("cam rocker.json --at 60° --lang it -o it.svg").status, 0);
+    const auto sheets = [&](const std::string& name) {
+        return contents(folder_ / (name + ".svg")) + contents(folder_ / (name + "-2.svg"));
+    };
+    const std::string english = sheets("en"), italian = sheets("it");
+    for (const char* words :
+         {"base circle r_b = 35 mm", "the cam turns counter-clockwise, ω_2", "oscillating roller follower r_r = 9 mm",
+          "arm 80 mm", "positive away from the cam, here clockwise: ω_3 = −dβ/dt", "0°–120°: rise of 22°, polynomial 3-4-5",
+          "120°–160°: dwell", "160°–290°: return of 22°, constant acceleration", "Cam and follower at 60°",
+          "Rise of the follower", "Pressure angle", "pitch curve", "base circle", "\"225.0°\"", "data-name=\"rise angle rate\"",
+          "class=\"drawn-position\" data-value=\"60"})
+        EXPECT_NE(english.find(words), std::string::npos) << words;
+    for (const char* words : {"circonferenza di base r_b = 35 mm", "qui in senso orario: ω_3 = −dβ/dt", "120°–160°: sosta",
+                              "Camma e punteria a 60°", "Alzata della punteria", "curva primitiva"})
+        EXPECT_NE(italian.find(words), std::string::npos) << words;
+    EXPECT_EQ(english.find("225.5°"), std::string::npos) << "the jump is where the law has it";
+    EXPECT_LT(Json::parse(run("solve at.json --format json").out)["bodies"]["3"]["omega"], 0) << "as the sheet says";
+}
+
 TEST_F(Sweep, SaysItInItalianToo) {
     const auto says = [&](const std::string& arguments, int status, const std::string& pattern) {
         const Outcome outcome = run(arguments + " --lang it -o out.csv");
