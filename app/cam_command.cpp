@@ -43,6 +43,9 @@ std::optional<Found> follower_of(const Solution& solution, bool translates, doub
 tl::expected<Solution, Errors> solved_at(const Cam& cam, const CamGeometry& geometry, double turn) {
     auto mechanism = read_mechanism(mechanism_file_of(cam, geometry, turn), cam.source);
     if (!mechanism) return tl::unexpected(mechanism.error());
+    // The numbers are those of the file as written; to ask of each position what its last digits leave open takes twice as long
+    // again.
+    mechanism->precision.reset();
     mechanism->find.instant_centres = false;
     return solve(*std::move(mechanism));
 }
