@@ -14,6 +14,7 @@
 #include "engine/cam.hpp"
 #include "engine/closure.hpp"
 #include "engine/units.hpp"
+#include "render/sheet/cam_notes.hpp"
 #include "render/sheet/cycle_sheet.hpp"
 #include "render/text/words.hpp"
 
@@ -42,6 +43,9 @@ std::optional<Found> follower_of(const Solution& solution, bool translates, doub
 tl::expected<Solution, Errors> solved_at(const Cam& cam, const CamGeometry& geometry, double turn) {
     auto mechanism = read_mechanism(mechanism_file_of(cam, geometry, turn), cam.source);
     if (!mechanism) return tl::unexpected(mechanism.error());
+    // The numbers are those of the file as written; to ask of each position what its last digits leave open takes twice as long
+    // again.
+    mechanism->precision.reset();
     mechanism->find.instant_centres = false;
     return solve(*std::move(mechanism));
 }
@@ -76,6 +80,7 @@ public:
         fill_rows();
         summary_ = summary_of(cam_, geometry_);
         confirm();
+        for (const Words& jump : jumps()) remarks_.push_back(render::in(jump, language()));
         std::vector<Output> outputs;
         const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
         for (const Target& target : targets) {
@@ -89,7 +94,7 @@ public:
         for (const Words& line : facts()) say_line(line);
         for (const std::string& remark : remarks_) say_line(Words(render::word("a remark", language()) + ": " + remark));
         say_confirmed();
-        return summary_.undercut || not_solved_ > 0 ? Status::unsolved : Status::done;
+        return !summary_.undercuts.empty() || not_solved_ > 0 ? Status::unsolved : Status::done;
     }
 
 private:
@@ -154,8 +159,8 @@ private:
         std::vector<Words> said;
         said.emplace_back("largest pressure angle: {0} at {1}", "massimo angolo di pressione: {0} a {1}",
                           turn_text(summary_.most_pressure), turn_text(summary_.most_pressure_at));
-        if (summary_.undercut) said.push_back(undercut());
-        if (summary_.least_convex && !summary_.undercut)
+        for (const auto& [from, to] : summary_.undercuts) said.push_back(undercut(from, to));
+        if (summary_.least_convex && summary_.undercuts.empty())
             said.emplace_back("least radius of curvature of the profile, convex: {0} at {1}",
                               "minimo raggio di curvatura del profilo, convesso: {0} a {1}", length_text(*summary_.least_convex),
                               turn_text(summary_.least_convex_at));
@@ -171,8 +176,8 @@ private:
         return said;
     }
 
-    Words undercut() const {
-        const Words from = turn_text((*summary_.undercut)[0]), to = turn_text((*summary_.undercut)[1]);
+    Words undercut(double first, double last) const {
+        const Words from = turn_text(first), to = turn_text(last);
         if (is_flat())
             return {
                 "undercut between {0} and {1}: the profile turns back there, and the follower will not keep its law; take a "
@@ -180,12 +185,38 @@ private:
                 "sottotaglio fra {0} e {1}: lì il profilo torna indietro, e la punteria non seguirà la legge; prendere un raggio "
                 "di base maggiore",
                 from, to};
+        const auto lies_within = [&](double turn) {
+            return first <= last ? first <= turn && turn <= last : turn >= first || turn <= last;
+        };
+        if (std::any_of(summary_.corners.begin(), summary_.corners.end(),
+                        [&](const CamCorner& corner) { return corner.is_cut && lies_within(corner.after.turn); }))
+            return {
+                "undercut between {0} and {1}: the pitch curve has a convex corner there, which no roller leaves, and the follower "
+                "will not keep its law; take a law whose speed does not jump",
+                "sottotaglio fra {0} e {1}: lì la curva primitiva ha uno spigolo convesso, che nessuna rotella può percorrere, e la "
+                "punteria non seguirà la legge; prendere una legge senza salti di velocità",
+                from, to};
         return {
             "undercut between {0} and {1}: the pitch curve is tighter than the roller there, and the follower will not keep its "
             "law; take a larger base radius or a smaller roller",
             "sottotaglio fra {0} e {1}: lì la curva primitiva è più stretta della rotella, e la punteria non seguirà la legge; "
             "prendere un raggio di base maggiore o una rotella minore",
             from, to};
+    }
+    /// Speeds count away from the cam, as the law's rise.
+    std::vector<Words> jumps() const {
+        const auto text = [&](const CamState& state) {
+            std::array<char, 32> value{};
+            std::snprintf(value.data(), value.size(), "%.4g ", speed(state));
+            return decimal(value.data() + std::string(translates() ? "m/s" : "rad/s"));
+        };
+        std::vector<Words> said;
+        for (const CamCorner& corner : summary_.corners)
+            said.emplace_back(
+                "at {0} the speed of the follower jumps from {1} to {2}: its acceleration is infinite there (a shock)",
+                "a {0} la velocità della punteria salta da {1} a {2}: lì l’accelerazione è infinita (urto)",
+                turn_text(corner.after.turn), text(corner.before), text(corner.after));
+        return said;
     }
 
     // --- rows ---------------------------------------------------------------------------------------------------------------
@@ -227,39 +258,99 @@ private:
             add(Column::Kind::along, {.kind = Kind::sliding_acceleration, .joint = slides.joint}, "a",
                 QuantityKind::acceleration);
         } else {
-            const auto body = BodyIndex(drawn.mechanism.bodies.size() - 1);
-            add(Column::Kind::angle, {.kind = Kind::omega, .body = body}, "s", QuantityKind::angle);
-            add(Column::Kind::result, {.kind = Kind::omega, .body = body}, "v", QuantityKind::angular_velocity);
-            add(Column::Kind::result, {.kind = Kind::alpha, .body = body}, "a", QuantityKind::angular_acceleration);
+            // Away from the cam is not always counter-clockwise: they are no ω and α.
+            add(Column::Kind::named, {}, "rise angle", QuantityKind::angle);
+            add(Column::Kind::named, {}, "rise angle rate", QuantityKind::angular_velocity);
+            add(Column::Kind::named, {}, "rise angle acceleration", QuantityKind::angular_acceleration);
         }
         add(Column::Kind::named, {}, "pressure angle", QuantityKind::angle);
-        const long stride = std::max(1L, request_.steps / 3600);
-        for (std::size_t i = 0; i < states_.size(); i += static_cast<std::size_t>(stride)) {
-            const CamState& state = states_[i];
+        for (const CamState& state : drawn_states())
             table.rows.push_back({state.turn, state.rise.s, speed(state), acceleration(state), state.pressure_angle});
-        }
         for (const Words& fact : facts()) table.facts.push_back(fact);
+        for (const Words& jump : jumps()) table.facts.push_back(jump);
         return table;
     }
-    /// Working profile, pitch curve and base circle, as they lie in the position that is drawn.
-    std::vector<render::Way> curves() const {
-        const double angle = geometry_.sense() * at_;
-        const auto placed = [&](const Spot& on_cam) { return faced(Spot{std::cos(angle), std::sin(angle)}, on_cam); };
-        render::Way profile{.name = "profile", .is_path = true, .places = {}, .outline = BodyIndex(1)},
-            pitch{.name = "pitch curve", .is_path = true, .places = {}, .is_thin = true},
-            base{.name = "base circle", .is_path = true, .places = {}, .is_thin = true};
-        constexpr int samples = 1440;
-        for (int i = 0; i <= samples; ++i) {
-            const CamState state = geometry_.at(2 * pi_ * i / samples);
-            profile.places.push_back(placed(state.on_cam(state.contact, geometry_.sense())));
-            pitch.places.push_back(placed(state.on_cam(state.trace, geometry_.sense())));
-            const double round = 2 * pi_ * i / samples, radius = cam_.base_circle.to_double();
-            base.places.push_back({radius * std::cos(round), radius * std::sin(round)});
+    /// As many as a plot shows, and where the law jumps both its sides.
+    std::vector<CamState> drawn_states() const {
+        const std::vector<LawBreak> breaks = breaks_of_cycle(cam_.law);
+        // What jumps where the law begins does so at the edge of the plot.
+        auto next = std::find_if(breaks.begin(), breaks.end(), [](const LawBreak& each) { return each.at > 0; });
+        constexpr double same = 1e-12;
+        const auto stride = static_cast<std::size_t>(std::max(1L, request_.steps / 3600));
+        std::vector<CamState> drawn;
+        for (std::size_t i = 0; i < states_.size(); i += stride) {
+            bool is_break = false;
+            for (; next != breaks.end() && next->at <= states_[i].turn + same; ++next) {
+                for (const LawState& side : {next->before, next->after}) drawn.push_back(geometry_.at(next->at, side));
+                is_break = next->at >= states_[i].turn - same;
+            }
+            if (!is_break) drawn.push_back(states_[i]);
         }
-        std::vector<render::Way> ways{base, profile};
+        return drawn;
+    }
+    /// As the cam lies in the position that is drawn.
+    Spot placed(const Spot& on_cam) const {
+        const double angle = geometry_.sense() * at_;
+        return faced(Spot{std::cos(angle), std::sin(angle)}, on_cam);
+    }
+    Spot placed(const CamState& state, const Spot& place) const { return placed(state.on_cam(place, geometry_.sense())); }
+    render::RichText named(const char* key) const { return render::one_piece(render::word(key, language())); }
+
+    /// Working profile, pitch curve and base circle, as they lie in the position that is drawn, and the construction behind them.
+    std::vector<render::Way> curves() const {
+        constexpr int samples = 1440;
+        render::Way profile{.name = "profile", .is_path = true, .places = {}, .outline = BodyIndex(1)},
+            pitch{.name = "pitch curve", .is_path = true, .places = {}, .is_thin = true, .label = named("pitch curve")},
+            base{.name = "base circle", .is_path = true, .places = {}, .is_thin = true, .label = named("base circle")};
+        // Where the follower does not stand: on the other side of the cam.
+        pitch.label_at = base.label_at = samples * 5 / 8;
+        for (const Spot& place : working_profile(cam_, geometry_, samples)) profile.places.push_back(placed(place));
+        for (int i = 0; i <= samples; ++i) {
+            const double turn = 2 * pi_ * i / samples;
+            const CamState state = geometry_.at(turn);
+            pitch.places.push_back(placed(state, state.trace));
+            base.places.push_back(circle_about({0, 0}, cam_.base_circle.to_double(), turn));
+        }
+        std::vector<render::Way> ways = inversion();
+        ways.insert(ways.end(), {base, profile});
         if (is_flat()) ways.push_back(plate());
         if (cam_.follower.face == Follower::Face::roller) ways.push_back(pitch);
         return ways;
+    }
+    static Spot circle_about(const Spot& centre, double radius, double angle) {
+        return centre + radius * Spot{std::cos(angle), std::sin(angle)};
+    }
+    /// The cam held, the follower led round it against its sense: twelve positions with their numbers, from the law's beginning.
+    std::vector<render::Way> inversion() const {
+        constexpr int positions = 12, corners = 48;
+        std::vector<render::Way> ways;
+        for (int k = 0; k < positions; ++k) {
+            const CamState state = geometry_.at(2 * pi_ * k / positions);
+            render::Way way{.name = "3", .places = line_of_follower(state), .label = render::one_piece(std::to_string(k))};
+            for (Spot& place : way.places) place = placed(state, place);
+            way.label_at = way.places.size() - 1;
+            ways.push_back(std::move(way));
+            if (cam_.follower.face != Follower::Face::roller) continue;
+            render::Way roller{.name = "3", .places = {}};
+            for (int i = 0; i <= corners; ++i)
+                roller.places.push_back(
+                    placed(state, circle_about(state.trace, cam_.follower.radius.to_double(), 2 * pi_ * i / corners)));
+            ways.push_back(std::move(roller));
+        }
+        return ways;
+    }
+    /// Where it moves, seen from the frame: from where its law begins past where it is; the face; the arm from its pivot.
+    std::vector<Spot> line_of_follower(const CamState& state) const {
+        const double base = cam_.base_circle.to_double();
+        if (is_flat()) {
+            // Long enough to cross its neighbours.
+            const Spot half = 0.6 * base * quarter_turn(state.outward);
+            return {state.contact - half, state.contact + half};
+        }
+        if (translates())
+            return {{state.trace.x, state.trace.y - state.rise.s},
+                    {state.trace.x, state.trace.y + cam_.follower.radius.to_double() + 0.2 * base}};
+        return {state.trace, {cam_.follower.pivot.x.to_double(), cam_.follower.pivot.y.to_double()}};
     }
     /// Of a flat face, square to its way: as long as it is touched over the whole turn, and a little more at both ends.
     render::Way plate() const {
@@ -280,7 +371,9 @@ private:
         if (!press) return press.error();
         render::SheetOptions options = request_.sheet;
         options.theme = theme;
-        const auto pages = render::lay_out_cycle(*drawn, table(*drawn), {{1}, {2}, {3}, {4}}, curves(), options, press->fonts());
+        const CycleTable rows = table(*drawn);
+        const render::CamNotes notes = render::notes_of(cam_, geometry_, at_, rows, drawn->mechanism, language());
+        const auto pages = render::lay_out_cycle(*drawn, rows, {{1}, {2}, {3}, {4}}, curves(), options, press->fonts(), &notes);
         for (const Target& target : targets)
             if (target.is_drawn()) press->print(pages, target, request_.dpi, outputs, remarks_);
         press->remark_missing(remarks_);

@@ -67,14 +67,17 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
     return made;
 }
 
-CamState CamGeometry::at(double turn) const { return is_trace(cam_->follower) ? of_trace(turn) : of_face(turn); }
+CamState CamGeometry::at(double turn) const { return at(turn, cam_->law.at(turn)); }
+CamState CamGeometry::at(double turn, const LawState& rise) const {
+    return is_trace(cam_->follower) ? of_trace(turn, rise) : of_face(turn, rise);
+}
 
 /// With complex numbers, ψ the cam's turn and c the trace point in the frame, the pitch curve is p = e^{−iψ} c on the cam, so
 /// that e^{iψ} p′ = c′ − i c and e^{iψ} p″ = c″ − 2i c′ − c. It is run through clockwise: convex is κ > 0.
-CamState CamGeometry::of_trace(double turn) const {
+CamState CamGeometry::of_trace(double turn, const LawState& rise) const {
     CamState state;
     state.turn = turn;
-    state.rise = cam_->law.at(turn);
+    state.rise = rise;
     const double first = sense_ * state.rise.first, second = state.rise.second;
     Spot c, c_1, c_2, way{0, 1};
     if (cam_->follower.moves == Follower::Moves::translating) {
@@ -102,10 +105,10 @@ CamState CamGeometry::of_trace(double turn) const {
 
 /// The face is the line X·N = H, N = e^{iγ} its normal away from the cam; on the cam its angle is φ = γ − ψ. The profile is the
 /// envelope with support function H(φ): contact at H N + (dH/dφ) iN, radius of curvature H + d²H/dφ².
-CamState CamGeometry::of_face(double turn) const {
+CamState CamGeometry::of_face(double turn, const LawState& rise) const {
     CamState state;
     state.turn = turn;
-    state.rise = cam_->law.at(turn);
+    state.rise = rise;
     const double s_1 = sense_ * state.rise.first, s_2 = state.rise.second;
     Spot normal{0, 1};
     double height = base_ + state.rise.s, height_1 = s_1, height_2 = s_2, phi_1 = -1, phi_2 = 0;
@@ -131,40 +134,6 @@ CamState CamGeometry::of_face(double turn) const {
     return state;
 }
 
-// --- over a turn --------------------------------------------------------------------------------------------------------------
-
-CamSummary summary_of(const Cam& cam, const CamGeometry& geometry) {
-    CamSummary found;
-    const double length = cam.law.length(), roller = cam.follower.radius.to_double();
-    constexpr int samples = 7200;
-    for (int i = 0; i <= samples; ++i) {
-        const CamState here = geometry.at(length * i / samples);
-        if (std::abs(here.pressure_angle) > found.most_pressure) {
-            found.most_pressure = std::abs(here.pressure_angle);
-            found.most_pressure_at = here.turn;
-        }
-        if (cam.follower.face == Follower::Face::flat) {
-            const double along = cross(here.outward, here.contact);
-            if (!found.face) found.face = {along, along};
-            found.face = {std::min((*found.face)[0], along), std::max((*found.face)[1], along)};
-        }
-        // A convex pitch curve tighter than the roller, a flat face whose envelope turns back.
-        const bool is_cut = cam.follower.face == Follower::Face::flat ? here.curvature <= 0 || !std::isfinite(here.curvature)
-                                                                      : here.pitch_curvature * roller >= 1;
-        if (is_cut) {
-            if (!found.undercut) found.undercut = {here.turn, here.turn};
-            (*found.undercut)[1] = here.turn;
-            continue;
-        }
-        const double radius = std::abs(1 / here.curvature);
-        auto& least = here.curvature > 0 ? found.least_convex : found.least_concave;
-        if (here.curvature == 0 || (least && radius >= *least)) continue;
-        least = radius;
-        (here.curvature > 0 ? found.least_convex_at : found.least_concave_at) = here.turn;
-    }
-    return found;
-}
-
 // --- as a mechanism file ------------------------------------------------------------------------------------------------------
 
 namespace {
@@ -174,6 +143,13 @@ std::string written(double value) {
     std::array<char, 40> text{};
     std::snprintf(text.data(), text.size(), "%.13g", value == 0 ? 0.0 : value);
     return text.data();
+}
+/// How far such a coordinate may be off beside the cam, in the cam's unit of length: points on a circle miss it by a few of its
+/// last digits.
+std::string precision_of(const Cam& cam) {
+    constexpr int digits = 10;
+    const double base = (cam.base_circle / cam.units.length.si).to_double();
+    return "1e" + std::to_string(static_cast<int>(std::floor(std::log10(base))) - digits);
 }
 std::string written(const Spot& place) { return "[" + written(place.x) + ", " + written(place.y) + "]"; }
 
@@ -205,17 +181,23 @@ public:
     std::string text() && {
         point("O", {0, 0});
         write_follower_points();
-        std::string file = "{\n  \"kinegraph\": 1,\n  \"title\": " + title_of(cam_, turn_) + ",\n  \"units\": {\"length\": \"" +
-                           cam_.units.length.symbol + "\"},\n  \"frame\": 1,\n  \"points\": {" + points_ +
+        std::string file = "{\n  \"kinegraph\": 1,\n  \"title\": " + title_of(cam_, turn_) + ",\n  \"units\": " + units() +
+                           ",\n  \"precision\": " + precision_of(cam_) + ",\n  \"frame\": 1,\n  \"points\": {" + points_ +
                            "\n  },\n  \"bodies\": {\n    \"2\": " + cam_body() + ",\n    \"3\": " + follower_body() +
                            "\n  },\n  \"joints\": [\n    {\"revolute\": \"O\", \"bodies\": [1, 2]},\n    " + contact() +
-                           ",\n    " + guide() +
-                           "\n  ],\n  \"drivers\": [{\"body\": 2, \"omega\": " + written(cam_.omega.to_double()) +
+                           ",\n    " + guide() + "\n  ],\n  \"drivers\": [{\"body\": 2, \"omega\": " +
+                           written((cam_.omega / cam_.units.angular_velocity.si).to_double()) +
                            "}],\n  \"find\": [\"instant centres\", \"velocity\", \"acceleration\"]\n}\n";
         return file;
     }
 
 private:
+    /// The cam's own; its angles are written in degrees.
+    std::string units() const {
+        const Unit &length = cam_.units.length, &rate = cam_.units.angular_velocity;
+        const std::string of_rate = rate.si == 1 ? "" : R"(, "angular velocity": ")" + rate.symbol + '"';
+        return R"({"length": ")" + length.symbol + '"' + of_rate + "}";
+    }
     bool translates() const { return cam_.follower.moves == Follower::Moves::translating; }
     bool is_flat() const { return cam_.follower.face == Follower::Face::flat; }
     const char* centre() const { return is_round_about_origin_ ? "O" : "K"; }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/geometry.hpp"
+#include "engine/law_breaks.hpp"
 #include "engine/mechanism.hpp"
 
 namespace kinegraph {
@@ -58,6 +59,8 @@ public:
     /// Sources: pitch curve and envelope by its parallel at the roller's radius; flat faces by the support function of the
     /// profile (E. A. Dijksman, Motion Geometry of Mechanisms; Norton, Cam Design, ch. 7).
     CamState at(double turn) const;
+    /// The same with one side of a jump of the law, or any other state of it.
+    CamState at(double turn, const LawState& rise) const;
     /// 1: the cam turns counter-clockwise, −1: clockwise.
     double sense() const { return sense_; }
     /// Seen from the pivot, where the follower lies as its law begins: the angle of its arm, or of its face's outward normal.
@@ -66,8 +69,8 @@ public:
     double rises() const { return rises_; }
 
 private:
-    CamState of_trace(double turn) const;
-    CamState of_face(double turn) const;
+    CamState of_trace(double turn, const LawState& rise) const;
+    CamState of_face(double turn, const LawState& rise) const;
 
     const Cam* cam_ = nullptr;
     double sense_ = 1, base_ = 0, roller_ = 0, offset_ = 0, arm_ = 0, height_ = 0, first_angle_ = 0, rises_ = 1;
@@ -77,14 +80,28 @@ private:
 /// The mechanism file of one position: cam and follower with the cam's centre of curvature at the contact, the cam driven.
 std::string mechanism_file_of(const Cam& cam, const CamGeometry& geometry, double turn);
 
+/// Where the speed of the follower jumps: the acceleration is infinite there, and the pitch curve has a corner.
+struct CamCorner {
+    CamState before, after;
+    /// The parallel at the roller's radius crosses itself there (convex corner), the envelope of a flat face turns back: what the
+    /// one position leaves, the other cuts away. Else an arc of the roller's radius, or a flat, joins both contacts.
+    bool is_cut = false;
+};
+
 /// What a designer asks of a cam, over its whole turn.
 struct CamSummary {
     double most_pressure = 0, most_pressure_at = 0;     ///< the largest |pressure angle|, rad, and the turn
     std::optional<double> least_convex, least_concave;  ///< radii of curvature of the working profile, m
     double least_convex_at = 0, least_concave_at = 0;
-    std::optional<std::array<double, 2>> undercut;  ///< turns between which the profile would be cut away again
-    std::optional<std::array<double, 2>> face;      ///< a flat one: how far contact goes to both sides, m
+    /// From which turn to which the follower in another position cuts away what it touches: the law is lost there. In their
+    /// order; one over the law's beginning goes from a larger turn to a smaller one.
+    std::vector<std::array<double, 2>> undercuts;
+    std::vector<CamCorner> corners;
+    std::optional<std::array<double, 2>> face;  ///< a flat one: how far contact goes to both sides, m
 };
 CamSummary summary_of(const Cam& cam, const CamGeometry& geometry);
+
+/// The working profile as the cam sees it, closed: so many positions and, at corners that are not sharp, the roller's arc.
+std::vector<VectorOf<double>> working_profile(const Cam& cam, const CamGeometry& geometry, int positions);
 
 }  // namespace kinegraph

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -69,7 +71,7 @@ TEST(Cam, ItsProfileTouchesTheFollowerEverywhereAndCutsItNowhere) {
             profile.push_back(state.on_cam(state.contact, geometry.sense()));
         }
         EXPECT_NEAR(std::hypot(profile[0].x, profile[0].y), 0.04, cam.follower.face == Follower::Face::knife_edge ? 1e-12 : 1e-3);
-        EXPECT_FALSE(summary_of(cam, geometry).undercut);
+        EXPECT_TRUE(summary_of(cam, geometry).undercuts.empty());
         for (int degrees = 0; degrees < 360; degrees += 15) {
             const CamState state = geometry.at(degrees * pi_ / 180);
             const double turned = geometry.sense() * state.turn;
@@ -145,15 +147,110 @@ TEST(Cam, UndercutIsSaid) {
             least = std::min(least, base * 1e-3 + here.s + here.second);
         }
         ASSERT_EQ(least <= 0, is_cut);
-        EXPECT_EQ(summary_of(cam, geometry).undercut.has_value(), is_cut) << base;
+        EXPECT_EQ(!summary_of(cam, geometry).undercuts.empty(), is_cut) << base;
     }
     // A roller larger than the pitch curve's least radius.
     const std::string steep = R"([{"form": "cycloidal", "rise": 40, "turn": 60}, {"form": "cycloidal", "rise": -40, "turn": 60},
         {"form": "rest", "turn": 240}])";
     const Cam blunt = cam_of(file(R"({"moves": "translating", "face": "roller", "radius": 25})", steep, 15));
-    EXPECT_TRUE(summary_of(blunt, *CamGeometry::of(blunt)).undercut);
+    EXPECT_FALSE(summary_of(blunt, *CamGeometry::of(blunt)).undercuts.empty());
     const Cam fine = cam_of(file(R"({"moves": "translating", "face": "roller", "radius": 2})", steep, 80));
-    EXPECT_FALSE(summary_of(fine, *CamGeometry::of(fine)).undercut);
+    EXPECT_TRUE(summary_of(fine, *CamGeometry::of(fine)).undercuts.empty());
+}
+
+/// Up and down at constant speeds: the speed jumps up at 60° and 360°, down at 160° and 200°.
+std::string with_jumps(const std::string& rise) {
+    return R"([{"form": "rest", "turn": 60}, {"form": "constant speed", "rise": )" + rise +
+           R"(, "turn": 100}, {"form": "rest", "turn": 40}, {"form": "constant speed", "rise": -)" + rise + R"(, "turn": 160}])";
+}
+
+TEST(Cam, WhereTheSpeedJumpsThePitchCurveHasACorner) {
+    for (const Kind& kind : kinds) {
+        SCOPED_TRACE(kind.name);
+        const Cam cam = cam_of(file(kind.follower, with_jumps(kind.rise), 40, kind.omega));
+        const CamGeometry geometry = *CamGeometry::of(cam);
+        const bool is_edge = cam.follower.face == Follower::Face::knife_edge;
+        const CamSummary summary = summary_of(cam, geometry);
+        ASSERT_EQ(summary.corners.size(), 4U);
+        // In the order of the turn: the end, which is the beginning, then the others.
+        const std::array<double, 4> turns{0, 60, 160, 200};
+        const std::array<bool, 4> are_cut{false, false, true, true};
+        for (std::size_t i = 0; i < 4; ++i) {
+            EXPECT_NEAR(summary.corners[i].after.turn * 180 / pi_, turns.at(i), 1e-9);
+            EXPECT_EQ(summary.corners[i].is_cut, are_cut.at(i) && !is_edge) << turns.at(i);
+        }
+        // Where a follower in another position reaches behind the contact, by brute force.
+        constexpr int count = 3600;
+        std::vector<CamState> states;
+        for (int i = 0; i < count; ++i) states.push_back(geometry.at(2 * pi_ * i / count));
+        for (int i = 5; i < count; i += 10) {
+            const CamState& at = states[static_cast<std::size_t>(i)];
+            const Spot contact = at.on_cam(at.contact, geometry.sense());
+            double least = 0;
+            for (const CamState& other : states) {
+                const double turned = geometry.sense() * other.turn;
+                least = std::min(least, clearance(cam, other, faced(Spot{std::cos(turned), std::sin(turned)}, contact)));
+            }
+            const bool told = std::any_of(summary.undercuts.begin(), summary.undercuts.end(),
+                                          [&](const auto& range) { return range[0] <= at.turn && at.turn <= range[1]; });
+            EXPECT_EQ(least < -1e-8, told) << at.turn * 180 / pi_;
+        }
+        EXPECT_EQ(summary.undercuts.empty(), is_edge);
+    }
+}
+
+TEST(Cam, TheProfileGoesRoundAHollowCornerInAnArcOfTheRoller) {
+    const Cam cam = cam_of(file(kinds[0].follower, with_jumps("24"), 40));
+    const CamGeometry geometry = *CamGeometry::of(cam);
+    const CamSummary summary = summary_of(cam, geometry);
+    const CamCorner& corner = summary.corners[1];
+    const Spot centre = corner.after.on_cam(corner.after.trace, geometry.sense());
+    const auto distance = [](const Spot& a, const Spot& b) { return std::hypot(a.x - b.x, a.y - b.y); };
+    EXPECT_GT(distance(corner.before.contact, corner.after.contact), 2e-3);
+    const std::vector<Spot> profile = working_profile(cam, geometry, 1440);
+    int on_arc = 0;
+    for (std::size_t i = 1; i < profile.size(); ++i) {
+        EXPECT_LT(distance(profile[i - 1], profile[i]), 0.5e-3);
+        on_arc += std::abs(distance(profile[i], centre) - 0.01) < 1e-12;
+    }
+    EXPECT_GT(on_arc, 5);
+}
+
+TEST(Cam, TwoUndercutsAreTwo) {
+    const std::string twice = R"([{"form": "cycloidal", "rise": 20, "turn": 45}, {"form": "rest", "turn": 60},
+        {"form": "cycloidal", "rise": -20, "turn": 90}, {"form": "rest", "turn": 30}, {"form": "cycloidal", "rise": 20, "turn": 45},
+        {"form": "cycloidal", "rise": -20, "turn": 90}])";
+    const Cam cam = cam_of(file(R"({"moves": "translating", "face": "flat"})", twice, 20));
+    const CamSummary summary = summary_of(cam, *CamGeometry::of(cam));
+    ASSERT_GE(summary.undercuts.size(), 2U);
+    for (const auto& [from, to] : summary.undercuts) EXPECT_LT(std::abs(to - from), pi_ / 2);
+}
+
+TEST(Cam, BreaksOfALawAreItsJumps) {
+    const Cam cam = cam_of(file(R"({"moves": "translating", "face": "flat"})",
+                                R"([{"form": "constant acceleration", "rise": 20, "turn": 120}, {"form": "rest", "turn": 40},
+        {"form": "cycloidal", "rise": -20, "turn": 200}])",
+                                30));
+    const std::vector<LawBreak> breaks = breaks_of_cycle(cam.law);
+    ASSERT_EQ(breaks.size(), 3U);
+    const double turn = 2 * pi_ / 3, most = 4 * 0.02 / (turn * turn);
+    const std::array<std::array<double, 3>, 3> expected{{{0, 0, most}, {60, most, -most}, {120, -most, 0}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(breaks[i].at * 180 / pi_, expected.at(i)[0], 1e-12);
+        EXPECT_NEAR(breaks[i].before.second, expected.at(i)[1], 1e-12);
+        EXPECT_NEAR(breaks[i].after.second, expected.at(i)[2], 1e-12);
+        EXPECT_FALSE(breaks[i].of_speed);
+    }
+}
+
+TEST(Cam, ItsMechanismKeepsTheUnitsOfRates) {
+    std::string text = file(kinds[0].follower, dwells("24"), 40, "\"-300 rpm\"");
+    text.replace(text.find(R"("length": "mm")"), 14, R"("length": "mm", "angular velocity": "rpm")");
+    const Cam cam = cam_of(text);
+    const std::string written = mechanism_file_of(cam, *CamGeometry::of(cam), 1);
+    EXPECT_NE(written.find(R"("angular velocity": "rpm")"), std::string::npos) << written;
+    EXPECT_NE(written.find(R"("omega": -300})"), std::string::npos) << written;
+    EXPECT_NEAR(tests::solved(written).bodies[1].omega->to_double(), -10 * pi_, 1e-12);
 }
 
 TEST(Cam, FaultsOfFilesAreTold) {

@@ -168,12 +168,58 @@ TEST_F(Sweep, ACamIsDrawnAndItsMechanismSolved) {
     EXPECT_EQ(lines_of(contents(folder_ / "cam.csv")).size(), 26U);
     EXPECT_EQ(run("solve at.json --format json").status, 0);
     EXPECT_NE(contents(folder_ / "cam-2.svg").find("data-name=\"pressure angle\""), std::string::npos);
+    EXPECT_EQ(run("solve at.json -o at.svg").err, "") << "its own file is no matter for remarks";
     const auto before = snapshot();
     for (const char* wrong : {"cam cam.json --steps 1", "cam cam.json --at 400", "cam four_bar.json", "cam none.json"}) {
         const Outcome refused = run(std::string(wrong) + " -o x.csv -o x.svg");
         EXPECT_EQ(refused.status, 2) << wrong;
         EXPECT_EQ(changed_since(before), "") << wrong;
     }
+}
+
+TEST_F(Sweep, ACornerOfAPitchCurveIsToldAndItsUndercutFails) {
+    std::string text = contents(example_file("cams/disc_cam"));
+    text.replace(text.find("cycloidal"), 9, "constant speed");
+    write("cam.json", text);
+    const Outcome told = run("cam cam.json -o cam.csv");
+    EXPECT_EQ(told.status, 3);
+    EXPECT_NE(told.err.find("undercut between 10"), std::string::npos) << told.err;
+    EXPECT_NE(told.err.find("convex corner"), std::string::npos) << told.err;
+    EXPECT_NE(told.err.find("remark: at 0° the speed of the follower jumps from 0 m/s to 0.1571 m/s"), std::string::npos)
+        << told.err;
+    EXPECT_NE(told.err.find("remark: at 110° the speed of the follower jumps from 0.1571 m/s to 0 m/s"), std::string::npos)
+        << told.err;
+    const Outcome italian = run("cam cam.json -o cam.csv --lang it");
+    EXPECT_EQ(italian.status, 3);
+    EXPECT_NE(italian.err.find("sottotaglio fra 10"), std::string::npos) << italian.err;
+    EXPECT_NE(italian.err.find("osservazione: a 110° la velocità della punteria salta da 0,1571 m/s a 0 m/s"), std::string::npos)
+        << italian.err;
+}
+
+TEST_F(Sweep, ACamsSheetHasItsDataAndSaysItsSigns) {
+    // Its follower rises clockwise: the pivot lies on the right, the contact on the left.
+    write("rocker.json", R"({"kinegraph": 1, "units": {"length": "mm"}, "cam": {"omega": "200 rpm", "base radius": 35,
+        "follower": {"moves": "oscillating", "face": "roller", "radius": 9, "pivot": [95, 10], "arm": 80},
+        "law": [{"form": "3-4-5", "rise": 22, "turn": 120}, {"form": "rest", "turn": 40},
+                {"form": "constant acceleration", "rise": -22, "turn": 130}, {"form": "rest", "turn": 70}]}})");
+    ASSERT_EQ(run("cam rocker.json --at 60° -o en.svg -o at.json").status, 0);
+    ASSERT_EQ(run("cam rocker.json --at 60° --lang it -o it.svg").status, 0);
+    const auto sheets = [&](const std::string& name) {
+        return contents(folder_ / (name + ".svg")) + contents(folder_ / (name + "-2.svg"));
+    };
+    const std::string english = sheets("en"), italian = sheets("it");
+    for (const char* words :
+         {"base circle r_b = 35 mm", "the cam turns counter-clockwise, ω_2", "oscillating roller follower r_r = 9 mm",
+          "arm 80 mm", "positive away from the cam, here clockwise: ω_3 = −dβ/dt", "0°–120°: rise of 22°, polynomial 3-4-5",
+          "120°–160°: dwell", "160°–290°: return of 22°, constant acceleration", "Cam and follower at 60°",
+          "Rise of the follower", "Pressure angle", "pitch curve", "base circle", "\"225.0°\"", "data-name=\"rise angle rate\"",
+          "class=\"drawn-position\" data-value=\"60"})
+        EXPECT_NE(english.find(words), std::string::npos) << words;
+    for (const char* words : {"circonferenza di base r_b = 35 mm", "qui in senso orario: ω_3 = −dβ/dt", "120°–160°: sosta",
+                              "Camma e punteria a 60°", "Alzata della punteria", "curva primitiva"})
+        EXPECT_NE(italian.find(words), std::string::npos) << words;
+    EXPECT_EQ(english.find("225.5°"), std::string::npos) << "the jump is where the law has it";
+    EXPECT_LT(Json::parse(run("solve at.json --format json").out)["bodies"]["3"]["omega"], 0) << "as the sheet says";
 }
 
 TEST_F(Sweep, SaysItInItalianToo) {

@@ -145,6 +145,16 @@ void draw_ways(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanis
     }
 }
 
+/// What the ways themselves ask to be called.
+void name_ways(Sketch& sketch, const std::vector<Way>& ways) {
+    for (const Way& way : ways) {
+        if (way.label.empty()) continue;
+        LabelRequest& label =
+            sketch.add_label(way.label, sketch.theme.secondary, spots_of(way, sketch.scale()).at(way.label_at), 1);
+        label.size = sketch.theme.small;
+    }
+}
+
 /// The mechanism with the centres that are near enough to be shown, m.
 Box extent_with_centres(const Subject& subject) {
     Box extent = subject.box;
@@ -228,6 +238,7 @@ private:
         const bool dimensioned = !sketch.dimensions.empty();
         if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways, alone);
         name_points(sketch);
+        if (shows.ways != nullptr) name_ways(sketch, *shows.ways);
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
         figure.caption = one_piece(word(shows.ways != nullptr ? "mechanism and its way"
                                         : shows.centres       ? "mechanism and instant centres"

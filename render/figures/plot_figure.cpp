@@ -52,11 +52,12 @@ std::vector<double> line_kind(std::size_t curve) {
 class PlotFigure {
 public:
     PlotFigure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns, int number,
-               Spot room)
+               Spot room, const PlotNotes& notes)
         : context_(context),
           theme_(context.theme),
           table_(table),
           columns_(columns),
+          notes_(notes),
           id_("plot-" + std::to_string(number)),
           room_(room),
           over_(table.over()),
@@ -88,7 +89,8 @@ public:
         figure_.id = id_;
         figure_.unit = y_unit_.symbol;
         figure_.has_scale = false;
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
+        figure_.caption = notes_.caption;
+        for (std::size_t i = 0; i < columns_.size() && notes_.caption.empty(); ++i) {
             if (i > 0) append(figure_.caption, one_piece(", "));
             append(figure_.caption, name(i));
         }
@@ -193,7 +195,7 @@ private:
         };
         const Pen thin{theme_.thin, theme_.text, {}, false};
         if (!table_.parameter)
-            upright(0, "drawn-position", thin);
+            upright(notes_.drawn, "drawn-position", thin);
         else if (table_.parameter->drawn)
             upright(*table_.parameter->drawn, "drawn-position", thin);
         const Pen broken{theme_.outline, theme_.secondary, dashes(), false};
@@ -280,6 +282,7 @@ private:
     const Theme& theme_;
     const CycleTable& table_;
     const std::vector<std::size_t>& columns_;
+    const PlotNotes& notes_;
     std::string id_;
     Spot room_;
     std::size_t over_;  ///< column of the abscissas
@@ -350,7 +353,7 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
         case Column::Kind::along:
             return symbol(q.kind == Kind::sliding_velocity ? "v" : "a", mechanism.joint(q.joint).name, Face::italic);
         case Column::Kind::named:
-            return one_piece(word(column.name, language));
+            return with_powers(word(column.name, language));
         case Column::Kind::result:
             break;
     }
@@ -381,8 +384,8 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
 }
 
 Figure plot_figure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns, int number,
-                   double room_x, double room_y) {
-    Figure figure = PlotFigure(context, table, columns, number, {room_x, room_y}).draw();
+                   double room_x, double room_y, const PlotNotes& notes) {
+    Figure figure = PlotFigure(context, table, columns, number, {room_x, room_y}, notes).draw();
     place_labels(figure, context.fonts, Spot{room_x, room_y}, Labelling::strict, context.theme.secondary);
     figure.move(-figure.box.min.x, -figure.box.min.y);
     return figure;

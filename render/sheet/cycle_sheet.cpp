@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "render/figures/caption.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/title_block.hpp"
 #include "render/tables/extremes.hpp"
@@ -16,18 +17,21 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double section_gap = 5.5;  // mm, between a figure and its table
+constexpr double least_room = 45;    // mm, of a plot with its caption
+constexpr std::size_t most_plots = 3;
 
 using Kind = Quantity::Kind;
 
 class CycleSheet {
 public:
     CycleSheet(const Solution& drawn, const CycleTable& table, const std::vector<std::vector<std::size_t>>& plots,
-               const std::vector<Way>& ways, const SheetOptions& options, const Fonts& fonts)
+               const std::vector<Way>& ways, const SheetOptions& options, const Fonts& fonts, const CamNotes* cam)
         : context_{drawn, options.theme, fonts, options.language, Dimensions::off},
           theme_(options.theme),
           table_(table),
           plots_(plots),
           ways_(ways),
+          cam_(cam),
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date,
                      word(table.is_of_cam   ? "subtitle cam"
@@ -37,7 +41,10 @@ public:
           width_((format_.content.width() - 2 * gap) / 2) {}
 
     std::vector<Page> pages() {
-        draw_first_page();
+        if (cam_ != nullptr)
+            draw_first_page_of_cam();
+        else
+            draw_first_page();
         while (next_ < plots_.size()) draw_further_page();
         std::vector<Page> pages;
         for (std::size_t i = 0; i < sheets_.size(); ++i)
@@ -57,36 +64,63 @@ private:
         const Spot corner = format_.content.min;
         const Block table = extremes();
         const double room = bottom(corner.x) - corner.y - table.height - section_gap - 8;
-        const double height = put_figure(
+        const double height = put_mechanism(corner, std::max(room, 45.0));
+        set(sheets_.back(), table, {corner.x, corner.y + height + section_gap});
+        put_plots(right_column(), corner.y, most_plots);
+    }
+    /// The construction takes a column; on its right the data, the extremes, and as many plots as have room.
+    void draw_first_page_of_cam() {
+        sheets_.emplace_back();
+        const Spot corner = format_.content.min;
+        put_mechanism(corner, bottom(corner.x) - corner.y - 8);
+        double top = corner.y;
+        for (const Block& block : {data(), extremes()}) {
+            set(sheets_.back(), block, {right_column(), top});
+            top += block.height + section_gap;
+        }
+        if (bottom(right_column()) - top >= least_room) put_plots(right_column(), top, most_plots);
+    }
+    void draw_further_page() {
+        sheets_.emplace_back();
+        const double top = format_.content.min.y;
+        // Those of a cam belong together: beside each other rather than all on the left.
+        const std::size_t left = plots_.size() - next_;
+        const std::size_t most = cam_ != nullptr ? std::min((left + 1) / 2, most_plots) : most_plots;
+        put_plots(format_.content.min.x, top, most);
+        put_plots(right_column(), top, most);
+    }
+    double right_column() const { return format_.content.min.x + width_ + 2 * gap; }
+    double put_mechanism(Spot corner, double height) {
+        return put_figure(
             [&](double x, double y) {
                 Figure figure = mechanism_with_ways(context_, ways_, x, y);
                 scale_ = figure.scale;
                 if (table_.is_of_cam) figure.caption = one_piece(word("cam and follower", context_.language));
+                if (cam_ != nullptr)
+                    append(figure.caption, " " + word("at the position", context_.language) + " " +
+                                               drawing::given_number(cam_->drawn * 180 / std::numbers::pi, context_.language) +
+                                               "°");
                 if (table_.parameter) figure.caption = one_piece(word("mechanism", context_.language));
                 return figure;
             },
-            corner, std::max(room, 45.0));
-        set(sheets_.back(), table, {corner.x, corner.y + height + section_gap});
-        put_plots(corner.x + width_ + 2 * gap, 3);
-    }
-    void draw_further_page() {
-        sheets_.emplace_back();
-        put_plots(format_.content.min.x, 3);
-        put_plots(format_.content.min.x + width_ + 2 * gap, 3);
+            corner, height);
     }
 
     /// One under the other, `most` at most; fewer are drawn no taller than three would be by half.
-    void put_plots(double left, std::size_t most) {
-        const double all = bottom(left) - format_.content.min.y;
-        const std::size_t fit = std::clamp<std::size_t>(static_cast<std::size_t>(all / 45), 1, format_.large ? most + 1 : most);
+    void put_plots(double left, double top, std::size_t most) {
+        const double all = bottom(left) - top;
+        const std::size_t fit =
+            std::clamp<std::size_t>(static_cast<std::size_t>(all / least_room), 1, format_.large ? most + 1 : most);
         const std::size_t count = std::min(plots_.size() - next_, fit);
         if (count == 0) return;
-        const double each = std::min(all / static_cast<double>(count), 0.9 * width_);
-        double top = format_.content.min.y;
+        const double each = std::min(all / static_cast<double>(cam_ != nullptr ? fit : count), 0.9 * width_);
         for (std::size_t i = 0; i < count; ++i, top += each) {
             const std::size_t plot = next_++;
+            const PlotNotes notes = cam_ != nullptr ? PlotNotes{cam_->captions.at(plot), cam_->drawn} : PlotNotes{};
             put_figure(
-                [&](double x, double y) { return plot_figure(context_, table_, plots_[plot], static_cast<int>(plot) + 1, x, y); },
+                [&](double x, double y) {
+                    return plot_figure(context_, table_, plots_[plot], static_cast<int>(plot) + 1, x, y, notes);
+                },
                 {left, top}, each - 7 - section_gap);
         }
     }
@@ -99,6 +133,19 @@ private:
         figure.move(corner.x, corner.y + caption);
         for (Mark& mark : figure.marks) sheets_.back().push_back(std::move(mark));
         return caption + high;
+    }
+
+    Block data() const {
+        Block block;
+        set(block.marks, heading_block(context_, width_, word("data", context_.language), {}), {0, 0});
+        block.height = heading_height;
+        for (const RichText& each : cam_->data) {
+            const Block line = paragraph_block(context_, width_, each, 0, "");
+            set(block.marks, line, {0, block.height});
+            block.height += line.height;
+        }
+        block.width = width_;
+        return block;
     }
 
     // --- the table ------------------------------------------------------------------------------------------------------------
@@ -281,6 +328,7 @@ private:
     const CycleTable& table_;
     const std::vector<std::vector<std::size_t>>& plots_;
     const std::vector<Way>& ways_;
+    const CamNotes* cam_;  ///< null: no cam's
     SheetFormat format_;
     Signature signature_;
     double width_;  ///< of a column
@@ -295,8 +343,8 @@ private:
 
 std::vector<Page> lay_out_cycle(const Solution& drawn, const CycleTable& table,
                                 const std::vector<std::vector<std::size_t>>& plots, const std::vector<Way>& ways,
-                                const SheetOptions& options, const Fonts& fonts) {
-    return CycleSheet(drawn, table, plots, ways, options, fonts).pages();
+                                const SheetOptions& options, const Fonts& fonts, const CamNotes* cam) {
+    return CycleSheet(drawn, table, plots, ways, options, fonts, cam).pages();
 }
 
 }  // namespace kinegraph::render

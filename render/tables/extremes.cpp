@@ -60,11 +60,21 @@ std::vector<double> zeros_of(const CycleTable& table, std::size_t column) {
     const auto at = [&](std::size_t i) { return table.rows[i][table.over()]; };
     const double way = table.rows.empty() ? 0 : std::abs(table.rows.back()[table.over()] - table.rows.front()[table.over()]);
     std::vector<double> zeros;
-    const auto add = [&](double zero) { zeros.push_back(std::abs(zero) < 1e-9 * way ? 0 : zero); };
+    // Where a law jumps two rows lie at one place: what is zero on both is zero once.
+    const auto add = [&](double zero) {
+        const double at_place = std::abs(zero) < 1e-9 * way ? 0 : zero;
+        if (zeros.empty() || zeros.back() != at_place) zeros.push_back(at_place);
+    };
+    const auto stays_towards = [&](std::size_t i, bool forth) {
+        const auto next = [&](std::size_t k) { return forth ? k + 1 : k - 1; };
+        const auto ends = [&](std::size_t k) { return forth ? k + 1 == values.size() : k == 0; };
+        for (std::size_t k = i; !ends(k) && is_zero(next(k)); k = next(k))
+            if (at(next(k)) != at(i)) return true;
+        return false;
+    };
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (is_zero(i)) {
-            const bool stays = (i > 0 && is_zero(i - 1)) || (i + 1 < values.size() && is_zero(i + 1));
-            if (!stays) add(at(i));
+            if (!stays_towards(i, false) && !stays_towards(i, true)) add(at(i));
         } else if (i > 0 && !is_zero(i - 1) && values[i - 1] * values[i] < 0) {
             add(at(i - 1) + values[i - 1] / (values[i - 1] - values[i]) * (at(i) - at(i - 1)));
         }

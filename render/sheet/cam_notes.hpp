@@ -1,0 +1,23 @@
+// Notes on a cam's sheet: its data in words, as a question's, and what its plots are called. Draws nothing.
+#pragma once
+
+#include <vector>
+
+#include "engine/cam.hpp"
+#include "engine/column.hpp"
+#include "render/text/rich_text.hpp"
+#include "render/text/words.hpp"
+
+namespace kinegraph::render {
+
+struct CamNotes {
+    double drawn = 0;                ///< the cam's turn in the drawn position, rad
+    std::vector<RichText> data;      ///< a paragraph each
+    std::vector<RichText> captions;  ///< of the plots, one for each column but the first
+};
+
+/// `table` is the cam's, `drawn` its mechanism in one position.
+CamNotes notes_of(const Cam& cam, const CamGeometry& geometry, double drawn_at, const CycleTable& table, const Mechanism& drawn,
+                  Language language);
+
+}  // namespace kinegraph::render
