@@ -122,7 +122,7 @@ TEST(Workings, ADistributedLoadAndACoupleHaveTheirNumbers) {
                   {"couple": "m", "body": 1, "value": 12},
                   {"force": "P", "body": 1, "at": "D", "magnitude": 5, "along": -120}]})");
     const std::string load = said(solution, Sentence::distributed_load);
-    EXPECT_TRUE(has(load, "7~·~6 =~42.0~kN") && has(load, "x =~3.43~m")) << load;  // 6·(4 + 2·10)/(3·14)
+    EXPECT_TRUE(has(load, "7~·~6 =~42.0~kN") && has(load, "x~=~3.43~m")) << load;  // 6·(4 + 2·10)/(3·14)
     EXPECT_TRUE(has(said(solution, Sentence::known_resultant), "F_q, F_P")) << said(solution, Sentence::known_resultant);
     const std::string moved = said(solution, Sentence::inertia_moved);
     EXPECT_TRUE(has(moved, "12/46.4 =~0.259~m")) << moved;  // |(0, −42) + 5(cos 240°, sin 240°)| = 46.4
@@ -131,7 +131,18 @@ TEST(Workings, ADistributedLoadAndACoupleHaveTheirNumbers) {
 TEST(Workings, AnImageTellsTheVelocityThatIsReadOff) {
     const Solution solution = example("watt_six_bar");
     const std::string text = said(solution, Sentence::image_velocity);
-    EXPECT_TRUE(has(text, "v_C =~")) << text;
+    EXPECT_TRUE(has(text, "v_E~=~0.0421~m/s")) << text;
+}
+
+// In pounds and inches the mass is divided by g_c = 386.09 lb in/(lbf s²).
+TEST(Workings, AnInertiaForceInPoundsIsDividedByTheirConstant) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "units": {"length": "in", "force": "lbf", "moment": "lbf in",
+        "mass": "lb", "acceleration": "in/s²"}, "frame": 1, "points": {"O": [0, 0], "A": [10, 0]}, "bodies": {"2": ["O", "A"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}], "drivers": [{"body": 2, "omega": 10}],
+        "masses": {"2": {"mass": 3, "centre": "A", "inertia": 0}}, "inertia forces": true,
+        "effort": {"couple": "M", "body": 2}})");
+    const std::string text = said(solution, Sentence::inertia_force);
+    EXPECT_TRUE(has(text, "3~·~1000/386.1 =~7.77~lbf")) << text;
 }
 
 TEST(ImagesOfBodies, AreSimilarToThem) {

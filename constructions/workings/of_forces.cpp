@@ -59,6 +59,18 @@ bool OfForces::is_by_virtual_work(StatementIndex statement) {
     return said == Sentence::moments_alone || said == Sentence::components_alone || said == Sentence::virtual_work_alone;
 }
 
+/// Where the factors' units make another unit than the result's, what makes the one of the other is told with them: 1000 for kN,
+/// 386.1 for pounds and inches.
+void OfForces::product(StatementIndex statement, const Symbol& of, Factors factors, const Exact& made, double value,
+                       const Unit& unit) {
+    const double ratio = (unit.si / made).to_double();
+    constexpr double rounding = 1e-12;
+    std::optional<double> divisor;
+    if (ratio > 1 + rounding) divisor = ratio;
+    if (ratio < 1 - rounding) factors.push_back({1 / ratio});
+    telling_.tell(statement, of, std::move(factors), divisor, in(value, unit), unit);
+}
+
 void OfForces::inertia(StatementIndex statement) {
     const Symbol of = std::get<Symbol>(telling_.message(statement).arguments[1]);
     for (const FreeBody& body : solution_.free_bodies)
@@ -68,11 +80,12 @@ void OfForces::inertia(StatementIndex statement) {
             const Mass& mass = solution_.mechanism.masses[at_index(applied.given)];
             const double m = mass.mass.to_double(), force = length(applied.force), couple = applied.couple.to_double();
             if (of.letter == Symbol::Letter::F && force > 0)
-                telling_.tell(statement, of, {{m}, {force / m}}, std::nullopt, in(force, units_.force), units_.force);
+                product(statement, of, {{in(m, units_.mass)}, {in(force / m, units_.acceleration)}},
+                        units_.mass.si * units_.acceleration.si, force, units_.force);
             const double alpha = telling_.spin(body.body, Symbol::Letter::alpha);
             if (of.letter == Symbol::Letter::M && couple != 0)
-                telling_.tell(statement, of, {{-mass.inertia.to_double()}, {alpha}}, std::nullopt, in(couple, units_.moment),
-                              units_.moment);
+                product(statement, of, {{-in(mass.inertia.to_double(), units_.inertia)}, {alpha}}, units_.inertia.si, couple,
+                        units_.moment);
         }
 }
 

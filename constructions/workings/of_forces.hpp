@@ -41,6 +41,7 @@ private:
     Factors force_times_arm(StatementIndex statement, const FreeBody& body, double couple) const;
     void moved_aside(StatementIndex statement, const FreeBody& body, const AppliedForce& applied);
     bool is_by_virtual_work(StatementIndex statement);
+    void product(StatementIndex statement, const Symbol& of, Factors factors, const Exact& made, double value, const Unit& unit);
     void resultant_found(const AppliedForce& sum);
     bool moves(StatementIndex statement, const Symbol& force) const;
     void by_moments(const VirtualMotion& motion);
