@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/compound_units.hpp"
 #include "engine/exercise.hpp"
 #include "engine/problem.hpp"
 #include "engine/result_names.hpp"
@@ -283,21 +284,20 @@ private:
             say("data pin load along",
                 {symbol, name(force.at), amount(force.magnitude->first, units_.force), bearing(force.magnitude->second)});
     }
-    /// Of a body that is given no name of its own unit: SI.
-    RichText si(const Exact& value, const char* unit) const { return amount(value, Unit{unit, 1}); }
     void add_load(const DistributedLoad& load) {
         if (load.intensity[0] == load.intensity[1])
             return say("data evenly distributed",
                        {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from), name(load.to),
-                        si(load.intensity[0], "N/m"), bearing(load.along)});
-        say("data distributed", {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from),
-                                 name(load.to), si(load.intensity[0], "N/m"), si(load.intensity[1], "N/m"), bearing(load.along)});
+                        amount(load.intensity[0], unit), bearing(load.along)});
+        say("data distributed",
+            {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from), name(load.to),
+             amount(load.intensity[0], unit), amount(load.intensity[1], unit), bearing(load.along)});
     }
     void add_load(const TorsionLoad& torsion) {
         say("data torsion",
             {symbol_of_force(torsion.name, Symbol::Letter::M), plain_words(mechanism_.body(torsion.bodies[0]).name),
-             plain_words(mechanism_.body(torsion.bodies[1]).name), name(torsion.at), si(torsion.stiffness, "N m/rad"),
-             angle(Angle{torsion.turned / pi() * 180, true})});
+             plain_words(mechanism_.body(torsion.bodies[1]).name), name(torsion.at),
+             amount(torsion.stiffness, unit_of_torsional_stiffness(units_)), angle(Angle{torsion.turned / pi() * 180, true})});
     }
     void add_load(const CoupleLoad& couple) {
         say("data couple", {symbol_of_force(couple.name, Symbol::Letter::M), plain_words(mechanism_.body(couple.body).name),
@@ -307,7 +307,8 @@ private:
         if (spring.elastic)
             return say("data elastic spring",
                        {symbol_of_force(spring.name, Symbol::Letter::F), name(spring.between[0]), name(spring.between[1]),
-                        si(spring.elastic->stiffness, "N/m"), amount(spring.elastic->free_length, units_.length)});
+                        amount(spring.elastic->stiffness, unit_of_force_per_length(units_)),
+                        amount(spring.elastic->free_length, units_.length)});
         if (spring.magnitude.sign() < 0)
             return say("data gas spring", {symbol_of_force(spring.name, Symbol::Letter::F), name(spring.between[0]),
                                            name(spring.between[1]), amount(-spring.magnitude, units_.force)});
@@ -371,6 +372,7 @@ private:
             case Quantity::Kind::acceleration:
                 return say(whole ? "asked acceleration" : "asked part of acceleration", {symbol, carried(column)});
             case Quantity::Kind::force:
+        const Unit unit = unit_of_force_per_length(units_);
                 return say(q.other == none ? (whole ? "asked force of pin" : "asked part of force of pin")
                                            : (whole ? "asked force" : "asked part of force"),
                            action(q, symbol));
