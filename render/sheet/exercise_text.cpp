@@ -32,6 +32,8 @@ public:
             if (body.circle)
                 say("data wheel",
                     {plain_words(body.name), amount(body.circle->radius, units_.length), name(body.circle->centre)});
+        add_common_points("data hinges", &PlanePair::is_hinge);
+        add_common_points("data clamps", &PlanePair::is_clamp);
         for (const Joint& joint : mechanism_.joints) add_joint(joint);
         for (const Driver& driver : mechanism_.drivers) std::visit([&](const auto& each) { add_driver(each); }, driver);
         if (mechanism_.motion) add_motion(*mechanism_.motion);
@@ -194,10 +196,21 @@ private:
             const RichText share = on->is_ratio ? number_of(on->amount.to_double()) : amount(on->amount, units_.length);
             say(on->is_ratio ? "data ratio" : "data along", {name(on->from), name(index), name(on->to), share});
         } else if (const auto* meet = std::get_if<Meet>(&point.placement)) {
-            say("data meet", {name(index), curve(meet->first, index), curve(meet->second, index)});
+            say("data meet", {name(index), curve(meet->first, index), curve(meet->second, index), which_of(*meet)});
         }
     }
     RichText curve(const Curve& curve, PointIndex point) const {
+    /// Of two meets the one that is meant.
+    RichText which_of(const Meet& meet) const {
+        using Side = Meet::Side;
+        if (meet.near) return filled("data nearer", {vector(*meet.near, units_.length)});
+        const auto *first = std::get_if<CircleCurve>(&meet.first), *second = std::get_if<CircleCurve>(&meet.second);
+        if (meet.side == Side::either) return {};
+        if (first != nullptr && second != nullptr)
+            return filled(meet.side == Side::left ? "data on the left" : "data on the right",
+                          {place(first->centre), place(second->centre)});
+        return filled(meet.side == Side::ahead || meet.side == Side::right ? "data ahead" : "data behind", {});
+    }
         if (const auto* circle = std::get_if<CircleCurve>(&curve)) {
             const bool named = std::holds_alternative<PointIndex>(circle->centre);
             return filled(named ? "data radius" : "data radius of place",
@@ -221,10 +234,81 @@ private:
         return std::holds_alternative<Bearing::Between>(of.form) ? bearing(of) : filled("data the direction", {bearing(of)});
     }
     void add_joint(const Joint& joint) {
-        if (joint.along) say("data guide", {name(joint.point), bearing(*joint.along)});
-        if (joint.arc != none) say("data slot", {name(joint.point), name(joint.arc)});
+
+    // --- joints ---------------------------------------------------------------------------------------------------------------
+
+    /// In a list of the bodies of a hinge.
+    std::string listed(BodyIndex body) const { return body == frame ? word("frame", language()) : mechanism_.body(body).name; }
+    /// "body 2", "the frame"; "of body 2", "of the frame".
+    RichText subject(BodyIndex body) const { return called(body, "data the frame", "data the body"); }
+    RichText owner(BodyIndex body) const { return called(body, "data of the frame", "data of the body"); }
+    RichText called(BodyIndex body, const char* as_frame, const char* as_body) const {
+        return body == frame ? filled(as_frame, {}) : filled(as_body, {plain_words(mechanism_.body(body).name)});
+    }
+    /// Hinges or clamps: "O_2 (frame, 2), A (2, 3)".
+    void add_common_points(const char* key, bool (PlanePair::*is_such)() const) {
+        RichText list;
+        for (const Joint& joint : mechanism_.joints) {
+            if (!(joint.pair().*is_such)()) continue;
+            if (!list.empty()) append(list, one_piece(", "));
+            append(list, name(joint.point));
+            std::string bodies;
+            for (const BodyIndex body : joint.bodies) bodies += (bodies.empty() ? " (" : ", ") + listed(body);
+            append(list, one_piece(bodies + ")"));
+        }
+        if (!list.empty()) say(key, {list});
+    }
+        const PlanePair& pair = joint.pair();
+        if (pair.touches()) add_contact(joint);
+        if (pair.is_sleeve())
+            say("data guide", {name(joint.point), subject(joint.bodies[0]), owner(joint.bodies[1]), way(*joint.along)});
+        if (pair.is_slot())
+            say(joint.arc != none ? "data curved slot" : "data slot",
+                {name(joint.point), owner(joint.bodies[0]), owner(joint.bodies[1]),
+                 joint.arc != none ? name(joint.arc) : way(*joint.along)});
         if (joint.pressure_angle) say("data pressure angle", {name(joint.point), angle(*joint.pressure_angle)});
     }
+        if (joint.pushes) say("data pushes", {name(joint.point), subject(joint.bodies[0]), way(Bearing{*joint.pushes})});
+    }
+    /// A bearing, components told from a place by their words.
+    RichText way(const Bearing& of) const { return std::holds_alternative<Vector>(of.form) ? direction(of) : bearing(of); }
+    /// Of a support of the frame, along which it slides; else what the bodies show each other.
+    void add_contact(const Joint& joint) {
+        if (const Bearing* along = support_of(joint))
+            return say("data support", {name(joint.point), subject(joint.other_than(frame)), way(*along)});
+        RichText shapes;
+        const auto add_shape = [&](const RichText& shape) {
+            if (!shapes.empty()) append(shapes, one_piece("; "));
+            append(shapes, shape);
+        };
+        if (joint.tangent) add_shape(filled("data tangent", {way(*joint.tangent)}));
+        for (const auto& [body, profile] : joint.profiles) add_shape(shape_of(body, profile));
+        if (joint.pair().meshes() && joint.arm != frame) add_shape(filled("data arm", {subject(joint.arm)}));
+        const PlanePair& pair = joint.pair();
+        say(pair.meshes()  ? "data meshes"
+            : pair.rolls() ? "data rolls"
+                           : "data slides",
+            {name(joint.point), subject(joint.bodies[0]), subject(joint.bodies[1]), shapes});
+    }
+    /// The direction in which a body that rests on the frame may slide there; null: it is no such support.
+    static const Bearing* support_of(const Joint& joint) {
+        if (!joint.pair().slides() || !joint.connects(frame)) return nullptr;
+        if (joint.tangent && joint.profiles.empty()) return &*joint.tangent;
+        const auto shown = [&](BodyIndex body) -> const Profile* {
+            const auto found = joint.profiles.find(body);
+            return found == joint.profiles.end() ? nullptr : &found->second;
+        };
+        const Profile *own = shown(joint.other_than(frame)), *ground = shown(frame);
+        const bool is_point = own == nullptr || std::holds_alternative<TipProfile>(*own);
+        const auto* line = ground == nullptr ? nullptr : std::get_if<LineProfile>(ground);
+        return is_point && line != nullptr ? &line->along : nullptr;
+    }
+    RichText shape_of(BodyIndex body, const Profile& profile) const {
+        if (const auto* line = std::get_if<LineProfile>(&profile))
+            return filled("data straight", {subject(body), way(line->along)});
+        if (const auto* circle = std::get_if<CircleProfile>(&profile))
+            return filled("data round", {subject(body), name(circle->centre)});
+        return filled("data tip", {subject(body)});
 
     RichText letter(Symbol::Letter letter, const std::string& about, const std::string& term = "") const {
         RichText text = typeset(Symbol{letter, about, term}, language());
