@@ -9,6 +9,7 @@
 #include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/bands.hpp"
+#include "render/figures/exercise_figure.hpp"
 #include "render/sheet/drawn_sheet.hpp"
 #include "render/sheet/exercise_text.hpp"
 #include "render/sheet/page_plan.hpp"
@@ -66,29 +67,48 @@ private:
 
     void place_figure() {
         Figure figure = drawn_.figures.front();
-        const Spot origin = figure.origin;
-        const Box content = content_of(format_, true);
-        if (is_question_) {
-            const double scale = figure.scale;
-            const double below = format_.content.max.y - format_.block.min.y + round_figure;
-            figure = exercise_figure(context_, scale, content.width(), content.height() - caption_height(figure) - below);
-            figure.move(origin.x - figure.origin.x, origin.y - figure.origin.y);
-        }
+        Spot at = drawn_.caption;
+        if (is_question_) figure = question_in_place(figure, at);
         marks().emplace_back(GroupBegin{"band", "", "", {{"data-question", "given"}}});
-        const double caption = set_caption(marks(), context_, figure, 1, drawn_.caption, drawn_.caption_width);
-        // More letters than the solution's may ask for more room: no further than that the mechanism leaves its place.
-        const double top = drawn_.caption.y + caption;
-        const auto into = [](double least, double most, double from, double to) {
-            return least < from ? from - least : most > to ? std::max(to - most, from - least) : 0;
-        };
-        figure.move(into(figure.box.min.x, figure.box.max.x, content.min.x, content.max.x),
-                    into(figure.box.min.y, figure.box.max.y, top, content.max.y));
+        const double caption = set_caption(marks(), context_, figure, 1, at, drawn_.caption_width);
         marks().insert(marks().end(), figure.marks.begin(), figure.marks.end());
         marks().emplace_back(GroupEnd{});
         taken_ = figure.box;
-        taken_.include(drawn_.caption);
-        taken_.include(drawn_.caption + Spot{drawn_.caption_width, caption});
+        taken_.include(at);
+        taken_.include(at + Spot{drawn_.caption_width, caption});
         if (figure.kind == "mechanism") scale_ = figure.scale;
+    }
+    /// The mechanism with its data where the solution has it. What needs the room of the caption, which stands at `caption`,
+    /// sends that below; only what leaves the paper all the same moves the mechanism.
+    Figure question_in_place(const Figure& solved, Spot& caption) const {
+        constexpr double air = 1.5;  // of the caption's height, under its letters
+        constexpr double rim = 2.5;  // within the frame: a letter may stand in the margin
+        const Box content = content_of(format_, true);
+        const Spot origin = solved.origin;
+        Figure captioned = Figure::empty_at(solved.scale);
+        captioned.unit = "m";
+        captioned.caption = one_piece(word("mechanism and its data", context_.language));
+        const double words = caption_height(captioned);
+        const auto drawn_in = [&](const Box& free) {
+            Figure figure = exercise_figure_within(context_, solved.scale, {free.min - origin, free.max - origin});
+            figure.move(origin.x - figure.origin.x, origin.y - figure.origin.y);
+        }
+        const auto into = [](double least, double most, double from, double to) {
+            return figure;
+        };
+        Box free{{content.min.x, caption.y + words - air}, {content.max.x, format_.block.min.y - round_figure}};
+        Figure figure = drawn_in(free);
+        const bool above = figure.box.min.y >= free.min.y;
+        if (!above) {
+            free.min.y = content.min.y;
+            free.max.y -= words;
+            figure = drawn_in(free);
+            return least < from ? from - least : most > to ? std::max(to - most, from - least) : 0;
+        };
+        figure.move(into(figure.box.min.x, figure.box.max.x, format_.inner.min.x + rim, format_.inner.max.x - rim),
+                    into(figure.box.min.y, figure.box.max.y, free.min.y, content.max.y));
+        if (!above) caption.y = figure.box.max.y + air;
+        return figure;
     }
     double caption_height(const Figure& figure) const {
         std::vector<Mark> unused;
