@@ -1134,6 +1134,11 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"sought actuator", "the force {0} of the actuator at {1} that balances",
                "la forza equilibrante {0} dell’attuatore in {1}"},
     FixedWords{"sought forces scale", "Forces", "Forze"},
+    FixedWords{"scale of detail", "detail for", "particolare per"},
+    FixedWords{
+        "reading says nothing",
+        "At this scale a reading says nothing of {0}: it may be off by as much as the value, so that zero and the wrong sign pass.",
+        "A questa scala una lettura non dice nulla di {0}: l’errore può essere pari al valore, e passano anche zero e il segno opposto."},
     FixedWords{"asked angle", "the direction {0} of body {1}, from the axis x", "l’inclinazione {0} del corpo {1} sull’asse x"},
     FixedWords{"asked omega", "the angular velocity {0} of body {1}", "la velocità angolare {0} del corpo {1}"},
     FixedWords{"asked alpha", "the angular acceleration {0} of body {1}", "l’accelerazione angolare {0} del corpo {1}"},
