@@ -168,6 +168,17 @@ TEST(Key, HasWhatIsAskedInTheOrderOfTheSolution) {
     EXPECT_FALSE(says(pages, "Instant centres") && says(pages, "Accelerations"));
 }
 
+/// The velocities that accelerations begin with are on the way.
+TEST(Key, HasWhatFindStates) {
+    Solution solution = example("four_bar");
+    solution.mechanism.find = Find{};
+    solution.mechanism.find.stated = solution.mechanism.find.acceleration = true;
+    const auto pages = lay_out(solution, of_kind(SheetKind::answers), fonts());
+    EXPECT_TRUE(says(pages, "Accelerations"));
+    EXPECT_FALSE(says(pages, "Velocities"));
+    EXPECT_TRUE(has(scales_in(solution, Language::en), "Velocity polygon: ")) << "it is drawn all the same";
+}
+
 /// A component that is asked for is told with the tolerance of its vector, an angle before all.
 TEST(Key, TellsComponentsAndAnglesByTheirValues) {
     std::string text = drag_link;

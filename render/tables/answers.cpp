@@ -380,6 +380,14 @@ double half_a_millimetre(const std::vector<Figure>& drawn, QuantityKind kind, co
     return 0;
 }
 
+/// Velocities that are found for the sake of what `find` asks for alone.
+bool is_on_the_way(const Find& find, Topic section) {
+    if (!find.stated) return false;
+    const bool later = find.acceleration || find.forces;
+    return (section == Topic::velocity && !find.velocity && later) ||
+           (section == Topic::acceleration && !find.acceleration && find.forces);
+}
+
 /// Where results of a kind stand in the key.
 Topic section_of(const Column& column) {
     switch (column.unit) {
@@ -441,9 +449,12 @@ std::vector<Answer> answers_sought(const Mechanism& mechanism, std::vector<Answe
 std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figure>& drawn,
                            const std::vector<AskedValue>& asked) {
     const Mechanism& mechanism = context.solution.mechanism;
-    const std::vector<Answer> answers = answers_of(context, drawn);
+    std::vector<Answer> answers = answers_of(context, drawn);
     const std::vector<Column> columns = asked_columns(mechanism);
-    if (columns.empty()) return answers;
+    if (columns.empty()) {
+        std::erase_if(answers, [&](const Answer& each) { return is_on_the_way(mechanism.find, each.section); });
+        return answers;
+    }
     // A component follows its vector; what belongs to none stands before all.
     std::vector<std::pair<std::ptrdiff_t, Answer>> placed;
     for (const Column& column : columns) {

@@ -46,7 +46,8 @@ struct AskedValue {
 std::vector<Answer> answers_of(const DrawingContext& context, const std::vector<Figure>& drawn, bool with_centres = true);
 /// Of these what the file asks for by name, or what that is a component of; all where it asks for nothing by name.
 std::vector<Answer> answers_sought(const Mechanism& mechanism, std::vector<Answer> answers);
-/// The key: answers_of, where the file asks for results by name those alone, in the order of the solution. `asked`: their values;
+/// The key: answers_of without what is found on the way to what `find` states; where the file asks for results by name those
+/// alone, in the order of the solution. `asked`: their values;
 /// what no vector of the solution holds whole (components, places, angles) is told from these.
 std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figure>& drawn, const std::vector<AskedValue>& asked);
 /// Those of which a reading says nothing: it may be off by as much as they are large.
