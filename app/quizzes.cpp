@@ -2,8 +2,11 @@
 #include "app/quizzes.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <utility>
 
+#include "app/asked_values.hpp"
 #include "app/csv_text.hpp"
 #include "app/module.hpp"
 #include "app/modules/zip.hpp"
@@ -13,14 +16,18 @@
 namespace kinegraph::app {
 namespace {
 
-std::vector<render::AskedValue> asked_values(const Variant& variant, const Units& units) {
-    std::vector<render::AskedValue> asked;
-    for (const NamedResult& each : variant.results) {
-        const ToldResult unit = told(each, units);
-        const double size = each.unit.empty() ? unit_of(each.column.unit, units).si.to_double() : 1;
-        asked.push_back({each.column, each.value, unit.unit, size});
-    }
-    return asked;
+double read(const std::string& decimal) {
+    double value = 0;
+    std::from_chars(decimal.data(), decimal.data() + decimal.size(), value);
+    return value;
+}
+
+/// Those that may be off by as much as they are large.
+std::vector<std::string> unreadable(const std::vector<render::QuizBlank>& blanks) {
+    std::vector<std::string> names;
+    for (const render::QuizBlank& each : blanks)
+        if (each.value != "0" && read(each.tolerance) >= std::abs(read(each.value))) names.push_back(each.name);
+    return names;
 }
 
 }  // namespace
@@ -34,20 +41,22 @@ Quizzes::Quizzes(const std::vector<std::string>& platforms, const Mechanism& ori
     for (const Variation& each : original.exercise->vary) parameters_.push_back(each.parameter);
 }
 
-void Quizzes::add(const std::string& number, const std::string& owner, const Variant& variant, const Files& files,
-                  const render::SheetOptions& options, double dpi, const Press& press) {
-    render::QuizItem item = render::quiz_item_of(variant.solution, asked_values(variant, units_), options, press.fonts());
+std::vector<std::string> Quizzes::add(const std::string& number, const std::string& owner, const Variant& variant,
+                                      const Files& files, const render::SheetOptions& options, double dpi, const Press& press) {
+    render::QuizItem item = render::quiz_item_of(variant.solution, asked_values(variant.results, units_), options, press.fonts());
     item.number = number;
     item.owner = owner;
     has_owners_ = has_owners_ || !owner.empty();
     if (csv_) add_row(item, variant, files);
-    if (!moodle_ && !qti_) return;
+    std::vector<std::string> none_reads = unreadable(item.blanks);
+    if (!moodle_ && !qti_) return none_reads;
     std::vector<Output> drawn;
     std::vector<std::string> remarks;
     press.print({item.figure}, {figure_file(item), Format::png}, dpi, drawn, remarks);
     figures_.push_back(std::move(drawn.front().bytes));
     item.figure.marks.clear();
     items_.push_back(std::move(item));
+    return none_reads;
 }
 
 void Quizzes::add_row(const render::QuizItem& item, const Variant& variant, const Files& files) {

@@ -23,8 +23,9 @@ public:
     struct Files {
         std::string question, solution, results, file;
     };
-    void add(const std::string& number, const std::string& owner, const Variant& variant, const Files& files,
-             const render::SheetOptions& options, double dpi, const Press& press);
+    /// Which of the answers no reading tells from zero: their names.
+    std::vector<std::string> add(const std::string& number, const std::string& owner, const Variant& variant, const Files& files,
+                                 const render::SheetOptions& options, double dpi, const Press& press);
     /// What is to be written; `folder` ends in a slash. Else it has been said what is missing.
     tl::expected<std::vector<Output>, Status> outputs(const std::string& folder, Language language) const;
 

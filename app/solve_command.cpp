@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "app/asked_values.hpp"
 #include "app/commands.hpp"
 #include "app/driver_choice.hpp"
 #include "app/outputs.hpp"
@@ -19,6 +20,7 @@
 #include "engine/units.hpp"
 #include "render/live/live_page.hpp"
 #include "render/sheet/figure_alone.hpp"
+#include "render/sheet/handout.hpp"
 #include "render/sheet/steps.hpp"
 #include "render/text/words.hpp"
 
@@ -220,10 +222,16 @@ render::SheetOptions options_of(const SolveRequest& request, const render::Theme
     return options;
 }
 
-/// The sheet, its steps or one figure; else it has been said that there is no such figure.
+/// The sheet, its steps or one figure; remarks on it are added to `remarks`. Else it has been said that there is no such figure.
 tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solution, const render::Theme& theme,
-                                                         const SolveRequest& request, const render::Fonts& fonts) {
+                                                         const SolveRequest& request, const render::Fonts& fonts,
+                                                         std::vector<std::string>& remarks) {
     const render::SheetOptions options = options_of(request, theme);
+    if (request.sheet == render::SheetKind::answers && !stands_for_joints(solution.mechanism)) {
+        render::Key key = render::lay_out_key_of(solution, asked_values(solution), options, fonts);
+        for (const render::RichText& remark : key.remarks) remarks.push_back(render::plain(remark));
+        return std::move(key.pages);
+    }
     if (request.steps) return render::lay_out_steps(solution, options, fonts);
     if (request.figure.empty()) return render::lay_out(solution, options, fonts);
     if (auto page = render::lay_out_alone(solution, options, request.figure, fonts)) return std::vector{*std::move(page)};
@@ -343,7 +351,7 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
                                           [](const Target& target) { return target.is_drawn() && !target.is_page(); });
         for (const Solution& solution : solutions) {
             if (!lays_out) break;
-            auto more = pages_of(solution, theme, request, press->fonts());
+            auto more = pages_of(solution, theme, request, press->fonts(), remarks);
             if (!more) return tl::unexpected(more.error());
             std::move(more->begin(), more->end(), std::back_inserter(pages));
         }

@@ -281,7 +281,13 @@ private:
         if (request_.merge) files.question = "questions.pdf", files.solution = "solutions.pdf";
         render::SheetOptions options = options_;
         options.kind = render::SheetKind::question;
-        quizzes_.add(number, name, variant, files, options, request_.dpi, press_);
+        std::string names;
+        for (const std::string& each : quizzes_.add(number, name, variant, files, options, request_.dpi, press_))
+            names += (names.empty() ? "" : ", ") + each;
+        if (!names.empty())
+            line({"{0}: at the scales of its figures a reading says nothing of {1}: zero and the wrong sign pass",
+                  "{0}: alle scale delle sue figure una lettura non dice nulla di {1}: passano anche zero e il segno opposto",
+                  number, names});
     }
 
     void print(std::vector<render::Page> pages, const std::string& name, std::vector<render::Page>& merged,

@@ -92,6 +92,9 @@ private:
             if (quantity.kind == Quantity::Kind::alpha) motion_.turning_found(statement, quantity, Symbol::Letter::alpha);
         }
         const std::vector<FreeBody>& bodies = bodies_at(statement);
+        if (&bodies == &solution_.free_bodies)
+            for (const Quantity& quantity : protocol_.statements[at_index(statement)].finds)
+                if (quantity.kind == Quantity::Kind::effort) forces_.nothing_to_balance(statement, quantity.given);
         for (const FreeBody& body : bodies)
             for (const AppliedForce& applied : body.forces)
                 if (applied.force_statement == statement)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/exercise.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -144,5 +146,17 @@ bool is_modulus(const Column& column) {
 }
 
 std::vector<Column> possible_results(const Mechanism& mechanism) { return Possible(mechanism).all(); }
+
+std::vector<Column> asked_columns(const Mechanism& mechanism) {
+    std::vector<Column> columns;
+    if (asked_of(mechanism).empty()) return columns;
+    const std::vector<Column> possible = possible_results(mechanism);
+    for (const AskedResult& each : asked_of(mechanism)) {
+        const auto found =
+            std::find_if(possible.begin(), possible.end(), [&](const Column& other) { return other.name == each.name; });
+        columns.push_back(found != possible.end() ? *found : Column{Column::Kind::named, {}, each.name, QuantityKind::angle});
+    }
+    return columns;
+}
 
 }  // namespace kinegraph

@@ -23,6 +23,10 @@ bool is_modulus(const Column& column);
 /// "vx A" and "vx A on 4". Of a problem in place of joints only the solution tells.
 std::vector<Column> possible_results(const Mechanism& mechanism);
 
+/// What the file asks for, in its order. What has no column in a sweep (a value of a problem, the transmission angle) has its
+/// name alone.
+std::vector<Column> asked_columns(const Mechanism& mechanism);
+
 /// The least angle between a coupler and what it drives, over the whole travel of the first driver (Transmission).
 inline constexpr const char* transmission_angle_name = "transmission angle";
 

@@ -24,6 +24,16 @@ void OfForces::force_found(StatementIndex statement, const FreeBody& body, const
     }
 }
 
+void OfForces::nothing_to_balance(StatementIndex statement, int effort) {
+    const auto index = static_cast<std::size_t>(effort);
+    if (index >= solution_.efforts.size()) return;
+    const EffortValue& found = solution_.efforts[index];
+    if (!found.value || !found.value->is_zero() || is_by_virtual_work(statement)) return;
+    const bool couple = std::holds_alternative<CoupleEffort>(solution_.mechanism.efforts[index]);
+    telling_.tell(statement, {couple ? Symbol::Letter::M : Symbol::Letter::F, found.name, {}}, {}, std::nullopt, 0,
+                  couple ? units_.moment : units_.force);
+}
+
 /// M = F·b, where the sentence balances a couple of two forces; b in the length that makes up the unit of moments.
 Factors OfForces::force_times_arm(StatementIndex statement, const FreeBody& body, double couple) const {
     for (const FreeBody::Arm& arm : body.arms) {

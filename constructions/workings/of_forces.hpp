@@ -19,6 +19,8 @@ public:
 
     /// `in_all`: under all loads.
     void force_found(StatementIndex statement, const FreeBody& body, const AppliedForce& applied, bool in_all);
+    /// Of an effort that balances nothing: M = 0. It is drawn nowhere, so no body that is cut free has it.
+    void nothing_to_balance(StatementIndex statement, int effort);
     /// F_i = −m a_G, M_i = −J α.
     void inertia(StatementIndex statement);
     /// F = k · (l − l_0), M = −k · φ.

@@ -2,9 +2,11 @@
 // Nothing that a solution finds.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
-#include "render/figures/figure.hpp"
+#include "engine/compound_units.hpp"
+#include "render/figures/exercise_figure.hpp"
 #include "render/mechanism/clutter.hpp"
 #include "render/mechanism/sketch.hpp"
 
@@ -15,10 +17,13 @@ using namespace drawing;
 namespace {
 
 constexpr std::size_t most_dimensions = 24;
+constexpr double leaves_its_place = 10;  // the price of an arrow that moves the mechanism: dearer than all that it may cross
 
 class ExerciseDrawing {
 public:
-    explicit ExerciseDrawing(Sketch& sketch) : sketch_(sketch), mechanism_(sketch.mechanism) {}
+    /// `within`: where arrows had better stand, mm about the origin of coordinates.
+    ExerciseDrawing(Sketch& sketch, const std::optional<Box>& within)
+        : sketch_(sketch), mechanism_(sketch.mechanism), within_(within) {}
 
     void draw() {
         draw_drivers(sketch_);
@@ -47,16 +52,21 @@ private:
     RichText value(const Exact& si, const Unit& unit) const {
         return with_powers(" = " + given_number((si / unit.si).to_double(), sketch_.context.language) + " " + unit.symbol);
     }
-    /// An arrow of one length at a place, pulling or pushing, where the least is in the way; its name with the value.
+    /// An arrow at a place, pulling or pushing, where the least is in the way, of one length unless a shorter one alone finds
+    /// room; its name with the value.
     void draw_arrow_at(Spot at, Spot along, RichText text, const BodyColour& colour) {
-        constexpr double whole = 18;
+        constexpr double whole = 18, cut_short = 9;
         Cheapest<Bar> best;
-        for (const double stand_off : {2.4, 6.0})
-            for (const bool pulls : {true, false}) {
-                const Spot tail = pulls ? at + stand_off * along : at - (stand_off + whole) * along;
-                const Bar arrow{tail, tail + whole * along};
-                best.offer(clutter_.along(arrow.from, arrow.to) + 0.03 * stand_off, arrow);
-            }
+        for (const double size : {whole, cut_short})
+            for (const double stand_off : {2.4, 6.0})
+                for (const bool pulls : {true, false}) {
+                    const Spot tail = pulls ? at + stand_off * along : at - (stand_off + size) * along;
+                    const Bar arrow{tail, tail + size * along};
+                    const bool leaves = within_ && !(contains(*within_, arrow.from) && contains(*within_, arrow.to));
+                    best.offer(clutter_.along(arrow.from, arrow.to) + 0.03 * stand_off + (leaves ? leaves_its_place : 0) +
+                                   (size < whole ? 0.15 : 0),
+                               arrow);
+                }
         const Bar& arrow = best.choice;
         draw_arrow(sketch_.arrows, arrow.from, arrow.to, sketch_.theme.vector, colour.line, colour.dashes);
         clutter_.add(arrow.from, arrow.to);
@@ -85,15 +95,12 @@ private:
         for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
             if (load.intensity[end].is_zero() || (even && end == 1)) continue;
             RichText text = one_piece(load.name, Face::italic);
-            append(text, intensity_words(load.intensity[end], sketch_.context.language));
+            append(text, value(load.intensity[end], unit_of_force_per_length(mechanism_.units)));
             const Spot from = sketch_.spot(load.from), to = sketch_.spot(load.to);
             const Spot along = paper_direction(direction_of(load.along, sketch_.subject.solution.pose));
             const Spot foot = even ? 0.5 * (from + to) : end == 0 ? from : to;
             sketch_.add_label(std::move(text), sketch_.theme.colour_of(load.body).letter, foot - 10.5 * along, 1.0);
         }
-    }
-    RichText intensity_words(const Exact& si, Language language) const {
-        return with_powers(" = " + given_number(si.to_double(), language) + " N/m");
     }
     /// The spiral is the mechanism's own; what it is given by stands in words.
     static void draw_load(const TorsionLoad& /*torsion*/) {}
@@ -149,38 +156,99 @@ private:
 
     Sketch& sketch_;
     const Mechanism& mechanism_;
+    const std::optional<Box>& within_;
     Clutter clutter_;
 };
 
-Figure drawn(const DrawingContext& context, const Subject& subject, double scale, Spot room, const DimensionWish& wish) {
-    Sketch sketch(subject, context, scale, "");
-    ExerciseDrawing drawing(sketch);
+/// Where a figure is drawn: how large it may be, and, where it is to stand in its place, which part of the paper it has, mm about
+/// the origin of coordinates.
+struct Ground {
+    double scale;
+    Spot room;
+    std::optional<Box> within;
+    bool strict = false;  ///< names rather stand in a key than leave it
+};
+
+Box intersection(const Box& a, const Box& b) {
+    return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)}, {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
+}
+bool holds(const Box& outer, const Box& inner) {
+    constexpr double rounding = 1e-6;  // mm
+    const Box air = grown(outer, rounding);
+    return contains(air, inner.min) && contains(air, inner.max);
+}
+
+Figure drawn(const DrawingContext& context, const Subject& subject, const Ground& ground, const DimensionWish& wish) {
+    Sketch sketch(subject, context, ground.scale, "");
+    ExerciseDrawing drawing(sketch, ground.within);
     drawing.draw();
-    if (wish.most > 0) draw_dimensions(sketch, room, wish);
+    if (wish.most > 0) draw_dimensions(sketch, ground.room, wish);
     name_points(sketch);
     drawing.say_masses();
     Figure figure = sketch.finish("mechanism", "mechanism", "m");
     figure.caption = one_piece(word("mechanism and its data", context.language));
-    sketch.close(figure, room, true, scale, subject.mechanism.units.length);
+    Spot room = ground.room;
+    if (ground.within) {
+        // Names and scale bar find their places in what is theirs, not far from the mechanism.
+        constexpr double about = 9, under_all = 8;
+        figure.box.include(intersection(*ground.within, grown(figure.box, about)));
+        room = {figure.box.width(), figure.box.height() + under_all};
+    }
+    sketch.close(figure, room, true, ground.scale, subject.mechanism.units.length, ground.strict);
+    if (ground.within) figure.box = box_of(figure.marks);
     return figure;
+}
+
+/// Ids of the dimensions that reach out of where the figure is to stand.
+std::set<std::string> dimensions_outside(const Figure& figure, const std::optional<Box>& within) {
+    std::set<std::string> outside;
+    if (!within) return outside;
+    const Box place{figure.origin + within->min, figure.origin + within->max};
+    for (std::size_t i = 0; i < figure.marks.size(); ++i) {
+        const auto* group = std::get_if<GroupBegin>(&figure.marks[i]);
+        if (group == nullptr || group->cls != "dimension") continue;
+        std::vector<Mark> own;
+        for (std::size_t k = i + 1; !std::holds_alternative<GroupEnd>(figure.marks[k]); ++k) own.push_back(figure.marks[k]);
+        if (!own.empty() && !holds(place, box_of(own))) outside.insert(group->id);
+    }
+    return outside;
+}
+
+/// In a solution a broken bar is compressed, so on the question none is broken: all look alike.
+Theme theme_of(const DrawingContext& context) {
+    Theme theme = context.theme;
+    if (context.solution.truss) theme.bodies = {theme.colour_of(frame)};
+    return theme;
+}
+
+Figure fitted(const DrawingContext& of, const Ground& ground) {
+    constexpr int most_rounds = 5;
+    const Theme theme = theme_of(of);
+    const DrawingContext context{of.solution, theme, of.fonts, of.language, of.dimensions};
+    const Subject subject(context.solution);
+    if (context.dimensions == Dimensions::off) return drawn(context, subject, ground, {.most = 0});
+    DimensionWish wish{.most = most_dimensions};
+    for (int round = 0; round < most_rounds; ++round) {
+        Figure figure = drawn(context, subject, ground, wish);
+        std::set<std::string> covered = covered_dimensions(figure, context.fonts);
+        covered.merge(dimensions_outside(figure, ground.within));
+        if (covered.empty() && figure.box.width() <= ground.room.x && figure.box.height() <= ground.room.y) return figure;
+        if (covered.empty()) break;
+        wish.left_out.merge(covered);
+    }
+    return drawn(context, subject, ground, {.most = 0});
 }
 
 }  // namespace
 
 Figure exercise_figure(const DrawingContext& context, double scale, double room_x, double room_y) {
-    constexpr int most_rounds = 5;
-    const Subject subject(context.solution);
-    const Spot room{room_x, room_y};
-    if (context.dimensions == Dimensions::off) return drawn(context, subject, scale, room, {.most = 0});
-    DimensionWish wish{.most = most_dimensions};
-    for (int round = 0; round < most_rounds; ++round) {
-        Figure figure = drawn(context, subject, scale, room, wish);
-        std::set<std::string> covered = covered_dimensions(figure, context.fonts);
-        if (covered.empty() && figure.box.width() <= room_x && figure.box.height() <= room_y) return figure;
-        if (covered.empty()) break;
-        wish.left_out.merge(covered);
-    }
-    return drawn(context, subject, scale, room, {.most = 0});
+    return fitted(context, {scale, {room_x, room_y}, std::nullopt});
+}
+
+Figure exercise_figure_within(const DrawingContext& context, double scale, const Box& within) {
+    const Spot room{within.width(), within.height()};
+    Figure figure = fitted(context, {scale, room, within, true});
+    return figure.has_key ? fitted(context, {scale, room, within}) : figure;
 }
 
 }  // namespace kinegraph::render

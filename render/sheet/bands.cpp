@@ -239,10 +239,12 @@ private:
         append(text, one_piece(" = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2) +
                                (m.welds > 0 ? " − 3·" + n(m.welds) : "") + " = " + signed_number(m.gruebler) + " " +
                                word("by Grübler", context_.language)));
-        append(text, one_piece("; " +
-                               (m.effective != m.gruebler ? n(m.effective) + " " + word("effective", context_.language)
-                                                          : word("at this pose", context_.language)) +
-                               ": " + verdict_words(m, context_.language) + "."));
+        append(text,
+               one_piece("; " +
+                         (m.effective != m.gruebler
+                              ? n(m.effective) + " " + word(m.effective == 1 ? "effective one" : "effective", context_.language)
+                              : word("at this pose", context_.language)) +
+                         ": " + verdict_words(m, context_.language) + "."));
         return text;
     }
     RichText axes_words() const {

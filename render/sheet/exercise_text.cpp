@@ -2,9 +2,10 @@
 #include "render/sheet/exercise_text.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <charconv>
 #include <utility>
 
+#include "engine/compound_units.hpp"
 #include "engine/exercise.hpp"
 #include "engine/problem.hpp"
 #include "engine/result_names.hpp"
@@ -31,6 +32,8 @@ public:
             if (body.circle)
                 say("data wheel",
                     {plain_words(body.name), amount(body.circle->radius, units_.length), name(body.circle->centre)});
+        add_common_points("data hinges", &PlanePair::is_hinge);
+        add_common_points("data clamps", &PlanePair::is_clamp);
         for (const Joint& joint : mechanism_.joints) add_joint(joint);
         for (const Driver& driver : mechanism_.drivers) std::visit([&](const auto& each) { add_driver(each); }, driver);
         if (mechanism_.motion) add_motion(*mechanism_.motion);
@@ -90,6 +93,20 @@ public:
         return text;
     }
 
+    /// The words of a key, its places {0}, {1} … filled.
+    RichText filled(const char* key, const std::vector<RichText>& parts) const {
+        const std::string pattern = word(key, language());
+        RichText text;
+        for (std::size_t i = 0; i < pattern.size();) {
+            const std::size_t open = std::min(pattern.find('{', i), pattern.size());
+            if (open > i) append(text, one_piece(pattern.substr(i, open - i)));
+            if (open == pattern.size()) break;
+            append(text, parts[at_index(pattern[open + 1] - '0')]);
+            i = open + 3;
+        }
+        return text;
+    }
+
 private:
     Language language() const { return context_.language; }
     bool has_plane(Plane plane) const {
@@ -146,19 +163,6 @@ private:
         if (const auto* point = std::get_if<PointIndex>(&place)) return name(*point);
         return vector(std::get<Vector>(place), units_.length);
     }
-    /// The words of a key, its places {0}, {1} … filled.
-    RichText filled(const char* key, const std::vector<RichText>& parts) const {
-        const std::string pattern = word(key, language());
-        RichText text;
-        for (std::size_t i = 0; i < pattern.size();) {
-            const std::size_t open = std::min(pattern.find('{', i), pattern.size());
-            if (open > i) append(text, one_piece(pattern.substr(i, open - i)));
-            if (open == pattern.size()) break;
-            append(text, parts[at_index(pattern[open + 1] - '0')]);
-            i = open + 3;
-        }
-        return text;
-    }
     void say(const char* key, const std::vector<RichText>& parts) { rows_.push_back(filled(key, parts)); }
     static RichText equation(RichText left, const RichText& right) {
         append(left, one_piece(" = "));
@@ -193,8 +197,19 @@ private:
             const RichText share = on->is_ratio ? number_of(on->amount.to_double()) : amount(on->amount, units_.length);
             say(on->is_ratio ? "data ratio" : "data along", {name(on->from), name(index), name(on->to), share});
         } else if (const auto* meet = std::get_if<Meet>(&point.placement)) {
-            say("data meet", {name(index), curve(meet->first, index), curve(meet->second, index)});
+            say("data meet", {name(index), curve(meet->first, index), curve(meet->second, index), which_of(*meet)});
         }
+    }
+    /// Of two meets the one that is meant.
+    RichText which_of(const Meet& meet) const {
+        using Side = Meet::Side;
+        if (meet.near) return filled("data nearer", {vector(*meet.near, units_.length)});
+        const auto *first = std::get_if<CircleCurve>(&meet.first), *second = std::get_if<CircleCurve>(&meet.second);
+        if (meet.side == Side::either) return {};
+        if (first != nullptr && second != nullptr)
+            return filled(meet.side == Side::left ? "data on the left" : "data on the right",
+                          {place(first->centre), place(second->centre)});
+        return filled(meet.side == Side::ahead || meet.side == Side::right ? "data ahead" : "data behind", {});
     }
     RichText curve(const Curve& curve, PointIndex point) const {
         if (const auto* circle = std::get_if<CircleCurve>(&curve)) {
@@ -219,10 +234,81 @@ private:
     RichText direction(const Bearing& of) const {
         return std::holds_alternative<Bearing::Between>(of.form) ? bearing(of) : filled("data the direction", {bearing(of)});
     }
+
+    // --- joints ---------------------------------------------------------------------------------------------------------------
+
+    /// In a list of the bodies of a hinge.
+    std::string listed(BodyIndex body) const { return body == frame ? word("frame", language()) : mechanism_.body(body).name; }
+    /// "body 2", "the frame"; "of body 2", "of the frame".
+    RichText subject(BodyIndex body) const { return called(body, "data the frame", "data the body"); }
+    RichText owner(BodyIndex body) const { return called(body, "data of the frame", "data of the body"); }
+    RichText called(BodyIndex body, const char* as_frame, const char* as_body) const {
+        return body == frame ? filled(as_frame, {}) : filled(as_body, {plain_words(mechanism_.body(body).name)});
+    }
+    /// Hinges or clamps: "O_2 (frame, 2), A (2, 3)".
+    void add_common_points(const char* key, bool (PlanePair::*is_such)() const) {
+        RichText list;
+        for (const Joint& joint : mechanism_.joints) {
+            if (!(joint.pair().*is_such)()) continue;
+            if (!list.empty()) append(list, one_piece(", "));
+            append(list, name(joint.point));
+            std::string bodies;
+            for (const BodyIndex body : joint.bodies) bodies += (bodies.empty() ? " (" : ", ") + listed(body);
+            append(list, one_piece(bodies + ")"));
+        }
+        if (!list.empty()) say(key, {list});
+    }
     void add_joint(const Joint& joint) {
-        if (joint.along) say("data guide", {name(joint.point), bearing(*joint.along)});
-        if (joint.arc != none) say("data slot", {name(joint.point), name(joint.arc)});
+        const PlanePair& pair = joint.pair();
+        if (pair.touches()) add_contact(joint);
+        if (pair.is_sleeve())
+            say("data guide", {name(joint.point), subject(joint.bodies[0]), owner(joint.bodies[1]), way(*joint.along)});
+        if (pair.is_slot())
+            say(joint.arc != none ? "data curved slot" : "data slot",
+                {name(joint.point), owner(joint.bodies[0]), owner(joint.bodies[1]),
+                 joint.arc != none ? name(joint.arc) : way(*joint.along)});
         if (joint.pressure_angle) say("data pressure angle", {name(joint.point), angle(*joint.pressure_angle)});
+        if (joint.pushes) say("data pushes", {name(joint.point), subject(joint.bodies[0]), way(Bearing{*joint.pushes})});
+    }
+    /// A bearing, components told from a place by their words.
+    RichText way(const Bearing& of) const { return std::holds_alternative<Vector>(of.form) ? direction(of) : bearing(of); }
+    /// Of a support of the frame, along which it slides; else what the bodies show each other.
+    void add_contact(const Joint& joint) {
+        if (const Bearing* along = support_of(joint))
+            return say("data support", {name(joint.point), subject(joint.other_than(frame)), way(*along)});
+        RichText shapes;
+        const auto add_shape = [&](const RichText& shape) {
+            if (!shapes.empty()) append(shapes, one_piece("; "));
+            append(shapes, shape);
+        };
+        if (joint.tangent) add_shape(filled("data tangent", {way(*joint.tangent)}));
+        for (const auto& [body, profile] : joint.profiles) add_shape(shape_of(body, profile));
+        if (joint.pair().meshes() && joint.arm != frame) add_shape(filled("data arm", {subject(joint.arm)}));
+        const PlanePair& pair = joint.pair();
+        say(pair.meshes()  ? "data meshes"
+            : pair.rolls() ? "data rolls"
+                           : "data slides",
+            {name(joint.point), subject(joint.bodies[0]), subject(joint.bodies[1]), shapes});
+    }
+    /// The direction in which a body that rests on the frame may slide there; null: it is no such support.
+    static const Bearing* support_of(const Joint& joint) {
+        if (!joint.pair().slides() || !joint.connects(frame)) return nullptr;
+        if (joint.tangent && joint.profiles.empty()) return &*joint.tangent;
+        const auto shown = [&](BodyIndex body) -> const Profile* {
+            const auto found = joint.profiles.find(body);
+            return found == joint.profiles.end() ? nullptr : &found->second;
+        };
+        const Profile *own = shown(joint.other_than(frame)), *ground = shown(frame);
+        const bool is_point = own == nullptr || std::holds_alternative<TipProfile>(*own);
+        const auto* line = ground == nullptr ? nullptr : std::get_if<LineProfile>(ground);
+        return is_point && line != nullptr ? &line->along : nullptr;
+    }
+    RichText shape_of(BodyIndex body, const Profile& profile) const {
+        if (const auto* line = std::get_if<LineProfile>(&profile))
+            return filled("data straight", {subject(body), way(line->along)});
+        if (const auto* circle = std::get_if<CircleProfile>(&profile))
+            return filled("data round", {subject(body), name(circle->centre)});
+        return filled("data tip", {subject(body)});
     }
 
     RichText letter(Symbol::Letter letter, const std::string& about, const std::string& term = "") const {
@@ -283,21 +369,21 @@ private:
             say("data pin load along",
                 {symbol, name(force.at), amount(force.magnitude->first, units_.force), bearing(force.magnitude->second)});
     }
-    /// Of a body that is given no name of its own unit: SI.
-    RichText si(const Exact& value, const char* unit) const { return amount(value, Unit{unit, 1}); }
     void add_load(const DistributedLoad& load) {
+        const Unit unit = unit_of_force_per_length(units_);
         if (load.intensity[0] == load.intensity[1])
             return say("data evenly distributed",
                        {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from), name(load.to),
-                        si(load.intensity[0], "N/m"), bearing(load.along)});
-        say("data distributed", {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from),
-                                 name(load.to), si(load.intensity[0], "N/m"), si(load.intensity[1], "N/m"), bearing(load.along)});
+                        amount(load.intensity[0], unit), bearing(load.along)});
+        say("data distributed",
+            {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from), name(load.to),
+             amount(load.intensity[0], unit), amount(load.intensity[1], unit), bearing(load.along)});
     }
     void add_load(const TorsionLoad& torsion) {
         say("data torsion",
             {symbol_of_force(torsion.name, Symbol::Letter::M), plain_words(mechanism_.body(torsion.bodies[0]).name),
-             plain_words(mechanism_.body(torsion.bodies[1]).name), name(torsion.at), si(torsion.stiffness, "N m/rad"),
-             angle(Angle{torsion.turned / pi() * 180, true})});
+             plain_words(mechanism_.body(torsion.bodies[1]).name), name(torsion.at),
+             amount(torsion.stiffness, unit_of_torsional_stiffness(units_)), angle(Angle{torsion.turned / pi() * 180, true})});
     }
     void add_load(const CoupleLoad& couple) {
         say("data couple", {symbol_of_force(couple.name, Symbol::Letter::M), plain_words(mechanism_.body(couple.body).name),
@@ -307,7 +393,8 @@ private:
         if (spring.elastic)
             return say("data elastic spring",
                        {symbol_of_force(spring.name, Symbol::Letter::F), name(spring.between[0]), name(spring.between[1]),
-                        si(spring.elastic->stiffness, "N/m"), amount(spring.elastic->free_length, units_.length)});
+                        amount(spring.elastic->stiffness, unit_of_force_per_length(units_)),
+                        amount(spring.elastic->free_length, units_.length)});
         if (spring.magnitude.sign() < 0)
             return say("data gas spring", {symbol_of_force(spring.name, Symbol::Letter::F), name(spring.between[0]),
                                            name(spring.between[1]), amount(-spring.magnitude, units_.force)});
@@ -318,14 +405,7 @@ private:
     // --- what is asked for by name --------------------------------------------------------------------------------------------
 
     void add_asked() {
-        const std::vector<Column> possible = possible_results(mechanism_);
-        for (const AskedResult& each : asked_of(mechanism_)) {
-            Column column{Column::Kind::named, {}, each.name, QuantityKind::angle};
-            const auto found =
-                std::find_if(possible.begin(), possible.end(), [&](const Column& other) { return other.name == each.name; });
-            if (found != possible.end()) column = *found;
-            rows_.push_back(ExerciseText(context_).asked(column).words);
-        }
+        for (const Column& column : asked_columns(mechanism_)) rows_.push_back(ExerciseText(context_).asked(column).words);
     }
     AskedText asked_of_problem(const Column& column) const {
         AskedText text;
@@ -441,25 +521,114 @@ std::string heading_of(Topic section, Language language) {
     return word("forces", language);
 }
 
-std::vector<RichText> scales_of(const DrawingContext& context, const std::vector<Figure>& figures) {
+bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure) {
+    const std::vector<Column> columns = asked_columns(mechanism);
+    if (columns.empty() || figure.kind == "mechanism" || figure.kind == "truss") return true;
+    using Kind = Quantity::Kind;
+    const bool inertia = mechanism.inertia_forces && !mechanism.masses.empty();
+    const auto needs = [&](const Column& column) {
+        const Kind kind = column.quantity.kind;
+        const bool is_result = column.kind == Column::Kind::result || column.kind == Column::Kind::along;
+        const bool forces = is_result && (kind == Kind::force || kind == Kind::couple || kind == Kind::effort);
+        const bool accelerations =
+            is_result && (kind == Kind::alpha || kind == Kind::acceleration || kind == Kind::sliding_acceleration);
+        const bool velocities = is_result && (kind == Kind::omega || kind == Kind::velocity || kind == Kind::sliding_velocity);
+        // Accelerations begin with ω²r, forces of inertia with accelerations.
+        if (figure.kind == "velocity") return velocities || accelerations || (forces && inertia);
+        if (figure.kind == "acceleration") return accelerations || (forces && inertia);
+        return (figure.kind == "forces" || figure.kind == "closure" || figure.kind == "displacements") && forces;
+    };
+    return std::any_of(columns.begin(), columns.end(), needs);
+}
+
+namespace {
+
+bool shows_forces(const Figure& figure) { return figure.kind == "forces" || figure.kind == "closure"; }
+
+}  // namespace
+
+RichText name_of_scale(const DrawingContext& context, const Figure& figure, const std::vector<Figure>& figures) {
+    if (figure.kind == "mechanism") return one_piece(word("mechanism", context.language));
+    const bool alike = std::all_of(figures.begin(), figures.end(), [&](const Figure& other) {
+        return !shows_forces(other) || !other.has_scale ||
+               plain(scale_words(context, other)) == plain(scale_words(context, figure));
+    });
+    return shows_forces(figure) && alike ? one_piece(word("sought forces scale", context.language)) : figure.caption;
+}
+
+namespace {
+
+/// Units for each mm; 0: it is not drawn.
+double scale_of_detail(const Figure& figure, const DetailOn& detail) {
+    for (const Mark& mark : figure.marks) {
+        const auto* group = std::get_if<GroupBegin>(&mark);
+        if (group == nullptr || group->cls != "figure" || group->id != detail.id) continue;
+        double scale = 0;
+        if (const std::string* text = group->attribute("data-scale"))
+            std::from_chars(text->data(), text->data() + text->size(), scale);
+        return scale;
+    }
+    return 0;
+}
+
+/// Of the vectors that are read in a detail of the figure: "Velocity polygon, detail for v_D: 1 mm ≙ 0.002 m/s".
+void add_scales_of_details(const DrawingContext& context, const Figure& figure, const std::vector<Answer>& sought,
+                           const RichText& name, std::vector<RichText>& rows) {
+    for (const DetailOn& detail : figure.details) {
+        RichText row = name;
+        append(row, one_piece(", " + word("scale of detail", context.language) + " "));
+        std::vector<std::string> named;
+        for (const Answer& each : sought) {
+            if (each.detail != detail.letter || !each.read_off) continue;
+            const std::string vector = name_of(*each.read_off);
+            if (std::find(named.begin(), named.end(), vector) != named.end()) continue;
+            if (!named.empty()) append(row, one_piece(", "));
+            append(row, typeset(*each.read_off, context.language));
+            named.push_back(vector);
+        }
+        Figure own;
+        own.kind = "detail";
+        own.unit = figure.unit;
+        own.scale = scale_of_detail(figure, detail);
+        if (named.empty() || !(own.scale > 0)) continue;
+        append(row, one_piece(": "));
+        append(row, scale_words(context, own));
+        rows.push_back(std::move(row));
+    }
+}
+
+}  // namespace
+
+std::vector<RichText> scales_of(const DrawingContext& context, const std::vector<Figure>& figures,
+                                const std::vector<Answer>& sought) {
     std::vector<RichText> rows;
     std::vector<std::string> said;
     bool mechanism = false;
     for (const Figure& figure : figures) {
-        if (!figure.has_scale || figure.kind == "body" || figure.kind == "detail") continue;
+        if (!figure.has_scale || figure.kind == "body" || !is_drawn_for_sought(context.solution.mechanism, figure)) continue;
         // Of the mechanism the first: the question shows no other.
         if (figure.kind == "mechanism" && std::exchange(mechanism, true)) continue;
-        RichText row = figure.kind == "mechanism" ? one_piece(word("mechanism", context.language))
-                       : figure.kind == "forces" || figure.kind == "closure"
-                           ? one_piece(word("sought forces scale", context.language))
-                           : figure.caption;
+        const RichText name = name_of_scale(context, figure, figures);
+        RichText row = name;
         append(row, one_piece(": "));
         append(row, scale_words(context, figure));
-        if (std::find(said.begin(), said.end(), plain(row)) != said.end()) continue;
-        said.push_back(plain(row));
-        rows.push_back(std::move(row));
+        if (std::find(said.begin(), said.end(), plain(row)) == said.end()) {
+            said.push_back(plain(row));
+            rows.push_back(std::move(row));
+        }
+        add_scales_of_details(context, figure, sought, name, rows);
     }
     return rows;
+}
+
+std::optional<RichText> remark_on_unreadable(const DrawingContext& context, const std::vector<Answer>& answers) {
+    RichText names;
+    for (const Answer& each : unreadable(answers)) {
+        if (!names.empty()) append(names, one_piece(", "));
+        append(names, each.words.empty() ? typeset(each.symbol, context.language) : each.words);
+    }
+    if (names.empty()) return std::nullopt;
+    return ExerciseText(context).filled("reading says nothing", {names});
 }
 
 }  // namespace kinegraph::render

@@ -1,11 +1,13 @@
 // Exercise text: the data of a file, what it seeks and the scales to draw at, in words. Says nothing that a solution finds.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/column.hpp"
 #include "render/figures/figure.hpp"
+#include "render/tables/answers.hpp"
 #include "render/text/rich_text.hpp"
 
 namespace kinegraph::render {
@@ -20,8 +22,15 @@ struct AskedText {
     RichText words;
 };
 AskedText asked_text(const DrawingContext& context, const Column& column);
-/// The scales of the figures that a solution is drawn at.
-std::vector<RichText> scales_of(const DrawingContext& context, const std::vector<Figure>& figures);
+/// What a figure's scale is said of: of all polygons of forces together, unless they differ in their scales.
+RichText name_of_scale(const DrawingContext& context, const Figure& figure, const std::vector<Figure>& figures);
+/// Whether the solution needs the figure for what is sought: all, unless the file asks for results by name.
+bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure);
+/// The scales of the figures that a solution is drawn at for what is sought, and those of the details in which that is read.
+std::vector<RichText> scales_of(const DrawingContext& context, const std::vector<Figure>& figures,
+                                const std::vector<Answer>& sought);
+/// Which of the answers no reading tells from zero; nothing where all can be read.
+std::optional<RichText> remark_on_unreadable(const DrawingContext& context, const std::vector<Answer>& answers);
 
 /// The heading of a section of a solution.
 std::string heading_of(Topic section, Language language);

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
+#include "engine/exercise.hpp"
 #include "render/figures/caption.hpp"
+#include "render/figures/exercise_figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/bands.hpp"
 #include "render/sheet/drawn_sheet.hpp"
@@ -32,8 +35,9 @@ struct Stretch {
 
 class Handout {
 public:
-    Handout(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
-        : options_(options),
+    Handout(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options, const Fonts& fonts)
+        : asked_(asked),
+          options_(options),
           context_{solution, options.theme, fonts, options.language, options.dimensions},
           format_(format_of(options.paper, options.orientation)),
           drawn_(draw_solution(solution, as_solution(options), fonts)),
@@ -55,6 +59,9 @@ public:
         return pages;
     }
 
+    /// Of the key, once it is laid out.
+    std::vector<RichText> remarks() && { return std::move(remarks_); }
+
 private:
     static SheetOptions as_solution(const SheetOptions& options) {
         SheetOptions solution = options;
@@ -66,29 +73,48 @@ private:
 
     void place_figure() {
         Figure figure = drawn_.figures.front();
-        const Spot origin = figure.origin;
-        const Box content = content_of(format_, true);
-        if (is_question_) {
-            const double scale = figure.scale;
-            const double below = format_.content.max.y - format_.block.min.y + round_figure;
-            figure = exercise_figure(context_, scale, content.width(), content.height() - caption_height(figure) - below);
-            figure.move(origin.x - figure.origin.x, origin.y - figure.origin.y);
-        }
+        Spot at = drawn_.caption;
+        if (is_question_) figure = question_in_place(figure, at);
         marks().emplace_back(GroupBegin{"band", "", "", {{"data-question", "given"}}});
-        const double caption = set_caption(marks(), context_, figure, 1, drawn_.caption, drawn_.caption_width);
-        // More letters than the solution's may ask for more room: no further than that the mechanism leaves its place.
-        const double top = drawn_.caption.y + caption;
-        const auto into = [](double least, double most, double from, double to) {
-            return least < from ? from - least : most > to ? std::max(to - most, from - least) : 0;
-        };
-        figure.move(into(figure.box.min.x, figure.box.max.x, content.min.x, content.max.x),
-                    into(figure.box.min.y, figure.box.max.y, top, content.max.y));
+        const double caption = set_caption(marks(), context_, figure, 1, at, drawn_.caption_width);
         marks().insert(marks().end(), figure.marks.begin(), figure.marks.end());
         marks().emplace_back(GroupEnd{});
         taken_ = figure.box;
-        taken_.include(drawn_.caption);
-        taken_.include(drawn_.caption + Spot{drawn_.caption_width, caption});
+        taken_.include(at);
+        taken_.include(at + Spot{drawn_.caption_width, caption});
         if (figure.kind == "mechanism") scale_ = figure.scale;
+    }
+    /// The mechanism with its data where the solution has it. What needs the room of the caption, which stands at `caption`,
+    /// sends that below; only what leaves the paper all the same moves the mechanism.
+    Figure question_in_place(const Figure& solved, Spot& caption) const {
+        constexpr double air = 1.5;  // of the caption's height, under its letters
+        constexpr double rim = 2.5;  // within the frame: a letter may stand in the margin
+        const Box content = content_of(format_, true);
+        const Spot origin = solved.origin;
+        Figure captioned = Figure::empty_at(solved.scale);
+        captioned.unit = "m";
+        captioned.caption = one_piece(word("mechanism and its data", context_.language));
+        const double words = caption_height(captioned);
+        const auto drawn_in = [&](const Box& free) {
+            Figure figure = exercise_figure_within(context_, solved.scale, {free.min - origin, free.max - origin});
+            figure.move(origin.x - figure.origin.x, origin.y - figure.origin.y);
+            return figure;
+        };
+        Box free{{content.min.x, caption.y + words - air}, {content.max.x, format_.block.min.y - round_figure}};
+        Figure figure = drawn_in(free);
+        const bool above = figure.box.min.y >= free.min.y;
+        if (!above) {
+            free.min.y = content.min.y;
+            free.max.y -= words;
+            figure = drawn_in(free);
+        }
+        const auto into = [](double least, double most, double from, double to) {
+            return least < from ? from - least : most > to ? std::max(to - most, from - least) : 0;
+        };
+        figure.move(into(figure.box.min.x, figure.box.max.x, format_.inner.min.x + rim, format_.inner.max.x - rim),
+                    into(figure.box.min.y, figure.box.max.y, free.min.y, content.max.y));
+        if (!above) caption.y = figure.box.max.y + air;
+        return figure;
     }
     double caption_height(const Figure& figure) const {
         std::vector<Mark> unused;
@@ -111,17 +137,22 @@ private:
         return passage;
     }
     std::vector<Passage> question() const {
+        const std::vector<Answer> sought = answers_sought(context_.solution.mechanism, answers_of(context_, drawn_.figures));
         return {passage("data", data_of(context_), ""), passage("sought", sought_of(context_), "–"),
-                passage("scales", scales_of(context_, drawn_.figures), "–")};
+                passage("scales", scales_of(context_, drawn_.figures, sought), "–")};
     }
-    std::vector<Passage> key() const {
+    std::vector<Passage> key() {
         std::vector<Passage> passages;
         Topic section = Topic::unnamed;
         std::vector<Answer> group;
-        const std::vector<Answer> answers = answers_of(context_, drawn_.figures);
+        std::vector<AskedValue> asked = asked_;
+        for (AskedValue& each : asked) each.symbol = asked_text(context_, each.column).symbol;
+        const std::vector<Answer> answers = key_of(context_, drawn_.figures, asked);
         const auto close = [&] {
             if (group.empty()) return;
-            Passage passage = passage_under(heading_of(section, context_.language), {}, "");
+            const std::string heading =
+                section == Topic::unnamed ? word("answers", context_.language) : heading_of(section, context_.language);
+            Passage passage = passage_under(heading, {}, "");
             passage.take_table(answer_lines(context_, group, measure()));
             passages.push_back(std::move(passage));
             group.clear();
@@ -134,13 +165,21 @@ private:
         close();
         add_equations(passages);
         std::vector<RichText> remarks{one_piece(word("tolerances", context_.language))};
+        if (auto remark = remark_on_unreadable(context_, answers)) {
+            remarks_.push_back(*remark);
+            remarks.push_back(*std::move(remark));
+        }
         for (const Message& each : context_.solution.remarks) remarks.push_back(say(each, context_.language));
         passages.push_back(passage("remarks", remarks, ""));
         return passages;
     }
+    bool seeks_equations() const {
+        const Mechanism& mechanism = context_.solution.mechanism;
+        return mechanism.find.equations && asked_of(mechanism).empty();
+    }
     /// Where the equations are sought: what they come to, a passage for each heading.
     void add_equations(std::vector<Passage>& passages) const {
-        if (!context_.solution.mechanism.find.equations) return;
+        if (!seeks_equations()) return;
         const std::vector<EquationItem> items = equation_answers(context_.solution, context_.language);
         NaturalBlocks natural;
         for (std::size_t first = 0; first < items.size();) {
@@ -213,7 +252,7 @@ private:
     /// Where the equations are sought: in which letters, so that answers can be compared.
     void add_loops() {
         for (const Figure& drawn : drawn_.figures) {
-            if (drawn.kind != "loops") continue;
+            if (drawn.kind != "loops" || !seeks_equations()) continue;
             const Box content = content_of(format_, false);
             Figure figure = drawn;
             sheets_.emplace_back();
@@ -233,14 +272,13 @@ private:
         bool has_pole = false;
     };
     /// As large as the polygon at its scale with what is drawn round it, in whole squares.
-    static Room room_of(const DrawingContext& context, const Figure& figure) {
+    Room room_of(const Figure& figure) const {
         constexpr double air = 8;
         const auto squares = [](double length) { return square * std::ceil(length / square); };
         Room room;
-        room.name = figure.kind == "forces" || figure.kind == "closure" ? one_piece(word("sought forces scale", context.language))
-                                                                        : figure.caption;
+        room.name = name_of_scale(context_, figure, drawn_.figures);
         append(room.name, one_piece("   "));
-        append(room.name, scale_words(context, figure));
+        append(room.name, scale_words(context_, figure));
         room.has_pole = figure.kind == "velocity" || figure.kind == "acceleration";
         const Spot pole = figure.origin - figure.box.min;
         room.pole = {squares(pole.x + air), squares(pole.y + air)};
@@ -257,7 +295,8 @@ private:
             if (&figure == &drawn_.figures.front() || !figure.has_scale) continue;
             if (figure.kind != "velocity" && figure.kind != "acceleration" && figure.kind != "forces" && figure.kind != "closure")
                 continue;
-            Room room = room_of(context_, figure);
+            if (!is_drawn_for_sought(context_.solution.mechanism, figure)) continue;
+            Room room = room_of(figure);
             const auto down_to = [](double length, double most) { return square * std::floor(std::min(length, most) / square); };
             room.size = {down_to(room.size.x, content.width()), down_to(room.size.y, content.height() - caption)};
             if (!open || x + room.size.x > content.max.x) x = content.min.x, y += row, row = 0;
@@ -298,6 +337,7 @@ private:
 
     std::vector<Mark>& marks() { return sheets_.front(); }
 
+    const std::vector<AskedValue>& asked_;
     const SheetOptions& options_;
     DrawingContext context_;
     SheetFormat format_;
@@ -306,12 +346,20 @@ private:
     Box taken_;  // by figure 1 with its caption
     std::optional<double> scale_;
     std::vector<std::vector<Mark>> sheets_;
+    std::vector<RichText> remarks_;
 };
 
 }  // namespace
 
 std::vector<Page> lay_out_handout(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    return Handout(solution, options, fonts).pages();
+    return Handout(solution, {}, options, fonts).pages();
+}
+
+Key lay_out_key_of(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options,
+                   const Fonts& fonts) {
+    Handout handout(solution, asked, options, fonts);
+    std::vector<Page> pages = handout.pages();
+    return {std::move(pages), std::move(handout).remarks()};
 }
 
 }  // namespace kinegraph::render

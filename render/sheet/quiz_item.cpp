@@ -82,7 +82,7 @@ private:
         item_.figure =
             page_of_figure(context_, exercise_figure(context_, drawn_.front().scale, content.width(), content.height()));
         item_.question.push_back({word("data", language()), data_of(context_)});
-        if (auto scales = scales_of(context_, drawn_); !scales.empty())
+        if (auto scales = scales_of(context_, drawn_, answers_sought(solution_.mechanism, answers_)); !scales.empty())
             item_.question.push_back({word("scales", language()), std::move(scales)});
         for (const Statement& each : solution_.protocol.statements)
             if (!names_a_pair(each.message.sentence)) section_of(each.section).push_back(sentence(each));
@@ -145,9 +145,8 @@ private:
     void add_blanks(const std::vector<AskedValue>& asked) {
         bool turns = false, has_vectors = false;
         for (const AskedValue& each : asked) {
-            const double off = is_problem_
-                                   ? 0.01 * std::abs(each.value)
-                                   : reading_tolerance(answers_, drawn_, each.column, each.value, solution_.mechanism.units);
+            const double off = is_problem_ ? 0.01 * std::abs(each.value)
+                                           : reading_tolerance(answers_, drawn_, each.column, each.value, solution_.mechanism);
             AskedText text = asked_text(context_, each.column);
             const WrittenAnswer number = written(each.value / each.unit_size, off / each.unit_size);
             item_.blanks.push_back(

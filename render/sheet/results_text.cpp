@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/displacements.hpp"
+#include "engine/magnitudes.hpp"
 #include "engine/problem.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/contact_pages.hpp"
@@ -39,7 +40,7 @@ std::string table(const std::string& heading, const std::vector<Cells>& rows) {
 
 class Text {
 public:
-    Text(const Solution& solution, Language language) : solution_(solution), language_(language) {}
+    Text(const Solution& solution, Language language) : solution_(solution), language_(language), magnitudes_(solution) {}
 
     std::string write() const {
         const std::string& title = in(solution_.mechanism.title, language_);
@@ -70,6 +71,10 @@ public:
 private:
     std::string value(double v) const { return number(v, 6, language_); }
     std::string value(const Exact& v, const Unit& unit) const { return value((v / unit.si).to_double()); }
+    /// What a decimal that is not the whole number leaves beside the largest of its kind is nothing to a reader of six digits.
+    std::string value(const Quantity& quantity, const Exact& v, const Unit& unit) const {
+        return magnitudes_.is_noise(quantity, v.to_double()) ? value(0.0) : value(v, unit);
+    }
     std::string length_of(const Vector& v, const Unit& unit) const {
         return value(length(Spot{(v.x / unit.si).to_double(), (v.y / unit.si).to_double()}));
     }
@@ -82,7 +87,7 @@ private:
             word("mobility", language_) + ": n = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2);
         if (m.welds > 0) text += " − 3·" + n(m.welds);
         text += " = " + n(m.gruebler) + " " + word("by Grübler", language_) + ", " + n(m.effective) + " " +
-                word("effective", language_) + ": " + verdict_words(m, language_);
+                word(m.effective == 1 ? "effective one" : "effective", language_) + ": " + verdict_words(m, language_);
         return text + "\n";
     }
 
@@ -96,8 +101,10 @@ private:
         for (std::size_t b = 1; b < solution_.bodies.size(); ++b) {
             const BodyMotion& motion = solution_.bodies[b];
             if (!motion.omega && !motion.alpha) continue;
-            rows.push_back({body(BodyIndex(b)), motion.omega ? value(*motion.omega, units.angular_velocity) : "–"});
-            if (has_alpha) rows.back().push_back(motion.alpha ? value(*motion.alpha, Unit{"rad/s²", 1}) : "–");
+            const Quantity spin{.kind = Quantity::Kind::omega, .body = BodyIndex(b)},
+                speeding{.kind = Quantity::Kind::alpha, .body = BodyIndex(b)};
+            rows.push_back({body(BodyIndex(b)), motion.omega ? value(spin, *motion.omega, units.angular_velocity) : "–"});
+            if (has_alpha) rows.back().push_back(motion.alpha ? value(speeding, *motion.alpha, Unit{"rad/s²", 1}) : "–");
         }
         return table(word("bodies", language_), rows);
     }
@@ -117,7 +124,8 @@ private:
                 label += " " + word("on", language_) + " ";
                 for (std::size_t i = 0; i < motion.bodies.size(); ++i) label += (i > 0 ? ", " : "") + body(motion.bodies[i]);
             }
-            rows.push_back({label, value(vector->x, unit), value(vector->y, unit), length_of(*vector, unit)});
+            const Quantity quantity = velocity ? velocity_of(motion) : acceleration_of(motion);
+            rows.push_back({label, value(quantity, vector->x, unit), value(quantity, vector->y, unit), length_of(*vector, unit)});
         }
         return table(word(velocity ? "velocities" : "accelerations", language_), rows);
     }
@@ -235,6 +243,7 @@ private:
 
     const Solution& solution_;
     Language language_;
+    Magnitudes magnitudes_;
 };
 
 }  // namespace

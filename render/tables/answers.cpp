@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "engine/centre_symbol.hpp"
 #include "engine/displacements.hpp"
+#include "engine/result_names.hpp"
+#include "engine/units.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"
@@ -95,12 +98,17 @@ private:
         Answer answer{row.symbol, row.group.section, row.drawing, row.unit};
         answer.quantity = quantity;
         if (turning) {
-            answer.tolerance = tolerance_of_turning(row);
+            read_turning(row, answer);
         } else {
-            answer.tolerance = tolerance_of_vector(row);
+            read_vector(row, answer);
             answer.direction = direction_of_motion(row);
         }
         answers_.push_back(std::move(answer));
+    }
+    static void read_vector(const ResultRow& row, Answer& answer) {
+        answer.tolerance = tolerance_of_vector(row);
+        answer.read_off = row.symbol;
+        answer.detail = row.detail;
     }
     static std::optional<double> tolerance_of_vector(const ResultRow& row) {
         if (!row.millimetres || !(*row.millimetres > 0)) return std::nullopt;
@@ -115,12 +123,13 @@ private:
 
     /// From the vector and the length of which ω or α is the quotient: the pair that is read best, on whichever of the bodies
     /// that turn together.
-    std::optional<double> tolerance_of_turning(const ResultRow& row) const {
-        if (!length_scale_ || row.drawing == 0) return std::nullopt;
+    void read_turning(const ResultRow& row, Answer& answer) const {
+        if (!length_scale_ || row.drawing == 0) return;
         const bool is_omega = row.quantity.kind == Kind::omega;
         const double turning = std::abs(found_turning(row.quantity));
         const std::vector<BodyIndex> together = turning_with(mechanism_, row.quantity.body);
-        std::optional<double> least;
+        const ResultRow* best = nullptr;
+        double least = 0;
         for (const ResultRow& other : motion_) {
             const Quantity& q = other.quantity;
             if (!other.millimetres || !(*other.millimetres > 0) || q.kind != (is_omega ? Kind::velocity : Kind::acceleration))
@@ -137,10 +146,12 @@ private:
             }
             if (!(radius > 0)) continue;
             const double share = reading_by_hand / *other.millimetres + reading_by_hand * *length_scale_ / radius;
-            if (!least || share < *least) least = share;
+            if (best == nullptr || share < least) best = &other, least = share;
         }
-        if (!least) return std::nullopt;
-        return *least * std::abs(row.drawing);
+        if (best == nullptr) return;
+        answer.tolerance = least * std::abs(row.drawing);
+        answer.read_off = best->symbol;
+        answer.detail = best->detail;
     }
     double found_turning(const Quantity& quantity) const {
         const BodyMotion& motion = solution_.bodies[at_index(quantity.body)];
@@ -167,9 +178,9 @@ private:
         Answer answer{row.symbol, Topic::forces, row.drawing, row.unit};
         answer.quantity = row.quantity;
         if (row.group.couples) {
-            answer.tolerance = tolerance_of_couple(row);
+            read_couple(row, answer);
         } else {
-            answer.tolerance = tolerance_of_vector(row);
+            read_vector(row, answer);
             for (const FreeBody& body : solution_.free_bodies)
                 for (const AppliedForce& applied : body.forces)
                     if (!answer.direction && !applied.force.is_zero() && name_of(applied.symbol) == row.name)
@@ -193,16 +204,15 @@ private:
             answers_.push_back(std::move(answer));
         }
     }
-    /// As it is read best, in a detail or not; N.
-    double tolerance_of_force(const std::string& name) const {
+    /// As it is read best, in a detail or not.
+    const ResultRow* row_of_force(const std::string& name) const {
         for (const ResultRow& row : forces_)
-            if (row.name == name && !row.group.couples)
-                if (const auto tolerance = tolerance_of_vector(row)) return *tolerance * mechanism_.units.force.si.to_double();
-        return reading_by_hand * *force_scale_;
+            if (row.name == name && !row.group.couples && tolerance_of_vector(row)) return &row;
+        return nullptr;
     }
     /// M = F·h with the largest force on the body: both are read.
-    std::optional<double> tolerance_of_couple(const ResultRow& row) const {
-        if (!length_scale_ || !force_scale_) return std::nullopt;
+    void read_couple(const ResultRow& row, Answer& answer) const {
+        if (!length_scale_ || !force_scale_) return;
         const AppliedForce* largest = nullptr;
         BodyIndex on = row.quantity.body;
         if (row.quantity.kind == Kind::effort)
@@ -214,9 +224,13 @@ private:
                     if (largest == nullptr || kinegraph::length(applied.force) > kinegraph::length(largest->force))
                         largest = &applied;
         const double force = largest == nullptr ? 0 : kinegraph::length(largest->force);
-        if (!(force > 0)) return std::nullopt;
+        if (!(force > 0)) return;
+        const ResultRow* read = row_of_force(name_of(largest->symbol));
+        const double off = read == nullptr ? reading_by_hand * *force_scale_
+                                           : *tolerance_of_vector(*read) * mechanism_.units.force.si.to_double();
         const double si = mechanism_.units.moment.si.to_double(), arm = std::abs(row.drawing) * si / force;
-        return (reading_by_hand * *length_scale_ * force + arm * tolerance_of_force(name_of(largest->symbol))) / si;
+        answer.tolerance = (reading_by_hand * *length_scale_ * force + arm * off) / si;
+        if (read != nullptr) answer.read_off = read->symbol, answer.detail = read->detail;
     }
 
     const Solution& solution_;
@@ -280,7 +294,7 @@ private:
     Cells cells_of(const Answer& answer) const {
         const Language language = context_.language;
         const double size = context_.theme.body_text;
-        RichText name = typeset(answer.symbol, language);
+        RichText name = answer.words.empty() ? typeset(answer.symbol, language) : answer.words;
         if (!answer.at)
             for (Piece& piece : name)
                 if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the length of the vector
@@ -326,13 +340,22 @@ private:
     std::vector<Cells> lines_;
 };
 
+/// Whether the motion of a point is that of a slide on the frame, whose first body carries it.
+bool is_slide_of(const Quantity& own, const Quantity& wanted, const Mechanism& mechanism) {
+    const bool velocity = own.kind == Kind::velocity && wanted.kind == Kind::sliding_velocity;
+    const bool acceleration = own.kind == Kind::acceleration && wanted.kind == Kind::sliding_acceleration;
+    if (!(velocity || acceleration) || own.part != Quantity::Part::whole) return false;
+    const Joint& joint = mechanism.joint(wanted.joint);
+    return joint.bodies[1] == frame && joint.pair().has_guide() && joint.point == own.point;
+}
+
 /// Whether an answer is the result, or the vector of which it is a component; action and reaction are one.
-bool is_of(const Answer& answer, const Column& column) {
+bool is_of(const Answer& answer, const Column& column, const Mechanism& mechanism) {
     if (column.kind != Column::Kind::result && column.kind != Column::Kind::along) return false;
     const Quantity wanted = column.quantity.along(Quantity::Component::whole);
     Quantity own = answer.quantity;
     if (own == wanted) return true;
-    if (own.kind != wanted.kind) return false;
+    if (own.kind != wanted.kind) return is_slide_of(own, wanted, mechanism);
     if (own.kind == Kind::velocity || own.kind == Kind::acceleration) {
         own.body = wanted.body;  // whichever body carries the point, as long as only one vector has its name
         return own == wanted;
@@ -357,6 +380,41 @@ double half_a_millimetre(const std::vector<Figure>& drawn, QuantityKind kind, co
     return 0;
 }
 
+/// Velocities that are found for the sake of what `find` asks for alone.
+bool is_on_the_way(const Find& find, Topic section) {
+    if (!find.stated) return false;
+    const bool later = find.acceleration || find.forces;
+    return (section == Topic::velocity && !find.velocity && later) ||
+           (section == Topic::acceleration && !find.acceleration && find.forces);
+}
+
+/// Where results of a kind stand in the key.
+Topic section_of(const Column& column) {
+    switch (column.unit) {
+        case QuantityKind::velocity:
+        case QuantityKind::angular_velocity:
+            return Topic::velocity;
+        case QuantityKind::acceleration:
+        case QuantityKind::angular_acceleration:
+            return Topic::acceleration;
+        case QuantityKind::force:
+        case QuantityKind::moment:
+            return Topic::forces;
+        default:
+            return Topic::unnamed;
+    }
+}
+
+Answer told_by_name(const DrawingContext& context, const std::vector<Answer>& answers, const std::vector<Figure>& drawn,
+                    const AskedValue& asked) {
+    Answer answer{{}, section_of(asked.column), asked.value / asked.unit_size, asked.unit};
+    answer.tolerance = reading_tolerance(answers, drawn, asked.column, asked.value, context.solution.mechanism) / asked.unit_size;
+    if (!(*answer.tolerance > 0)) answer.tolerance.reset();
+    answer.quantity = asked.column.quantity;
+    answer.words = asked.symbol;
+    return answer;
+}
+
 }  // namespace
 
 double rounded_up(double tolerance) {
@@ -365,18 +423,63 @@ double rounded_up(double tolerance) {
 }
 
 double reading_tolerance(const std::vector<Answer>& answers, const std::vector<Figure>& drawn, const Column& column, double value,
-                         const Units& units) {
+                         const Mechanism& mechanism) {
     constexpr double half_a_degree = std::numbers::pi / 360, calculated = 0.01;
     for (const Answer& each : answers)
-        if (each.tolerance && is_of(each, column))
+        if (each.tolerance && is_of(each, column, mechanism))
             if (const KnownUnit* unit = unit_spelt(each.unit)) return *each.tolerance * unit->si.to_double();
     if (column.unit == QuantityKind::angle) return half_a_degree;
-    const double on_paper = half_a_millimetre(drawn, column.unit, units);
+    const double on_paper = half_a_millimetre(drawn, column.unit, mechanism.units);
     return on_paper > 0 ? on_paper : calculated * std::abs(value);
 }
 
 std::vector<Answer> answers_of(const DrawingContext& context, const std::vector<Figure>& drawn, bool with_centres) {
     return Answers(context, drawn).all(with_centres);
+}
+
+std::vector<Answer> answers_sought(const Mechanism& mechanism, std::vector<Answer> answers) {
+    const std::vector<Column> columns = asked_columns(mechanism);
+    if (columns.empty()) return answers;
+    std::erase_if(answers, [&](const Answer& each) {
+        return std::none_of(columns.begin(), columns.end(), [&](const Column& column) { return is_of(each, column, mechanism); });
+    });
+    return answers;
+}
+
+std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figure>& drawn,
+                           const std::vector<AskedValue>& asked) {
+    const Mechanism& mechanism = context.solution.mechanism;
+    std::vector<Answer> answers = answers_of(context, drawn);
+    const std::vector<Column> columns = asked_columns(mechanism);
+    if (columns.empty()) {
+        std::erase_if(answers, [&](const Answer& each) { return is_on_the_way(mechanism.find, each.section); });
+        return answers;
+    }
+    // A component follows its vector; what belongs to none stands before all.
+    std::vector<std::pair<std::ptrdiff_t, Answer>> placed;
+    for (const Column& column : columns) {
+        const auto of =
+            std::find_if(answers.begin(), answers.end(), [&](const Answer& each) { return is_of(each, column, mechanism); });
+        const std::ptrdiff_t place = of == answers.end() ? -1 : of - answers.begin();
+        const auto has_name = [&](const AskedValue& each) { return each.column.name == column.name; };
+        const auto value = std::find_if(asked.begin(), asked.end(), has_name);
+        if (place >= 0 && column.quantity.component == Quantity::Component::whole)
+            placed.emplace_back(place, *of);
+        else if (value != asked.end())
+            placed.emplace_back(place, told_by_name(context, answers, drawn, *value));
+    }
+    std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Answer> key;
+    for (auto& [place, answer] : placed) key.push_back(std::move(answer));
+    return key;
+}
+
+std::vector<Answer> unreadable(const std::vector<Answer>& answers) {
+    std::vector<Answer> all;
+    for (const Answer& each : answers)
+        if (!each.at && each.tolerance && each.value != 0 && rounded_up(*each.tolerance) >= std::abs(each.value))
+            all.push_back(each);
+    return all;
 }
 
 std::vector<Block> answer_lines(const DrawingContext& context, const std::vector<Answer>& answers, double width) {

@@ -272,11 +272,29 @@ public:
                     couples_.push_back(shift_row(*on, there));
                 }
             }
+        add_idle_efforts();
         forces_.insert(forces_.end(), std::make_move_iterator(couples_.begin()), std::make_move_iterator(couples_.end()));
         return std::move(forces_);
     }
 
 private:
+    /// Sought efforts that come out as nothing act on no body, and are answers all the same.
+    void add_idle_efforts() {
+        for (std::size_t e = 0; e < solution_.efforts.size(); ++e) {
+            const EffortValue& effort = solution_.efforts[e];
+            if (!effort.value || !effort.value->is_zero()) continue;
+            const bool couple = std::holds_alternative<CoupleEffort>(mechanism_.efforts[e]);
+            const Unit& unit = couple ? mechanism_.units.moment : mechanism_.units.force;
+            ResultRow row;
+            row.quantity = {.kind = Quantity::Kind::effort, .given = static_cast<int>(e)};
+            row.symbol = {couple ? Symbol::Letter::M : Symbol::Letter::F, effort.name, {}};
+            row.name = name_of(row.symbol);
+            if (const auto numeric = checks_.of(row.quantity)) row.numeric = *numeric / unit.si.to_double();
+            row.unit = unit.symbol;
+            row.group = {Topic::forces, -1, couple};
+            (couple ? couples_ : forces_).push_back(std::move(row));
+        }
+    }
     /// Of an action on two bodies, of a mass's force and couple.
     bool is_first(const FreeBody& body, const AppliedForce& applied) {
         Quantity quantity = quantity_of(body, applied);

@@ -243,7 +243,7 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
     const int freedoms = 3 * (m.bodies - 1);
     page.line(say_word("rank") + ": " + std::to_string(freedoms - m.effective) + " = " + std::to_string(freedoms - m.gruebler) +
               " " + say_word("constraints") + " − " + std::to_string(m.repeated()) + " " + say_word("repeated") + "; " +
-              signed_text(m.effective) + " " + say_word("effective"));
+              signed_text(m.effective) + " " + say_word(m.effective == 1 ? "effective one" : "effective"));
     page.line(say_word("verdict") + ": " + verdict_words(m, language));
     if (!remarks.empty()) {
         page.heading(say_word("remarks"));
