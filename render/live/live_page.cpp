@@ -13,6 +13,7 @@
 #include "engine/json_text.hpp"
 #include "engine/problem.hpp"
 #include "render/backends/backends.hpp"
+#include "render/figures/plot_figure.hpp"
 #include "render/live/live_data.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/figure_alone.hpp"
@@ -453,6 +454,11 @@ private:
         if (!solution_.equations || !solution_.equations->why_not.empty()) return {};
         return element("pre", "", escaped(as_text(equation_items(solution_, language))));
     }
+    /// As files name it; an effort, which the sheet names otherwise, as the sheet does.
+    std::string title_of_column(const Column& column, Language language) const {
+        if (column.quantity.kind != Quantity::Kind::effort) return escaped(column.name);
+        return html(typeset(column, solution_.mechanism, language));
+    }
     /// The columns that follow the mechanism; the script fills them in.
     std::string values(Language language) const {
         if (!moving_) return {};
@@ -461,7 +467,7 @@ private:
             const Column& column = moving_->columns[i];
             const Unit unit = unit_of_column(column, solution_.mechanism.units);
             rows += element("tr", "",
-                            element("th", "scope=\"row\"", escaped(column.name)) +
+                            element("th", "scope=\"row\"", title_of_column(column, language)) +
                                 element("td", "data-column=\"" + std::to_string(i) + "\"", "") +
                                 element("td", "", escaped(unit.symbol)));
         }

@@ -1132,6 +1132,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
                "Dei vettori si chiede il modulo, se non è indicata una componente."},
     FixedWords{"given", "given", "data"},
     FixedWords{"normal", "normal", "normale"},
+    FixedWords{"line of the teeth", "of action", "d’azione"},
     FixedWords{"any line", "–", "–"},
     FixedWords{"action and reaction", "acts from body {0} on body {1}.", "è l’azione del corpo {0} sul corpo {1}."},
     FixedWords{"internal sides", "Dashed sides are internal: equal and opposite on two bodies, they cancel.",
