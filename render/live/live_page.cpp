@@ -87,6 +87,16 @@ std::string without_blanks(const std::string& line) {
     return out;
 }
 
+/// A line of the style sheet without the blanks beside its signs; those between words part selectors.
+std::string without_blanks_of_style(std::string line) {
+    for (const std::string_view idle : {"{ ", "; ", ": ", ", ", " {", " }"}) {
+        const std::string sign(idle.front() == ' ' ? idle.substr(1) : idle.substr(0, 1));
+        for (std::size_t at = line.find(idle); at != std::string::npos; at = line.find(idle, at))
+            line.replace(at, idle.size(), sign);
+    }
+    return line;
+}
+
 /// The script and the style sheet as they are sent: without the comments and the indentation that they are read with. Their
 /// comments are whole lines, after two blanks, or in slashes and stars, which no string of theirs holds.
 std::string without_comments(std::string_view source, bool is_script) {
@@ -100,7 +110,10 @@ std::string without_comments(std::string_view source, bool is_script) {
         if (!in_comment && line.starts_with("//")) continue;
         std::string kept = without_comments_of_line(line, in_comment);
         if (const std::size_t aside = kept.find("  // "); is_script && aside != std::string::npos) kept.resize(aside);
-        if (!kept.empty()) out.append(is_script ? without_blanks(kept) : kept).append("\n");
+        if (kept.empty()) continue;
+        out += is_script ? without_blanks(kept) : without_blanks_of_style(std::move(kept));
+        // No text of ours goes on over a line's end, so what follows these signs may stand on their line.
+        if (std::string_view("{(,;").find(out.back()) == std::string_view::npos) out += '\n';
     }
     return out;
 }

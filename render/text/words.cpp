@@ -743,8 +743,10 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
                "Con questo valore il meccanismo non si chiude: resta com’era."},
     FixedWords{"live fixed otherwise", "In the file only, since the numbers do not follow from it as sums and products: {0}.",
                "Solo nel file, perché i numeri non ne seguono per somme e prodotti: {0}."},
-    FixedWords{"live fixed nothing", "It changes at most where the mechanism is drawn: {0}. The mechanism can be moved there.",
-               "Cambia al più la posizione disegnata: {0}. Il meccanismo si può portare lì."},
+    FixedWords{
+        "live fixed nothing",
+        "Not changed here, since it only says in which position the mechanism is drawn; the slider moves it to others: {0}.",
+        "Non si cambia qui, perché dice soltanto in quale posizione è disegnato il meccanismo; la barra lo porta in altre: {0}."},
     FixedWords{"live fixed zero", "In the file only, since it is zero there and signs and parallels were judged by that: {0}.",
                "Solo nel file, dove è zero e ha deciso segni e parallelismi: {0}."},
     FixedWords{"live fixed many", "In the file only, since eight others can be changed here: {0}.",
