@@ -70,12 +70,13 @@ struct Equations {
     /// How the two unknowns of a loop follow from what is known.
     struct Solved {
         enum class Kind {
-            iterative,        ///< no closed form
-            nothing,          ///< all is known already
-            two_turns,        ///< two constant lengths that turn: law of cosines
-            turn_and_slide,   ///< one turns, the other slides in a known direction: projection
-            turn_with_slide,  ///< it slides along its own direction
-            two_slides        ///< both slide in known directions
+            iterative,               ///< no closed form
+            nothing,                 ///< all is known already
+            two_turns,               ///< two constant lengths that turn: law of cosines
+            turn_and_slide,          ///< one turns, the other slides in a known direction: projection
+            turn_with_slide,         ///< it slides along its own direction
+            turn_with_offset_slide,  ///< the same at the end of an arm square to it, which is second: a right triangle
+            two_slides               ///< both slide in known directions
         } kind = Kind::iterative;
         int first = -1, second = -1;          ///< of the loop's sides; the one that turns first
         double resultant = 0, direction = 0;  ///< of the known sides, m and rad: what first and second add up to

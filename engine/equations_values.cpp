@@ -513,6 +513,20 @@ private:
         }
         return found;
     }
+    /// The one other side that turns with a sliding side, square to it; −1: none, or several, or the slide does not turn.
+    int arm_of(const Equations::Loop& loop, LetterIndex turn, int sliding) const {
+        if (sliding < 0 || !e_.letter(turn).is_angle || !turns_with(loop.sides[at_index(sliding)], turn)) return -1;
+        const Equations::Angle& own = loop.sides[at_index(sliding)].angle;
+        int arm = -1;
+        for (int i = 0; i < static_cast<int>(loop.sides.size()); ++i) {
+            const Side& side = loop.sides[at_index(i)];
+            if (i == sliding || !turns_with(side, turn)) continue;
+            const bool is_square = side.angle.letters == own.letters && (side.angle.quarters - own.quarters) % 2 != 0;
+            if (arm >= 0 || !is_square) return -1;
+            arm = i;
+        }
+        return arm;
+    }
     void solve(Equations::Loop& loop) {
         Solved& solved = loop.solved;
         if (loop.unknowns.empty()) solved.kind = Solved::Kind::nothing;
@@ -521,9 +535,13 @@ private:
         if (!e_.letter(first).is_angle) std::swap(first, second);
         solved.first = only_side(loop, first);
         solved.second = only_side(loop, second);
+        const int arm = e_.letter(second).is_angle ? -1 : arm_of(loop, first, solved.second);
+        if (arm >= 0) solved.first = std::exchange(solved.second, arm);
         if (solved.first < 0 || solved.second < 0) return;
         const bool first_turns = e_.letter(first).is_angle, second_turns = e_.letter(second).is_angle;
-        if (solved.first == solved.second)
+        if (arm >= 0)
+            solved.kind = Solved::Kind::turn_with_offset_slide;
+        else if (solved.first == solved.second)
             solved.kind = Solved::Kind::turn_with_slide;
         else if (first_turns && second_turns)
             solved.kind = Solved::Kind::two_turns;
@@ -600,6 +618,8 @@ private:
             if (solved.kind == Solved::Kind::two_turns) {
                 const double second_length = e_.letter(loop.sides[at_index(solved.second)].length).value;
                 reaches = {first_length + second_length, std::abs(first_length - second_length)};
+            } else if (solved.kind == Solved::Kind::turn_with_offset_slide) {
+                reaches = {e_.letter(loop.sides[at_index(solved.second)].length).value};
             }
             const double w = std::hypot(rest[0], rest[1]), to = std::atan2(rest[1], rest[0]);
             for (const double reach : reaches) {

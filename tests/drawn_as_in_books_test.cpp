@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/column.hpp"
 #include "render/figures/figure.hpp"
+#include "render/figures/plot_figure.hpp"
 #include "render/page/labels.hpp"
 #include "render/scene/line_numbers.hpp"
 #include "render/sheet/sheet.hpp"
@@ -151,6 +153,61 @@ TEST(DrawnAsInBooks, LeadersEndInADot) {
 TEST(DrawnAsInBooks, TablesOfReadingsSayWhatAMillimetreIsWorth) {
     const auto pages = lay_out(example("four_bar"), {}, fonts());
     EXPECT_TRUE(says(pages, "mm × 0.0"));
+}
+
+/// 34.3 mm at 25 N/mm are 857.5 N: forces that are read alike have one value on the sheet, however their ends were rounded.
+TEST(DrawnAsInBooks, OneReadingHasOneProduct) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "units": {"length": "mm", "angular velocity": "rpm"}, "frame": 1,
+      "points": {"O": [0, 0], "P": {"from": "O", "distance": 65, "angle": 35}, "C": {"from": "O", "distance": 25, "angle": 35},
+        "D": {"from": "O", "distance": 90, "angle": 35}},
+      "bodies": {"2": {"points": ["O"], "circle": {"centre": "O", "radius": 25}}, "3": ["O", "P"], "4": ["P"]},
+      "joints": [{"revolute": "O", "bodies": [1, 2, 3]}, {"revolute": "P", "bodies": [3, 4]},
+        {"gear": "C", "bodies": [2, 4], "arm": 3, "profiles": {"4": {"circle": "P"}}, "pressure angle": 20},
+        {"gear": "D", "bodies": [4, 1], "arm": 3, "profiles": {"4": {"circle": "P"}, "1": {"circle": "O"}}, "pressure angle": 20}],
+      "drivers": [{"body": 2, "omega": 1450}], "loads": [{"couple": "u", "body": 3, "value": -85}],
+      "effort": {"couple": "m", "body": 2}})");
+    const auto pages = lay_out(solution, {}, fonts());
+    EXPECT_TRUE(says(pages, "858"));
+    EXPECT_FALSE(says(pages, "857"));
+}
+
+/// Teeth press at the pressure angle: their line is not the pitch curves' normal, which velocities are drawn along.
+TEST(DrawnAsInBooks, TheForceOfTeethHasTheirLineOfAction) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
+      "points": {"O": [0, 0], "A": {"from": "O", "distance": 40, "angle": 60},
+        "C": {"meet": [{"circle": "A", "radius": 130}, {"line": "O", "angle": 0}], "side": "ahead"},
+        "P": {"from": "C", "distance": 25, "angle": -90}, "Q": {"from": "C", "distance": 25, "angle": 90},
+        "R": {"from": "Q", "distance": 60, "angle": 0}},
+      "bodies": {"2": ["O", "A"], "3": ["A", "C"], "4": {"points": ["C"], "circle": {"centre": "C", "radius": 25}}, "5": ["R"]},
+      "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "C", "bodies": [3, 4]},
+        {"rolling": "P", "bodies": [4, 1], "profiles": {"1": {"line": 0}}},
+        {"gear": "Q", "bodies": [4, 5], "profiles": {"5": {"line": 0}}, "pressure angle": 20},
+        {"prismatic": "R", "bodies": [5, 1], "along": 0}],
+      "drivers": [{"body": 2, "omega": 12}],
+      "loads": [{"force": "P", "body": 5, "at": "R", "magnitude": 200, "along": 180}], "effort": {"couple": "m", "body": 2}})");
+    const auto has_cell = [](const std::vector<Page>& pages, const std::string& words) {
+        return words_of(pages).find("\n" + words + "\n") != std::string::npos;
+    };
+    EXPECT_TRUE(has_cell(lay_out(solution, {}, fonts()), "of action"));
+    SheetOptions italian;
+    italian.language = Language::it;
+    EXPECT_TRUE(has_cell(lay_out(solution, italian, fonts()), "d’azione"));
+}
+
+/// A couple "m" to be found is M_m on the sheet, so it is on plots, in captions and where a number is asked for.
+TEST(DrawnAsInBooks, AnEffortHasOneNameEverywhere) {
+    Mechanism mechanism;
+    CoupleEffort couple;
+    couple.name = "m";
+    ForceEffort force;
+    force.name = "H";
+    mechanism.efforts = {couple, force};
+    Column column;
+    column.kind = Column::Kind::result;
+    column.quantity = {.kind = Quantity::Kind::effort, .given = 0};
+    for (const Language language : {Language::en, Language::it}) EXPECT_EQ(plain(typeset(column, mechanism, language)), "M_m");
+    column.quantity.given = 1;
+    for (const Language language : {Language::en, Language::it}) EXPECT_EQ(plain(typeset(column, mechanism, language)), "F_H");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "engine/solution.hpp"
+#include "render/tables/equation_text.hpp"
 #include "tests/files.hpp"
 #include "tests/random_mechanism.hpp"
 #include "tests/solved.hpp"
@@ -261,6 +262,50 @@ TEST(EquationsOfRodOnRod, AreThoseOfTheResultant) {
     EXPECT_NEAR(loop.solved.resultant, s.value, 1e-12);
     EXPECT_NEAR(ratio(equations, gamma.name, "theta 2"), a.value * std::cos(crank.value - gamma.value) / s.value, 1e-12);
     EXPECT_NEAR(ratio(equations, s.name, "theta 2"), -a.value * std::sin(crank.value - gamma.value), 1e-12);
+}
+
+/// Norton's inverted slider-crank: rod and arm c are square to each other, so b² = p² − c², and the arm gives the angle.
+constexpr const char* rod_at_an_arm = R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
+  "points": {"O2": [0, 0], "O4": [120, 0], "A": {"from": "O2", "distance": 50, "angle": 110},
+    "B": {"meet": [{"line": "A", "angle": -10}, {"circle": "O4", "radius": 40}], "side": "behind"}},
+  "bodies": {"2": ["O2", "A"], "3": ["A"], "4": ["O4", "B"]},
+  "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+    {"prismatic": "B", "bodies": [4, 3], "along": ["A", "B"]}, {"revolute": "O4", "bodies": [4, 1]}],
+  "drivers": [{"body": 2, "omega": 18, "alpha": -60}]})";
+
+TEST(EquationsOfRodAtAnArm, AreThoseOfARightTriangle) {
+    const Solution solution = tests::solved(rod_at_an_arm);
+    const Equations equations = equations_of(solution.mechanism, solution.pose);
+    const Equations::Loop& loop = equations.loops.front();
+    ASSERT_EQ(loop.solved.kind, Equations::Solved::Kind::turn_with_offset_slide);
+    const double b = equations.letter(loop.sides[at_index(loop.solved.first)].length).value;
+    const double c = equations.letter(loop.sides[at_index(loop.solved.second)].length).value;
+    EXPECT_NEAR(std::hypot(b, c), loop.solved.resultant, 1e-12);
+    // b vanishes where A is c from O4: 50² + 120² − 2·50·120 cos α = c², for no α.
+    ASSERT_TRUE(loop.solved.dead_points);
+    EXPECT_TRUE(loop.solved.dead_points->empty());
+}
+
+TEST(EquationsOfRodAtAnArm, SayTheRightTriangleAndKeepNumbersApartInBothLanguages) {
+    auto mechanism = read_mechanism(rod_at_an_arm, "rod.json");
+    ASSERT_TRUE(mechanism);
+    mechanism->find.equations = true;
+    const auto solved = solve(*std::move(mechanism));
+    ASSERT_TRUE(solved);
+    const Solution& solution = *solved;
+    const std::string english = render::as_text(render::equation_items(solution, render::Language::en));
+    const std::string italian = render::as_text(render::equation_items(solution, render::Language::it));
+    const auto has = [](const std::string& text, const char* words) { return text.find(words) != std::string::npos; };
+    EXPECT_TRUE(has(english, "right triangle")) << english;
+    EXPECT_TRUE(has(italian, "triangolo rettangolo")) << italian;
+    EXPECT_TRUE(has(english, "  b = √(p^2 − c^2) = 143.18 mm\n")) << english;
+    EXPECT_TRUE(has(english, "  sin (β − σ) = c/p = 0.155\n")) << english;
+    EXPECT_TRUE(has(english, "  β = −10°\n"));
+    EXPECT_FALSE(has(english, "Newton"));
+    EXPECT_FALSE(has(italian, "Newton"));
+    EXPECT_TRUE(has(english, "[46.985, 0.98481; 137.1, −0.17365]")) << english;
+    EXPECT_TRUE(has(italian, "[[46,985; 0,98481]; [137,1; −0,17365]]")) << italian;
+    EXPECT_TRUE(has(english, "det J = − b = −143.18")) << english;
 }
 
 /// Willis: (ω_2 − ω_4) R_2 = −(ω_3 − ω_4) R_3, and the planet on the fixed ring.

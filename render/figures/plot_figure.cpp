@@ -373,12 +373,11 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
             return symbol(q.kind == Kind::couple ? "C" : "F", along(pair), Face::regular);
         }
         default: {
-            // "F_G" is F with the index G.
-            const std::string name =
-                std::visit([](const auto& effort) { return effort.name; }, mechanism.efforts[at_index(q.given)]);
-            const std::size_t index = name.find('_');
-            if (index == 0 || index == std::string::npos) return one_piece(name, Face::italic);
-            return symbol(name.substr(0, index), name.substr(index + 1), Face::italic);
+            // As the solved sheet calls it: a couple "m" is M with the index m.
+            const Effort& effort = mechanism.efforts[at_index(q.given)];
+            const std::string name = std::visit([](const auto& each) { return each.name; }, effort);
+            const bool is_couple = std::holds_alternative<CoupleEffort>(effort);
+            return typeset(Symbol{is_couple ? Symbol::Letter::M : Symbol::Letter::F, name, ""}, language);
         }
     }
 }

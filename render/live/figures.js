@@ -89,6 +89,8 @@ function apart(a, b) {
 const samePlace = 0.02;
 /** Shorter vectors are not drawn, mm. */
 const leastVector = 0.05;
+/** An arrow keeps two fifths of shaft, its head some width: as render/page/shapes.cpp draws it. */
+const headShare = 0.6, leastHeadWidth = 0.35;
 
 /** A figure of a drawing, which may hold several. */
 class FigureView {
@@ -153,7 +155,36 @@ class FigureView {
          */
         this.drawn = new Map();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
+        /** What a polygon that fills its room is given: seen flat, or beside a detail, it may be of another shape elsewhere. */
+        this.fitRoom = this.isMechanism || isHeld ? this.viewBox : wellShaped(this.viewBox);
+        /**
+         * Arrows of a polygon, in the order in which they are drawn; where each stands beside its place.
+         * @type {string[]}
+         */
+        this.strokes = [];
+        /** @type {Map<string, Spot>} */
+        this.asides = new Map();
+        /**
+         * Labels that find their place once all else has one, and what they keep off.
+         * @type {(() => void)[]}
+         */
+        this.placings = [];
+        this.crowd = new Crowd();
+        /**
+         * Of points on guides of the frame: how far they go before and behind where they were drawn, mm.
+         * @type {Map<number, {from: number, to: number, drawn: Spot, e: Spot}>}
+         */
+        this.travels = new Map();
         this.room = {left: 0, top: 0, right: 0, bottom: 0};
+        /**
+         * Of several in one drawing.
+         * @type {FigureView[][]}
+         */
+        this.rows = [];
+        /** @type {Companion | undefined} */
+        this.title = undefined;
+        /** @type {Companion | undefined} */
+        this.foot = undefined;
         this.isBound = false;
         const figure = svg.closest('figure');
         this.note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
@@ -347,8 +378,32 @@ class FigureView {
             this.svg.classList.add('moved');
             this.shownRoom = room;
         }
+        if (this.isMechanism) this.measuresToRim(room);
         this.stayInPlace();
-        for (const update of this.bindings) update();
+        setSideBySide(this);
+        this.crowd.clear(this.held ? [...this.held.arrows.values()].flatMap(({now}) => [now() ?? []]) :
+            [...this.keys.keys()].map((name) => this.drawnVector(name) ?? []));
+        for (const update of [...this.bindings, ...this.placings]) update();
+    }
+    /**
+     * Where a vector is drawn: in its place, or beside it.
+     * @param {string} name
+     * @returns {[Spot, Spot] | null}
+     */
+    drawnVector(name) {
+        const at = this.vector(name), by = this.asides.get(name);
+        return at && by ? [along(at[0], 1, by), along(at[1], 1, by)] : at;
+    }
+    /**
+     * The scale bar stands in the corner of what is seen, out of the mechanism's way.
+     * @param {number[]} room
+     */
+    measuresToRim([x, y, , height]) {
+        const [bar] = this.measures;
+        if (!bar || this.svg.querySelectorAll('g.figure').length > 1) return;
+        const {left, bottom} = boxOf(spotsOf(parsePath(this.known(bar, 'd').drawn ?? '')));
+        const isWidened = x !== this.viewBox[0] || y !== this.viewBox[1] || height !== this.viewBox[3];
+        for (const node of this.measures) this.translate(node, isWidened ? {x: x + 3 - left, y: y + height - 2 - bottom} : {x: 0, y: 0});
     }
     /** A body cut free turns, but does not leave. */
     stayInPlace() {
@@ -461,10 +516,55 @@ class FigureView {
     }
     /** @param {Element} node */
     bindVector(node) {
-        const name = node.getAttribute('data-name') ?? '';
-        const drawn = this.vector(name);
-        if (!drawn || apart(drawn[0], drawn[1]) < leastVector) return node.classList.add('still');
-        this.bindArrow(node, drawn, () => this.vector(name));
+        const name = node.getAttribute('data-name') ?? '', axis = node.querySelector('line.axis'), place = this.vector(name);
+        if (!place || apart(place[0], place[1]) < leastVector) return node.classList.add('still');
+        if (this.isMechanism || !axis) return this.bindArrow(node, place, () => this.vector(name));
+        const drawn = endsOf(axis);
+        if (node.querySelector('path:not([fill=none])')) this.strokes.push(name);
+        this.bindLeads(name, place, drawn);
+        this.bindArrow(node, drawn, () => this.drawnVector(name));
+    }
+    /**
+     * Thin lines lead from the places of a vector's ends to where it is drawn.
+     * @param {string} name
+     * @param {[Spot, Spot]} place
+     * @param {[Spot, Spot]} drawn
+     */
+    bindLeads(name, place, drawn) {
+        if (apart(place[0], drawn[0]) < samePlace) return;
+        for (const node of this.group.querySelectorAll(':scope > path')) {
+            const [from, to, more] = spotsOf(parsePath(node.getAttribute('d') ?? ''));
+            const end = [0, 1].find((i) => to && !more && apart(from, place[i]) < samePlace && apart(to, drawn[i]) < samePlace);
+            if (end === undefined || this.taken.has(node)) continue;
+            this.taken.add(node);
+            this.bindings.push(() => {
+                const at = this.vector(name), by = this.asides.get(name);
+                this.show(node, by !== undefined && at !== null);
+                if (at && by) this.set(node, 'd', `M${written(at[end])}L${written(along(at[end], 1, by))}`);
+            });
+        }
+    }
+    /**
+     * The head of an arrow, and its shaft's width.
+     * @param {Element} node
+     */
+    headOf(node) {
+        const isHead = (/** @type {Element} */ path) => path.getAttribute('fill') !== 'none';
+        /** @type {Element[]} */
+        const all = node.tagName === 'path' ? [node] : [...node.querySelectorAll('path')];
+        const [tip, left, , right] = all.filter(isHead).flatMap((path) => spotsOf(parsePath(path.getAttribute('d') ?? '')));
+        const shaft = Number(all.find((path) => !isHead(path))?.getAttribute('stroke-width') ?? 0);
+        return right ? {length: apart(tip, along(left, 0.5, minus(right, left))), width: apart(left, right), shaft} : null;
+    }
+    /**
+     * The whole head of an arrow that was too short for it: others of the drawing have one.
+     * @param {Element} node
+     * @param {number} length
+     */
+    wholeHeadOf(node, length) {
+        const own = this.headOf(node), others = [...this.svg.querySelectorAll(`g.${node.classList[0]}`)];
+        if (!own || own.length < 0.99 * headShare * length) return own;
+        return others.flatMap((each) => this.headOf(each) ?? []).reduce((most, each) => each.length > most.length ? each : most, own);
     }
     /**
      * Shaft and head keep their shape, however long the arrow becomes.
@@ -473,25 +573,28 @@ class FigureView {
      * @param {() => [Spot, Spot] | null} place
      */
     bindArrow(node, drawn, place) {
-        const [tail, tip] = drawn, length = apart(tail, tip), e = unitOf(minus(tip, tail)), n = quarterTurn(e);
-        const local = (/** @type {Spot} */ at) => ({t: dot(minus(at, tail), e), n: dot(minus(at, tail), n)});
+        const [tail, tip] = drawn, length = apart(tail, tip), local = localOf(tail, tip);
         const all = node.tagName === 'path' ? [node] : [...node.querySelectorAll('path')];
         const paths = all.map((path) => ({path, segments: parsePath(path.getAttribute('d') ?? '')}));
-        const heads = paths.filter(({path}) => path.getAttribute('fill') !== 'none');
-        const head = Math.max(0, ...heads.flatMap(({segments}) => spotsOf(segments).map((at) => length - local(at).t)));
+        const own = this.headOf(node), full = this.wholeHeadOf(node, length), head = own?.length ?? 0;
         const axis = node.querySelector('line.axis');
         this.bindings.push(() => {
             const now = place(), size = now ? apart(now[0], now[1]) : 0;
             this.show(node, size >= leastVector);
             if (!now || size < leastVector) return;
             const toward = unitOf(minus(now[1], now[0])), across = quarterTurn(toward);
-            const shrink = head > 0 ? Math.min(1, 0.8 * size / head) : 1;
+            const share = full ? Math.min(1, headShare * size / full.length) : 1;
+            const wide = full ? full.width * Math.max(share, leastHeadWidth) : 1;
+            const [long, broad] = own && full ? [share * full.length / head, wide / own.width] : [1, 1];
             const map = (/** @type {Spot} */ at) => {
                 const {t, n: side} = local(at), atTail = t < 0.01 || length - t > head + 1;
-                const from = atTail ? now[0] : now[1], k = atTail ? 1 : shrink;
-                return along(along(from, k * (atTail ? t : t - length), toward), k * side, across);
+                const from = atTail ? now[0] : now[1];
+                return along(along(from, atTail ? t : long * (t - length), toward), (atTail ? 1 : broad) * side, across);
             };
-            for (const {path, segments} of paths) this.set(path, 'd', mappedPath(segments, map));
+            for (const {path, segments} of paths) {
+                this.set(path, 'd', mappedPath(segments, map));
+                if (full && path.getAttribute('fill') === 'none') this.set(path, 'stroke-width', String(Math.min(full.shaft, 0.5 * wide)));
+            }
             if (axis) this.setEnds(axis, ...now);
         });
     }
@@ -586,6 +689,7 @@ class FigureView {
     // --- labels ---------------------------------------------------------------------------------------------------------------
 
     bindLabels() {
+        this.bindLabelsOfDetails();
         const isDetailed = this.svg.querySelector('[data-figure=detail]') !== null;
         [...this.svg.querySelectorAll('g.label')].forEach((label, i) => {
             if (label.closest('.dimension') || label.closest('g.figure') !== this.group) return;
@@ -600,9 +704,27 @@ class FigureView {
             const spot = names.find((name) => this.spot(name));
             if (vector !== undefined) this.vectorLabels.push({label, box, value: () => this.sizeOf(vector), unit: this.unit});
             if (vector !== undefined) this.bindVectorLabel(parts, vector, centre, box);
+            else if (spot !== undefined && !this.isMechanism) this.bindAround(parts, () => this.spot(spot), centre, box);
             else if (spot !== undefined) this.bindToPlace(parts, () => this.spot(spot));
             else if (this.isMechanism) this.bindMechanismLabel(label, parts, centre);
             else this.bindLineLabel(label, centre);
+        });
+    }
+    /** What is drawn again in a detail has its name there; elsewhere than drawn there is no detail, and the name stands here. */
+    bindLabelsOfDetails() {
+        if (this.isMechanism || this.held) return;
+        const all = [...this.svg.querySelectorAll('g.label')], own = new Set(all.flatMap((label, i) =>
+            label.closest('g.figure') === this.group ? this.info.labels[i] ?? [] : []));
+        all.forEach((label, i) => {
+            const detail = label.closest('g.figure[data-figure=detail]')?.getAttribute('data-id') ?? '';
+            const vector = (this.info.labels[i] ?? []).find((name) => this.keys.has(name) && !own.has(name) && this.vector(name));
+            if (vector === undefined || !detail.startsWith(`${this.id}-detail`)) return;
+            own.add(vector);
+            const copy = /** @type {SVGGElement} */ (label.cloneNode(true)), box = /** @type {SVGGElement} */ (label).getBBox();
+            copy.classList.add('number');  // seen elsewhere alone
+            copy.classList.remove('label');
+            this.group.append(copy);
+            this.bindVectorLabel([copy], vector, {x: box.x + box.width / 2, y: box.y + box.height / 2}, box);
         });
     }
     /**
@@ -653,6 +775,40 @@ class FigureView {
         });
     }
     /**
+     * A vertex's name: as far from it as on the sheet, on a side where it is read.
+     * @param {Element[]} parts
+     * @param {() => Spot | null} place
+     * @param {Spot} centre
+     * @param {{width: number, height: number}} box
+     */
+    bindAround(parts, place, centre, box) {
+        const drawn = place();
+        if (!drawn) return parts.forEach((part) => part.classList.add('still'));
+        const off = minus(centre, drawn), x = box.width / 2 + 1.2, y = box.height / 2 + 1.2;
+        const sides = [off, {x: -off.x, y: off.y}, {x: off.x, y: -off.y}, {x: -off.x, y: -off.y},
+            {x, y: 0}, {x: -x, y: 0}, {x: 0, y}, {x: 0, y: -y}];
+        this.placeLabel(parts, centre, box, () => {
+            const now = place();
+            return now ? sides.map((by) => along(now, 1, by)) : [];
+        });
+    }
+    /**
+     * Where it hides least; nowhere: it is left out.
+     * @param {Element[]} parts
+     * @param {Spot} centre
+     * @param {{width: number, height: number}} box
+     * @param {() => Spot[]} placesNow
+     */
+    placeLabel(parts, centre, box, placesNow) {
+        this.placings.push(() => {
+            const places = placesNow();
+            parts.forEach((part) => this.show(part, places.length > 0));
+            if (places.length === 0) return;
+            const by = minus(this.crowd.best(places, box), centre);
+            parts.forEach((part) => this.translate(part, by));
+        });
+    }
+    /**
      * It keeps its side of the vector and its distance from it.
      * @param {Element[]} parts
      * @param {string} name
@@ -660,12 +816,13 @@ class FigureView {
      * @param {{width: number, height: number}} box
      */
     bindVectorLabel(parts, name, centre, box) {
-        const drawn = /** @type {[Spot, Spot]} */ (this.vector(name));
-        if (apart(...drawn) < leastVector) return this.bindToPlace(parts, () => this.vector(name)?.[0] ?? null);
-        this.bindBeside(parts, drawn, () => this.vector(name), centre, box);
+        const place = /** @type {[Spot, Spot]} */ (this.vector(name));
+        if (apart(...place) < leastVector) return this.bindToPlace(parts, () => this.vector(name)?.[0] ?? null);
+        const axis = this.isMechanism ? null : this.group.querySelector(`:scope > g.vector[data-name="${name}"] > line.axis`);
+        this.bindBeside(parts, axis ? endsOf(axis) : place, () => this.drawnVector(name), centre, box);
     }
     /**
-     * It keeps its side of what it stands beside, and its distance from it.
+     * It keeps its side of what it stands beside, and its distance from it, as long as it is read there.
      * @param {Element[]} parts
      * @param {[Spot, Spot]} drawn
      * @param {() => [Spot, Spot] | null} place
@@ -679,15 +836,19 @@ class FigureView {
         const reach = (/** @type {Spot} */ n) => Math.abs(n.x) * box.width / 2 + Math.abs(n.y) * box.height / 2;
         const length = apart(drawn[0], drawn[1]);
         const e = unitOf(minus(drawn[1], drawn[0])), n = quarterTurn(e), off = minus(centre, middle(drawn));
-        const side = Math.sign(dot(off, n)) || 1, share = dot(off, e) / length;
-        const clearance = Math.abs(dot(off, n)) - reach(n);
-        this.bindings.push(() => {
+        const side = Math.sign(dot(off, n)) || 1, share = dot(off, e) / length, clearance = Math.abs(dot(off, n)) - reach(n);
+        // Beyond an end of a short vector, or at the end of a leader, it would be far from a long one, or upon it.
+        const near = Math.min(Math.max(share, -0.4), 0.4), close = Math.min(Math.max(clearance, 0.8), 2.5);
+        const isNear = Math.hypot(off.x, off.y) < length / 2 + 25;  // else it stood in a detail
+        const sides = [near, 0, 0.3, -0.3].flatMap((part) => [{part, across: side}, {part, across: -side}]);
+        this.placeLabel(parts, centre, box, () => {
             const now = place(), size = now ? apart(now[0], now[1]) : 0;
-            parts.forEach((part) => this.show(part, size >= leastVector));
-            if (!now || size < leastVector) return;
+            if (!now || size < leastVector) return [];
             const toward = unitOf(minus(now[1], now[0])), across = quarterTurn(toward);
-            const at = along(along(middle(now), share * size, toward), side * (clearance + reach(across)), across);
-            parts.forEach((part) => this.translate(part, minus(at, centre)));
+            const beside = (/** @type {number} */ t, /** @type {number} */ by) => along(along(middle(now), t * size, toward), by, across);
+            const isAsDrawn = isNear && apart(minus(now[1], now[0]), minus(drawn[1], drawn[0])) < samePlace;
+            return isAsDrawn ? [beside(share, side * (clearance + reach(across)))] :
+                sides.map((each) => beside(each.part, each.across * (close + reach(across))));
         });
     }
     /**
@@ -737,12 +898,17 @@ class FigureView {
         const {name, line} = best;
         const last = line.points.length - 1, from = line.points[last];
         const t = dot(minus(centre, from), line.direction), n = dot(minus(centre, from), quarterTurn(line.direction));
-        this.bindings.push(() => {
+        const size = /** @type {SVGGElement} */ (label).getBBox(), steps = [0, 1, 2, -1, -2].map((k) => k * (size.width / 2 + 1));
+        this.placings.push(() => {
             const now = this.line(name);
             const fits = now !== null && last < now.points.length;
             this.show(label, fits);
             if (!fits) return;
-            const at = along(along(now.points[last], t, now.direction), n, quarterTurn(now.direction));
+            const across = quarterTurn(now.direction), places = steps.flatMap((step) => [n, -n].map((side) =>
+                along(along(now.points[last], t + step, now.direction), side, across)));
+            const {x: c, y: s} = pivot ? now.direction : {x: 1, y: 0};
+            const at = this.crowd.best(places, {width: Math.abs(c) * size.width + Math.abs(s) * size.height,
+                height: Math.abs(s) * size.width + Math.abs(c) * size.height});
             const degrees = (/** @type {Spot} */ a) => Math.atan2(a.y, a.x) * 180 / Math.PI;
             const own = pivot ? Number(pivot[1]) : 0;
             let turn = degrees(now.direction) - degrees(line.direction);
@@ -954,7 +1120,47 @@ class FigureView {
         if (joint < 0) return false;
         const {point} = this.names.joints[joint], drawn = this.point(point), n = across(joint);
         this.carry(node, () => scaledBy(dot(minus(this.point(point), drawn), n), n));
+        if (this.names.joints[joint].turnsWith === 0) this.stretch(node, point, drawn, scaledBy(-1, quarterTurn(n)));
         return true;
+    }
+    /**
+     * A guide is drawn as long as what slides on it goes: a line by its ends, hatching by more of its strokes.
+     * @param {Element} node
+     * @param {number} point
+     * @param {Spot} drawn
+     * @param {Spot} e
+     */
+    stretch(node, point, drawn, e) {
+        const segments = parsePath(node.getAttribute('d') ?? ''), spots = spotsOf(segments);
+        if (node.tagName !== 'path' || !segments.every(({letter}, i) => letter === 'ML'[i % 2])) return;
+        const at = spots.map((spot) => dot(minus(spot, drawn), e)), count = spots.length;
+        if (Math.min(...at) > 0 || Math.max(...at) < 0) return;  // of another place of the frame
+        const travel = this.travels.get(point) ?? {from: 0, to: 0, drawn, e};
+        this.travels.set(point, travel);
+        this.bindings.push(() => {
+            const {from, to} = travel;
+            if (count === 2) {
+                const ends = spots.map((spot, i) => along(spot, at[i] < at[1 - i] ? from : to, e));
+                return this.set(node, 'd', mappedPath(segments, () => /** @type {Spot} */ (ends.shift())));
+            }
+            // The outermost stroke may be cut: copies are of its neighbour.
+            const pitch = count > 7 ? at[4] - at[2] : 0, step = Math.abs(pitch), isUp = pitch > 0;
+            if (step < samePlace) return;
+            const copies = [{pair: isUp ? segments.slice(2, 4) : segments.slice(-4, -2), by: -step, reach: -from},
+                {pair: isUp ? segments.slice(-4, -2) : segments.slice(2, 4), by: step, reach: to}].flatMap(({pair, by, reach}) =>
+                Array.from({length: Math.floor(reach / step)}, (_, k) => mappedPath(pair, (spot) => along(spot, (k + 2) * by, e))));
+            this.set(node, 'd', mappedPath(segments, (spot) => spot) + copies.join(''));
+        });
+    }
+    /** Where points on guides come, in one position of the way. */
+    measureTravels() {
+        const [, , width, height] = this.viewBox;
+        for (const [point, travel] of this.travels) {
+            const by = dot(minus(this.point(point), travel.drawn), travel.e);
+            if (Math.abs(by) > width + height) continue;
+            travel.from = Math.min(travel.from, by);
+            travel.to = Math.max(travel.to, by);
+        }
     }
     /**
      * The place of the frame that is nearest; −1: none.
@@ -1062,34 +1268,35 @@ class FigureView {
         return spots.length > 0 ? boxOf(spots) : null;
     }
     /**
-     * Its part of the drawing: as far as to halfway to others in it. In the drawn position.
-     * @param {FigureView[]} others
+     * Its part of the drawing: alone all of it, else a place in a row. In the drawn position.
+     * @param {FigureView[]} views of the drawing, itself among them
+     * @param {FigureView[][]} rows
      */
-    takeRoom(others) {
-        const [x, y, width, height] = this.viewBox, own = this.box(), rim = 12, below = 8;
-        const room = {left: x + rim, top: y + rim, right: x + width - rim, bottom: y + height - rim - below};
-        for (const other of own ? others : []) {
-            const box = other.box();
-            if (!box || !own) continue;
-            const beside = Math.max(box.left - own.right, own.left - box.right);
-            if (beside >= Math.max(box.top - own.bottom, own.top - box.bottom)) {
-                if (box.centre.x > own.centre.x) room.right = Math.min(room.right, (box.left + own.right) / 2 - rim / 3);
-                else room.left = Math.max(room.left, (box.right + own.left) / 2 + rim / 3);
-            } else if (box.centre.y > own.centre.y) {
-                room.bottom = Math.min(room.bottom, (box.top + own.bottom) / 2 - rim / 2);
-            } else {
-                room.top = Math.max(room.top, (box.bottom + own.top) / 2 + rim / 2);
-            }
+    takeRoom(views, rows) {
+        const rim = 12, below = 8, own = this.fitRoom;
+        if (views.length > 1 && !this.isMechanism && !this.held) {
+            this.rows = rows;
+            [this.title, this.foot] = companionsOf(this, views);
+            const feet = total(rows.map((row) => Math.max(...row.map(({foot}) => foot?.height ?? 0))));
+            this.fitRoom = [own[0], own[1], own[2], Math.max(own[3], feet + rows.length * (own[2] / 3 + 14))];
         }
-        if (others.length > 0) {  // what is known of the forces stands below
-            const boxes = [this, ...others].flatMap((each) => each.box() ?? []);
-            room.top = Math.max(room.top, Math.min(...boxes.map(({top}) => top)) - rim / 3);
-            room.bottom = Math.min(room.bottom, Math.max(...boxes.map(({bottom}) => bottom)) + rim / 3);
-        }
-        this.room = room;
+        const [x, y, width, height] = this.fitRoom;
+        this.room = {left: x + rim, top: y + rim, right: x + width - rim, bottom: y + height - rim - below};
+    }
+    /**
+     * Its title and its table go with a polygon that has a place in a row.
+     * @param {boolean} fits
+     */
+    placeCompanions(fits) {
+        const {room, title, foot} = this, centre = (room.left + room.right) / 2;
+        const put = (/** @type {Companion | undefined} */ of, /** @type {number} */ left, /** @type {number} */ top) => of?.nodes.forEach(
+            (node) => this.translate(node, fits ? {x: left - of.left, y: top - of.top} : {x: 0, y: 0}));
+        put(title, room.left - 8, room.top - 8);
+        if (foot) put(foot, centre - foot.width / 2, room.bottom + 7);
     }
     /** How much smaller than on the sheet it must be drawn to fill its room. */
     shrinkage() {
+        if (this.rows.length > 0) return shareRoom(this.rows);
         const box = this.box(), {left, top, right, bottom} = this.room;
         if (!box) return 1e-9;
         return Math.max((box.right - box.left) / Math.max(right - left, 20), (box.bottom - box.top) / Math.max(bottom - top, 20), 1e-9);

@@ -7,6 +7,7 @@
 
 #include "engine/centre_symbol.hpp"
 #include "engine/json_text.hpp"
+#include "render/figures/plot_figure.hpp"
 #include "render/page/figure.hpp"
 #include "render/text/formula.hpp"
 
@@ -177,6 +178,7 @@ private:
         const Quantity& q = column.quantity;
         const Unit unit = unit_of_column(column, solution_.mechanism.units);
         json_.open('{').key("name").text(column.name).key("kind").text(name_of(column.kind)).key("unit").text(unit.symbol);
+        if (q.kind == Quantity::Kind::effort) json_.key("symbol").text(plain(typeset(column, solution_.mechanism, Language::en)));
         json_.key("size").number(unit.si.to_double()).key("body").all(q.body).key("point").all(q.point);
         json_.key("joint").all(q.joint).key("component");
         json_.text(q.component == Quantity::Component::y   ? "y"

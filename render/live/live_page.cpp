@@ -13,6 +13,7 @@
 #include "engine/json_text.hpp"
 #include "engine/problem.hpp"
 #include "render/backends/backends.hpp"
+#include "render/figures/plot_figure.hpp"
 #include "render/live/live_data.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/figure_alone.hpp"
@@ -86,6 +87,16 @@ std::string without_blanks(const std::string& line) {
     return out;
 }
 
+/// A line of the style sheet without the blanks beside its signs; those between words part selectors.
+std::string without_blanks_of_style(std::string line) {
+    for (const std::string_view idle : {"{ ", "; ", ": ", ", ", " {", " }"}) {
+        const std::string sign(idle.front() == ' ' ? idle.substr(1) : idle.substr(0, 1));
+        for (std::size_t at = line.find(idle); at != std::string::npos; at = line.find(idle, at))
+            line.replace(at, idle.size(), sign);
+    }
+    return line;
+}
+
 /// The script and the style sheet as they are sent: without the comments and the indentation that they are read with. Their
 /// comments are whole lines, after two blanks, or in slashes and stars, which no string of theirs holds.
 std::string without_comments(std::string_view source, bool is_script) {
@@ -99,7 +110,10 @@ std::string without_comments(std::string_view source, bool is_script) {
         if (!in_comment && line.starts_with("//")) continue;
         std::string kept = without_comments_of_line(line, in_comment);
         if (const std::size_t aside = kept.find("  // "); is_script && aside != std::string::npos) kept.resize(aside);
-        if (!kept.empty()) out.append(is_script ? without_blanks(kept) : kept).append("\n");
+        if (kept.empty()) continue;
+        out += is_script ? without_blanks(kept) : without_blanks_of_style(std::move(kept));
+        // No text of ours goes on over a line's end, so what follows these signs may stand on their line.
+        if (std::string_view("{(,;").find(out.back()) == std::string_view::npos) out += '\n';
     }
     return out;
 }
@@ -453,6 +467,11 @@ private:
         if (!solution_.equations || !solution_.equations->why_not.empty()) return {};
         return element("pre", "", escaped(as_text(equation_items(solution_, language))));
     }
+    /// As files name it; an effort, which the sheet names otherwise, as the sheet does.
+    std::string title_of_column(const Column& column, Language language) const {
+        if (column.quantity.kind != Quantity::Kind::effort) return escaped(column.name);
+        return html(typeset(column, solution_.mechanism, language));
+    }
     /// The columns that follow the mechanism; the script fills them in.
     std::string values(Language language) const {
         if (!moving_) return {};
@@ -461,7 +480,7 @@ private:
             const Column& column = moving_->columns[i];
             const Unit unit = unit_of_column(column, solution_.mechanism.units);
             rows += element("tr", "",
-                            element("th", "scope=\"row\"", escaped(column.name)) +
+                            element("th", "scope=\"row\"", title_of_column(column, language)) +
                                 element("td", "data-column=\"" + std::to_string(i) + "\"", "") +
                                 element("td", "", escaped(unit.symbol)));
         }

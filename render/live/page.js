@@ -141,7 +141,9 @@ class Page {
             const follow = views.length > 0 && views.every((view) => view.follows);
             svg.classList.toggle('following', follow);
             if (follow) views.forEach((view) => view.bind());
-            if (follow) views.forEach((view) => view.takeRoom(views.filter((each) => each !== view)));
+            const rows = rowsOf(views);
+            // Twice: the first does not know yet how tall the tables below the others are.
+            for (let times = 0; follow && times < 2; ++times) views.forEach((view) => view.takeRoom(views, rows));
             return views;
         });
         if (isDrawn) return;
@@ -349,6 +351,7 @@ class Page {
         const {course} = this, position = this.at('position');
         this.shownWay = course;
         this.rooms.clear();
+        for (const view of this.figures) view.travels.forEach((travel) => Object.assign(travel, {from: 0, to: 0}));
         position.min = String(course.samples[0].at);
         position.max = String(course.samples[course.samples.length - 1].at);
         position.setAttribute('aria-label', `${this.word('position')}: ${course.name}`);
@@ -465,7 +468,8 @@ class Page {
         // Polygons of one drawing have one scale.
         const together = fits ? this.figures.filter(({svg}) => svg === view.svg) : [];
         const to = fits ? view.fitted(Math.max(...together.map((each) => each.shrinkage()))) : undefined;
-        view.follow(fits ? view.viewBox : this.roomOf(view), to);
+        view.placeCompanions(fits);
+        view.follow(fits ? view.fitRoom : this.roomOf(view), to);
         this.sayScale(view);
     }
     /** @param {FigureView} view */
@@ -506,6 +510,7 @@ class Page {
                 view.scale = view.drawnScale;
                 view.origin = view.drawnOrigin;
                 view.held?.take(fits);
+                view.measureTravels();
                 for (const at of view.extent()) {
                     room.left = Math.max(Math.min(room.left, at.x - margin), x - most * width);
                     room.right = Math.min(Math.max(room.right, at.x + margin), x + (1 + most) * width);
@@ -515,6 +520,11 @@ class Page {
             }
         }
         motion.moveTo(course, here);
+        // A scale bar stands below what moves.
+        for (const view of this.figures) {
+            const room = rooms.get(view.svg), [, y, , height] = view.viewBox;
+            if (room && view.isMechanism && view.measures.length > 0 && room.bottom > y + height) room.bottom += 8;
+        }
         return new Map([...rooms].map(
             ([svg, room]) => [svg, [room.left, room.top, room.right - room.left, room.bottom - room.top]]));
     }

@@ -1,5 +1,13 @@
 // The path of a point on the mechanism, and a value over the driver's way: both drawn once for a way, with a mark that runs along.
 
+/**
+ * As the sheet calls it.
+ * @param {Column} column
+ */
+function nameOf({name, symbol}) {
+    return unscored(symbol ?? name);
+}
+
 class Traces {
     /** @param {Page} page */
     constructor(page) {
@@ -17,8 +25,8 @@ class Traces {
         const points = motion.data.points.flatMap(([body], i) => body === 0 ? [] :
             [[String(i), unscored(page.data.names.points[i].label)]]);
         fill(trace, [none, ...points], trace.value);
-        fill(plot, [none, ...motion.data.columns.map(({name, unit}, i) =>
-            [String(i), unit === '' ? name : `${name} [${unit}]`])], plot.value);
+        fill(plot, [none, ...motion.data.columns.map((column, i) =>
+            [String(i), column.unit === '' ? nameOf(column) : `${nameOf(column)} [${column.unit}]`])], plot.value);
     }
     /** For the language and the driver that are chosen. */
     draw() {
@@ -70,7 +78,7 @@ class Traces {
         const figure = document.createElement('figure');
         figure.className = 'plot';
         page.sheet.querySelector('.figures')?.append(figure);
-        const svg = drawn(figure, 'svg', {viewBox: '-4 -8 108 66', role: 'img', 'aria-label': column.name});
+        const svg = drawn(figure, 'svg', {viewBox: '-4 -8 108 66', role: 'img', 'aria-label': nameOf(column)});
         let d = '';
         values.forEach((value, i) => {
             if (value === null) return;
@@ -93,7 +101,7 @@ class Traces {
             mark.setAttribute('cx', at);
             mark.setAttribute('cy', y((value ?? 0) / column.size).toFixed(2));
             mark.setAttribute('visibility', value === null ? 'hidden' : 'inherit');
-            caption.textContent = `${column.name} = ${value === null ? '–' : page.numberText(value / column.size)} ${column.unit}`;
+            caption.textContent = `${nameOf(column)} = ${value === null ? '–' : page.numberText(value / column.size)} ${column.unit}`;
         });
     }
     show() {

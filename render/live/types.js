@@ -14,7 +14,9 @@
  *   lines: [string, string, number, number, ...number[]][], held: [string, number, number, number][]}} Plan
  *   strokes: verb, plane, two inputs, given of each; guards: question, how, two inputs, verdict, stroke before which it is asked;
  *   sources: an element by column, −1 what vanishes, −2 what is not known
- * @typedef {{name: string, kind: string, unit: string, size: number, body: number, point: number, joint: number, component: string}} Column
+ * @typedef {{name: string, symbol?: string, kind: string, unit: string, size: number, body: number, point: number, joint: number,
+ *   component: string}} Column
+ *   symbol: of an effort, as the sheet calls it
  * @typedef {{at: number, coordinate: number, plan: number, rate: number, acceleration: number, q: number[],
  *   values?: (number | null)[]}} Sample
  *   coordinate, rate and acceleration are written of a driver with a law alone; else Motion fills them in

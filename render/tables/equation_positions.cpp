@@ -1,5 +1,6 @@
 #include "render/tables/equation_positions.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -62,6 +63,8 @@ void PositionText::write_solved(const Equations::Loop& loop, std::size_t index) 
             return write_turn_and_slide(loop);
         case Solved::Kind::turn_with_slide:
             return write_turn_with_slide(loop, index);
+        case Solved::Kind::turn_with_offset_slide:
+            return write_turn_with_offset_slide(loop, index);
         case Solved::Kind::two_slides:
             return list_.say({"Both unknowns are lengths: the two equations are linear in them.",
                               "Le due incognite sono lunghezze: le due equazioni sono lineari."});
@@ -69,11 +72,21 @@ void PositionText::write_solved(const Equations::Loop& loop, std::size_t index) 
             return list_.say({"All its quantities are known already: it closes by itself.",
                               "Tutte le sue grandezze sono già note: si chiude da sé."});
         case Solved::Kind::iterative:
+            if (stands_alone(index))
+                return list_.say({"Its unknowns have no closed form here: they are found by iteration (Newton).",
+                                  "Le sue incognite non hanno qui forma chiusa: si trovano per iterazione (Newton)."});
             return list_.say(
                 {"Its unknowns have no closed form here: they are found by iteration (Newton), together with the other loops’.",
                  "Le sue incognite non hanno qui forma chiusa: si trovano per iterazione (Newton), insieme a quelle delle altre "
                  "maglie."});
     }
+}
+
+bool PositionText::stands_alone(std::size_t index) const {
+    const int row = static_cast<int>(2 * index);
+    return std::any_of(e_.blocks.begin(), e_.blocks.end(), [&](const Equations::Block& block) {
+        return block.rows.size() == 2 && std::find(block.rows.begin(), block.rows.end(), row) != block.rows.end();
+    });
 }
 
 void PositionText::write_resultant(const Equations::Loop& loop, std::size_t index) {
@@ -175,6 +188,27 @@ void PositionText::write_turn_with_slide(const Equations::Loop& loop, std::size_
     write_resultant(loop, index);
     list_.set(equal(pen_.name(first.length), Formula::letter("p", pen_.numbered(index))) + Formula::upright(", ") +
               equal(pen_.angle(first.angle), Formula::letter("sigma", pen_.numbered(index))));
+}
+
+void PositionText::write_turn_with_offset_slide(const Equations::Loop& loop, std::size_t index) {
+    const Side &slide = loop.sides[at_index(loop.solved.first)], &arm = loop.sides[at_index(loop.solved.second)];
+    list_.say(Words("With what is known as one vector, the sliding side and the arm {0}, square to it, form a right triangle:",
+                    "Raccolte le grandezze note in un vettore, il lato scorrevole e il braccio {0}, normale ad esso, formano un "
+                    "triangolo rettangolo:",
+                    pen_.spoken(arm.length)));
+    write_resultant(loop, index);
+    const Formula p = Formula::letter("p", pen_.numbered(index)), sigma = Formula::letter("sigma", pen_.numbered(index));
+    const Formula b = pen_.name(slide.length), c = pen_.name(arm.length), minus = Formula::sign("−");
+    const double slid = pen_.letter(slide.length).value, pv = loop.solved.resultant, cv = pen_.letter(arm.length).value;
+    list_.set(equal(b, joined({{slid < 0 ? -1 : 1, Formula::root(square(p) + minus + square(c))}})) + Formula::sign("=") +
+              pen_.amount_formula(slide.length, slid, 0));
+    // (b ± i c) e^{iβ} = p e^{iσ}: the sine of β − σ is ∓ c/p.
+    const int quarters = ((arm.angle.quarters - slide.angle.quarters) % 4 + 4) % 4;
+    const int side = (quarters == 1 ? 1 : -1) * pen_.sign_of(arm, slide);
+    list_.set(equal(pen_.trigonometric(true, pen_.angle(slide.angle) + minus + sigma, false),
+                    joined({{side, Formula::fraction(c, p)}})) +
+              Formula::sign("=") + pen_.value(side * cv / pv));
+    list_.set(equal(pen_.angle(slide.angle), Formula::upright(pen_.amount_text(value_of(e_, slide.angle), QuantityKind::angle))));
 }
 
 }  // namespace kinegraph::render::closure

@@ -29,6 +29,9 @@ private:
     /// sin β = −λ sin α + h/b, λ = a/b, where one crank and offsets are known; else all over b.
     void write_sine(const Side& first, const std::vector<Side>& known, const std::function<Difference(const Side&)>& against);
     void write_turn_with_slide(const Equations::Loop& loop, std::size_t index);
+    void write_turn_with_offset_slide(const Equations::Loop& loop, std::size_t index);
+    /// No loop that is solved together with it: it is a block of its own.
+    bool stands_alone(std::size_t index) const;
 
     const Equations& e_;
     const Mechanism& mechanism_;

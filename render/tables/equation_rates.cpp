@@ -90,7 +90,7 @@ Formula RateText::matrix(const Equations::Block& block, bool symbols) const {
             entries.push_back(symbols ? joined(pen_.terms(e_.f_y[row][col]))
                                       : pen_.value(rounded(in_units(row, each, e_.jacobian[row][col]))));
         }
-    return Formula::matrix(std::move(entries), block.unknowns.size());
+    return Formula::matrix(std::move(entries), block.unknowns.size(), between_numbers(pen_.language()));
 }
 
 double RateText::rounded(double entry) const {
@@ -210,7 +210,7 @@ void RateText::write_in_parts(const Equations::Block& block) {
         list_.set(equal(names.back(), matrix(part, true)));
     }
     const std::size_t count = names.size();
-    list_.set(equal(Formula::letter("J"), Formula::matrix(std::move(names), count)));
+    list_.set(equal(Formula::letter("J"), Formula::matrix(std::move(names), count, between_numbers(pen_.language()))));
 }
 
 void RateText::write_determinant(const Equations::Block& block) {
@@ -241,7 +241,7 @@ std::optional<Formula> RateText::closed_determinant(const Equations::Block& bloc
         own = pen_.projected(pen_.name(first.length),
                              {first.angle.letters, second.angle.letters, first.angle.quarters - second.angle.quarters}, false, 1);
         expected = std::cos(expected);
-    } else if (solved.kind == Solved::Kind::turn_with_slide) {
+    } else if (solved.kind == Solved::Kind::turn_with_slide || solved.kind == Solved::Kind::turn_with_offset_slide) {
         own = {1, pen_.name(first.length)};
         expected = pen_.letter(first.length).value;
     }

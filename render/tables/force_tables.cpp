@@ -68,6 +68,8 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
     if (applied.kind == Kind::effort) return one_piece("∥ " + word("guide", language));
     if (joint.pair().is_sleeve()) return one_piece("⟂ " + word("guide", language));
+    // Teeth press at the pressure angle, not along the common normal of the pitch curves.
+    if (joint.pair().meshes()) return one_piece(word("line of the teeth", language));
     if (!joint.pair().holds_point()) return one_piece(word("normal", language));
     const Vector& own = solution.pose.at(joint.point);
     RichText text = point(mechanism, joint.point, language);

@@ -45,12 +45,23 @@ struct Reading {
     double value = 0;
     int decimals = 0;
 };
-std::optional<Reading> reading_of(const ResultRow& row) {
+/// What a millimetre is worth to a row that is read off. Seven digits are the scale, the rest is how places on paper are rounded:
+/// with it 34.3 mm × 25 N would be now 857 N, now 858 N.
+std::optional<double> scale_of(const ResultRow& row) {
     if (!row.millimetres || !(*row.millimetres > 0) || row.drawing == 0) return std::nullopt;
-    // The sign is no length: compression, and turning clockwise.
-    const double sign = row.drawing < 0 ? -1 : 1;
     const double scale = std::abs(row.drawing) / *row.millimetres;
-    return Reading{sign * std::round(*row.millimetres * 10) / 10 * scale,
+    const int decimals = 6 - static_cast<int>(std::floor(std::log10(scale)));
+    const double power = std::pow(10.0, std::abs(decimals));
+    return decimals < 0 ? std::round(scale / power) * power : std::round(scale * power) / power;
+}
+std::optional<Reading> reading_of(const ResultRow& row) {
+    const std::optional<double> known = scale_of(row);
+    if (!known) return std::nullopt;
+    // The sign is no length: compression, and turning clockwise.
+    const double sign = row.drawing < 0 ? -1 : 1, scale = *known;
+    // Half of the last digit is rounded up, as by hand, though 0.23175 as a double is a hair less.
+    constexpr double a_hair_more = 1 + 1e-12;
+    return Reading{sign * std::round(*row.millimetres * 10) * scale / 10 * a_hair_more,
                    std::clamp(static_cast<int>(-std::floor(std::log10(0.1 * scale) + 1e-9)), 0, 9)};
 }
 /// A scale, without zeros that say nothing: 0.005.
@@ -67,9 +78,9 @@ std::optional<double> scale_of(const std::vector<ResultRow>& rows) {
     constexpr double equal = 1e-4;
     std::optional<double> common;
     for (const ResultRow& row : rows) {
-        if (!row.millimetres || !(*row.millimetres > 0) || row.drawing == 0) continue;
-        const double scale = std::abs(row.drawing) / *row.millimetres;
-        if (common && std::abs(scale - *common) > equal * *common) return std::nullopt;
+        const std::optional<double> scale = scale_of(row);
+        if (!scale) continue;
+        if (common && std::abs(*scale - *common) > equal * *common) return std::nullopt;
         if (!common) common = scale;
     }
     return common;

@@ -227,11 +227,12 @@ Formula Formula::fenced(Formula inside) {
     made.parts = {std::move(inside)};
     return made;
 }
-Formula Formula::matrix(std::vector<Formula> entries, std::size_t columns) {
+Formula Formula::matrix(std::vector<Formula> entries, std::size_t columns, const char* between) {
     Formula made;
     made.kind = Kind::matrix;
     made.parts = std::move(entries);
     made.columns = columns;
+    made.as_plain = between;
     return made;
 }
 
@@ -288,10 +289,14 @@ std::string Formula::plain() const {
         case Kind::fence:
             return "(" + parts[0].plain() + ")";
         case Kind::matrix: {
-            std::string all = "[";
-            for (std::size_t i = 0; i < parts.size(); ++i)
-                all += (i == 0 ? "" : i % columns == 0 ? "; " : ", ") + parts[i].plain();
-            return all + "]";
+            const std::string between_rows = "; ";
+            const bool has_own_brackets = columns > 1 && as_plain == between_rows;
+            std::string all = has_own_brackets ? "[[" : "[";
+            for (std::size_t i = 0; i < parts.size(); ++i) {
+                if (i > 0) all += i % columns > 0 ? as_plain : has_own_brackets ? "]" + between_rows + "[" : between_rows;
+                all += parts[i].plain();
+            }
+            return all + (has_own_brackets ? "]]" : "]");
         }
     }
     return {};

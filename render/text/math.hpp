@@ -43,8 +43,9 @@ public:
     static Formula root(Formula of);
     static Formula power(Formula base, Formula exponent);
     static Formula fenced(Formula inside);
-    /// Row by row, `columns` in each.
-    static Formula matrix(std::vector<Formula> entries, std::size_t columns);
+    /// Row by row, `columns` in each. `between`: entries of a row in plain text; "; ", as in Italian, where a comma is the
+    /// decimal sign, then has rows in brackets of their own.
+    static Formula matrix(std::vector<Formula> entries, std::size_t columns, const char* between = ", ");
 
     Formula& operator+=(Formula more);
     friend Formula operator+(Formula a, Formula b) { return a += std::move(b); }
@@ -62,7 +63,7 @@ public:
     Kind kind = Kind::row;
     RichText text;         ///< of text and sign
     std::string as_latex;  ///< the same in LaTeX
-    std::string as_plain;  ///< the same in plain text
+    std::string as_plain;  ///< the same in plain text; of a matrix what stands between entries
     std::vector<Formula> parts;
     std::size_t columns = 1;
 };

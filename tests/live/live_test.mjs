@@ -484,9 +484,10 @@ test('a parameter that the page cannot follow is named with the reason, in both 
         [...document.querySelectorAll('#givens p')].map((each) => each.textContent)`);
     const english = await told('en'), italian = await told('it');
     assert.equal(english.length, 3);
-    assert.match(english[0], /most where the mechanism is drawn: phi\./);
+    assert.match(english[0], /only says in which position the mechanism is drawn; the slider moves it to others: phi\./);
     assert.match(english[1], /In the file only.*: l\.$/);
     assert.match(english[2], /zero.*: e\.$/);
+    assert.match(italian[0], /^Non si cambia qui.*la barra lo porta in altre: phi\.$/);
     assert.match(italian[1], /^Solo nel file.*: l\.$/);
     await see('kinegraph.setLanguage("en")');
     quiet();
@@ -586,7 +587,7 @@ test('forces cut free at the joints are those of the sweep', async () => {
 test('polygons of one drawing keep apart, to one scale, and the bar of another scale is left out', async () => {
     const {boxes, scales, room, bar} = await see(`kinegraph.moveTo(0.1), (() => {
         const views = kinegraph.figures.filter(({info}) => info.name === 'forces'), [view] = views;
-        return {boxes: views.map((each) => boxOf(each.extent())), scales: views.map(({scale}) => scale), room: view.viewBox,
+        return {boxes: views.map((each) => boxOf(each.extent())), scales: views.map(({scale}) => scale), room: view.shownRoom,
             bar: [...view.svg.querySelectorAll(':scope > path')].filter((each) => /^M[^A]*Z$/.test(each.getAttribute('d')))
                 .map((each) => getComputedStyle(each).visibility)};
     })()`);
@@ -597,6 +598,90 @@ test('polygons of one drawing keep apart, to one scale, and the bar of another s
         assert.ok(left > room[0] && right < room[0] + room[2] && top > room[1] && bottom < room[1] + room[3]);
     }
     assert.ok(bar.length > 0 && bar.every((each) => each === 'hidden'), bar.join());
+    quiet();
+});
+
+// Where it is drawn its rod is nearly in line with the load: forces that lie on each other stand side by side, polygons are flat.
+const pumpFile = join(import.meta.dirname, 'pump.json'), elsewhere = 126 * Math.PI / 180;
+
+test('strokes of polygons close where vectors are no longer in one line, with whole heads and labels of their own', async () => {
+    await open(pageOf('pump', pumpFile));
+    for (const language of ['en', 'it']) {
+        const wrong = await see(`kinegraph.setLanguage('${language}'), kinegraph.moveTo(${elsewhere}), (() => {
+            const wrong = [], seen = (node) => getComputedStyle(node).visibility === 'visible';
+            for (const view of kinegraph.figures.filter(({isMechanism, held}) => !isMechanism && !held)) {
+                for (const node of view.group.querySelectorAll(':scope > g.vector')) {
+                    const name = node.dataset.name, ends = view.vector(name), paths = [...node.querySelectorAll('path')].filter(seen);
+                    if (paths.length === 0 || apart(...ends) < 8) continue;
+                    const spots = paths.map((path) => spotsOf(parsePath(path.getAttribute('d'))));
+                    const off = Math.min(...spots[0].map((at) => apart(at, ends[0])));
+                    if (off > 0.02) wrong.push(view.id + ' ' + name + ' begins ' + off);
+                    const head = paths.findIndex((path) => path.getAttribute('fill') !== 'none');
+                    if (head < 0) continue;
+                    if (apart(spots[head][0], ends[1]) > 0.02) wrong.push(view.id + ' ' + name + ' ends elsewhere');
+                    if (apart(spots[head][1], spots[head][3]) < 1.5) wrong.push(view.id + ' ' + name + ' has no head');
+                }
+                const boxes = [...view.group.querySelectorAll(':scope > g.label:not([transform*=rotate])')].filter(seen).map((label) =>
+                    ({name: label.dataset.label, box: label.getBoundingClientRect()}));
+                boxes.forEach((a, i) => boxes.slice(i + 1).forEach((b) => {
+                    const wide = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
+                    const tall = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
+                    const least = Math.min(a.box.width * a.box.height, b.box.width * b.box.height);
+                    if (wide > 0 && tall > 0 && wide * tall > 0.25 * least) wrong.push(view.id + ': ' + a.name + ' on ' + b.name);
+                }));
+            }
+            return wrong;
+        })()`);
+        assert.deepEqual(wrong, []);
+    }
+    quiet();
+});
+
+test('polygons of several bodies have rooms of their own, and a polygon takes the larger part of its room', async () => {
+    await open(pageOf('pump', pumpFile));
+    const found = await see(`kinegraph.moveTo(${elsewhere}), (() => {
+        const several = kinegraph.figures.filter(({info}) => info.name === 'forces');
+        return {
+            boxes: several.map((view) => boxOf(view.extent())), titles: several.map(({title}) => {
+                const [node] = title.nodes, box = node.getBBox(), to = node.transform.baseVal.consolidate().matrix;
+                return box.y + to.f + box.height;
+            }),
+            shares: kinegraph.figures.filter(({info}) => ['velocity', 'acceleration'].includes(info.name)).map((view) => {
+                const box = boxOf(view.extent()), [, , width, height] = view.shownRoom;
+                return Math.max((box.right - box.left) / width, (box.bottom - box.top) / height);
+            }),
+        };
+    })()`);
+    const [upper, lower] = found.boxes;
+    assert.equal(found.boxes.length, 2);
+    assert.ok(upper.bottom < lower.top, JSON.stringify(found.boxes));
+    assert.ok(found.titles[0] < upper.top && upper.bottom < found.titles[1] && found.titles[1] < lower.top, JSON.stringify(found));
+    assert.ok(found.shares.every((share) => share > 0.5), found.shares.join());
+    quiet();
+});
+
+test('a guide is as long as its slider goes, the scale bar stands below, and what a detail names keeps its name', async () => {
+    await open(pageOf('pump', pumpFile));
+    // Numbers that are seen elsewhere alone keep what they said last.
+    const drawing = `kinegraph.sheet.querySelector('.figures').innerHTML.replace(/(<text class="number"[^>]*>)[^<]*/g, '$1')`;
+    const picture = await see(drawing);
+    const found = await see(`kinegraph.moveTo(${elsewhere}), (() => {
+        const view = kinegraph.figures.find(({info}) => info.name === 'mechanism'), d = (node) => spotsOf(parsePath(node.getAttribute('d')));
+        const slider = view.point(kinegraph.data.names.points.findIndex(({label}) => label === 'D'));
+        const rails = [...view.group.querySelectorAll('.ground path')].map((node) => boxOf(d(node))).filter(({left, right}) => right - left > 20);
+        const links = [...view.group.querySelectorAll('g.link')].map((node) => node.getBoundingClientRect().bottom);
+        const [bar] = view.measures, polygon = kinegraph.figures.find(({info}) => info.name === 'velocity');
+        const names = [...polygon.group.querySelectorAll('[data-label=v_D]')].filter((node) => getComputedStyle(node).visibility === 'visible');
+        return {slider: slider.x, rails, links, bar: bar.getBoundingClientRect().top, names: names.length};
+    })()`);
+    assert.ok(found.rails.length >= 2 && found.rails.every(({left, right}) => left < found.slider && found.slider < right),
+        JSON.stringify(found));
+    assert.ok(found.links.every((bottom) => bottom < found.bar), JSON.stringify(found));
+    assert.equal(found.names, 1);
+    assert.deepEqual(await see('[...document.getElementById("plot").options].map(({text}) => text).filter((text) => /^(M_m|effort)/.test(text))'),
+        ['M_m [N m]']);
+    await see('document.getElementById("drawn").click()');
+    assert.equal(await see(drawing), picture);
     quiet();
 });
 

@@ -1,0 +1,185 @@
+// Where arrows, labels and polygons stand while the mechanism is elsewhere than drawn, so that none hides another: what the sheet
+// decides once (render/figures/polygon_parts.cpp, render/page/labels.cpp), here for each position. Owns no mark; answers with places.
+
+/** As polygon_parts.cpp has them, mm. */
+const lanePitch = 2.2, sameLane = 0.4, sharedLength = 1, oneVector = 0.05;
+
+/**
+ * Where a place is along a vector, and beside it.
+ * @param {Spot} tail
+ * @param {Spot} tip
+ * @returns {(at: Spot) => {t: number, n: number}}
+ */
+function localOf(tail, tip) {
+    const e = unitOf(minus(tip, tail)), n = quarterTurn(e);
+    return (at) => ({t: dot(minus(at, tail), e), n: dot(minus(at, tail), n)});
+}
+
+/**
+ * So far along one line that one would hide the other.
+ * @param {[Spot, Spot]} a
+ * @param {[Spot, Spot]} b
+ */
+function hideEachOther(a, b) {
+    const length = apart(...a);
+    if (length < sharedLength || apart(...b) < sharedLength) return false;
+    const [from, to] = b.map(localOf(...a));
+    if (Math.abs(from.n) > sameLane || Math.abs(to.n) > sameLane) return false;
+    return Math.min(length, Math.max(from.t, to.t)) - Math.max(0, Math.min(from.t, to.t)) > sharedLength;
+}
+
+/**
+ * Vectors that would lie upon each other stand side by side, and in their places where they do not.
+ * @param {FigureView} view
+ */
+function setSideBySide(view) {
+    /** @type {{ends: [Spot, Spot], number: number, normal: Spot}[]} */
+    const lanes = [];
+    const all = view.strokes.map((name) => ({name, ends: view.vector(name)}));
+    view.asides.clear();
+    for (const {name, ends} of all) {
+        if (!ends || apart(...ends) < sharedLength) continue;
+        const near = lanes.filter((lane) => hideEachOther(lane.ends, ends));
+        const same = near.find((lane) => lane.ends.every((end, i) => apart(end, ends[i]) < oneVector));
+        let number = same?.number ?? 0;
+        for (let n = 1; !same && near.some((lane) => lane.number === number); ++n) number = n % 2 === 1 ? (n + 1) / 2 : -n / 2;
+        // At first away from the rest of the polygon.
+        const beside = total(all.flatMap((each) => each.ends ?? []).map((at) => localOf(...ends)(at).n));
+        const normal = near[0]?.normal ?? scaledBy(beside > 0 ? -1 : 1, quarterTurn(unitOf(minus(ends[1], ends[0]))));
+        lanes.push({ends, number, normal});
+        if (number !== 0) view.asides.set(name, scaledBy(lanePitch * number, normal));
+    }
+}
+/** @param {number[]} all */
+function total(all) {
+    return all.reduce((sum, each) => sum + each, 0);
+}
+
+/** Labels that have their place, and the strokes that they keep off. */
+class Crowd {
+    constructor() {
+        /** @type {{left: number, right: number, top: number, bottom: number}[]} */
+        this.boxes = [];
+        /** @type {Spot[][]} */
+        this.strokes = [];
+    }
+    /** @param {Spot[][]} strokes */
+    clear(strokes) {
+        this.boxes = [];
+        this.strokes = strokes.filter((ends) => ends.length === 2);
+    }
+    /**
+     * Of places for the middle of a label the first that is free, or the one that hides least; it is taken.
+     * @param {Spot[]} places in order of preference
+     * @param {{width: number, height: number}} size
+     */
+    best(places, {width, height}) {
+        const boxes = places.map(({x, y}) => ({left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2}));
+        const prices = boxes.map((box) => this.price(box)), best = prices.indexOf(Math.min(...prices));
+        this.boxes.push(boxes[best]);
+        return places[best];
+    }
+    /** @param {{left: number, right: number, top: number, bottom: number}} box mm² of other labels hidden, mm of strokes, twice */
+    price(box) {
+        const both = (/** @type {number[]} */ [from, to], /** @type {number[]} */ [low, high]) =>
+            Math.max(0, Math.min(to, high) - Math.max(from, low));
+        const shared = this.boxes.map(({left, right, top, bottom}) =>
+            both([left, right], [box.left, box.right]) * both([top, bottom], [box.top, box.bottom]));
+        return total([...shared,
+            ...this.strokes.map(([a, b]) => lengthWithin(a, b, box) / 2)]);
+    }
+}
+/**
+ * How much of a stroke lies in a box, mm.
+ * @param {Spot} a
+ * @param {Spot} b
+ * @param {{left: number, right: number, top: number, bottom: number}} box
+ */
+function lengthWithin(a, b, {left, right, top, bottom}) {
+    let [from, to] = [0, 1];
+    for (const [at, by, low, high] of [[a.x, b.x - a.x, left, right], [a.y, b.y - a.y, top, bottom]]) {
+        if (by === 0 && (at < low || at > high)) return 0;
+        if (by === 0) continue;
+        from = Math.max(from, Math.min((low - at) / by, (high - at) / by));
+        to = Math.min(to, Math.max((low - at) / by, (high - at) / by));
+    }
+    return Math.max(0, to - from) * apart(a, b);
+}
+
+/**
+ * As tall as three fifths of its width, as wide as it is tall at least: a polygon that is flat where it is drawn is not elsewhere.
+ * @param {number[]} room
+ */
+function wellShaped([x, y, width, height]) {
+    const tall = Math.max(height, 0.6 * width), wide = Math.max(width, 1.2 * tall);
+    return [x - (wide - width) / 2, y, wide, tall];
+}
+
+/**
+ * Rows of polygons of one drawing, as they are drawn, from left to right.
+ * @param {FigureView[]} views in the drawn position
+ */
+function rowsOf(views) {
+    const all = views.flatMap((view) => ({view, box: view.box()})), middle = (/** @type {typeof all[0]} */ {box}) => box?.centre.y ?? 0;
+    /** @type {(typeof all)[]} */
+    const rows = [];
+    for (const each of all.sort((a, b) => middle(a) - middle(b))) {
+        const last = rows[rows.length - 1];
+        // Beside each other they may stand at different heights, but never above each other.
+        const isBeside = last?.every(({box}) => box && each.box && (box.right < each.box.left || box.left > each.box.right));
+        if (isBeside) last.push(each);
+        else rows.push([each]);
+    }
+    return rows.map((row) => row.sort((a, b) => (a.box?.left ?? 0) - (b.box?.left ?? 0)).map(({view}) => view));
+}
+/** @typedef {{nodes: SVGGraphicsElement[], left: number, top: number, width: number, height: number}} Companion */
+/**
+ * What stands above a polygon of several in a drawing, its title, and below it, what is known of its forces. In the drawn position.
+ * @param {FigureView} view
+ * @param {FigureView[]} views
+ */
+function companionsOf(view, views) {
+    const groups = views.map(({group}) => group), title = view.group.previousElementSibling;
+    const isTitle = (/** @type {Element} */ node) => groups.some((group) => group.previousElementSibling === node);
+    /** @type {Element[]} */
+    const below = [];
+    for (let next = view.group.nextElementSibling; next && !isTitle(next); next = next.nextElementSibling) {
+        if (!view.measures.includes(next)) below.push(next);
+    }
+    return [title?.matches('g.text') ? [title] : [], below].map((each) => {
+        const nodes = /** @type {SVGGraphicsElement[]} */ (each), boxes = nodes.map((node) => node.getBBox());
+        const {left, right, top, bottom} = boxOf(boxes.flatMap(({x, y, width, height}) => [{x, y}, {x: x + width, y: y + height}]));
+        if (nodes.length === 0) return {nodes, left: 0, top: 0, width: 0, height: 0};
+        return {nodes, left, top, width: right - left, height: bottom - top};
+    });
+}
+/**
+ * How much smaller than on the sheet polygons of one drawing are all drawn, each in a room of its own that this gives it.
+ * @param {FigureView[][]} rows
+ */
+function shareRoom(rows) {
+    const [x, y, width, height] = rows[0][0].fitRoom, rim = 12, between = 14, apartFromFoot = 7;
+    const sizes = rows.map((row) => row.map((view) => view.box()).map((box) =>
+        box ? {x: box.right - box.left, y: box.bottom - box.top} : {x: 0, y: 0}));
+    const tall = sizes.map((row) => Math.max(...row.map((size) => size.y)));
+    const feet = rows.map((row) => Math.max(...row.map(({foot}) => foot ? foot.height + apartFromFoot : 0)));
+    const freeHeight = Math.max(height - 2 * rim - between * (rows.length - 1) - total(feet), rim);
+    // What a table below takes of the width first, the rest as the polygons are wide.
+    const widths = rows.map((row, i) => {
+        const least = row.map(({foot}) => foot?.width ?? 0), free = width - 2 * rim - between * (row.length - 1) - total(least);
+        return least.map((each, j) => each + Math.max(free, 0) * sizes[i][j].x / Math.max(total(sizes[i].map((size) => size.x)), 1e-9));
+    });
+    const k = Math.max(total(tall) / freeHeight, ...sizes.flatMap((row, i) => row.map((size, j) => size.x / widths[i][j])), 1e-9);
+    const air = (freeHeight - total(tall) / k) / rows.length;
+    let top = y + rim;
+    rows.forEach((row, i) => {
+        const bottom = top + tall[i] / k + air;
+        let left = x + rim;
+        row.forEach((view, j) => {
+            view.room = {left, right: left + widths[i][j], top, bottom};
+            left += widths[i][j] + between;
+        });
+        top = bottom + feet[i] + between;
+    });
+    return k;
+}
