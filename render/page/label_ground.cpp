@@ -29,7 +29,7 @@ Ground::Ground(const std::vector<Mark>& marks, const Fonts& fonts) : map_(box_of
 void Ground::add(const Path& path) {
     map_.ink(path);
     if (!path.filled || !path.tinted || is_dot(path)) return;
-    Area area{outline_of(path), nowhere};
+    Area area{outline_of(path), nowhere, path.fill};
     if (area.corners.size() < 3) return;
     for (const Spot& spot : area.corners) enlarge(area.box, spot);
     areas_.push_back(std::move(area));
@@ -50,6 +50,12 @@ bool Ground::Area::holds(Spot spot) const {
         if ((c[i].y > spot.y) != (c[j].y > spot.y) && spot.x < (c[j].x - c[i].x) * (spot.y - c[i].y) / (c[j].y - c[i].y) + c[i].x)
             in = !in;
     return in;
+}
+
+std::optional<Colour> Ground::tint_at(Spot spot) const {
+    // What is drawn last is seen.
+    const auto area = std::find_if(areas_.rbegin(), areas_.rend(), [&](const Area& each) { return each.holds(spot); });
+    return area == areas_.rend() ? std::nullopt : std::optional(area->tint);
 }
 
 bool Ground::covers_text(const InkBox& thread) const {

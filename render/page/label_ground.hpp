@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "render/page/ink_map.hpp"
@@ -25,11 +26,15 @@ public:
     /// Strokes that a leader would cross, counted no further than `most` of them.
     int crossed(Spot from, Spot to, int most = InkMap::all) const { return map_.crossings(from, to, most); }
 
+    /// The tint that a spot is seen on, if it is on one.
+    std::optional<Colour> tint_at(Spot spot) const;
+
 private:
     /// A tinted area: a label may stand in it, but rather not.
     struct Area {
         std::vector<Spot> corners;
         Box box;
+        Colour tint;
         bool holds(Spot spot) const;
     };
     void add(const Path& path);

@@ -61,16 +61,21 @@ void draw_leader(std::vector<Mark>& marks, const Candidate& place, Colour colour
     marks.emplace_back(disc(from, leader_dot, colour));
 }
 
-void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, ShapedLine shaped, Colour leaders) {
+/// The circle round a number. On the tint of another body it has the paper as its ground.
+Path balloon_of(const LabelRequest& request, Spot centre, const Ground& ground) {
+    Pen pen{0.35, request.colour, going_round(request.dashes, 2 * std::numbers::pi * request.balloon), false};
+    const std::optional<Colour> tint = request.ground ? ground.tint_at(centre) : std::nullopt;
+    if (tint && tint != request.ground->own) return ring(centre, request.balloon, request.ground->paper, std::move(pen));
+    return circle(centre, request.balloon, std::move(pen));
+}
+
+void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, ShapedLine shaped, const Ground& ground,
+               Colour leaders) {
     const std::size_t own = figure.marks.size();
     if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
     if (place.leader) draw_leader(figure.marks, place, leaders), ++figure.leaders;
     const Spot centre = place.box.centre;
-    if (request.balloon > 0) {
-        const double round = 2 * std::numbers::pi * request.balloon;
-        figure.marks.emplace_back(
-            circle(centre, request.balloon, {0.35, request.colour, going_round(request.dashes, round), false}));
-    }
+    if (request.balloon > 0) figure.marks.emplace_back(balloon_of(request, centre, ground));
     const std::size_t first = figure.marks.size();
     const Spot origin{centre.x - shaped.width / 2, centre.y + (shaped.ascent - shaped.descent) / 2};
     set_text(figure.marks, std::move(shaped), origin, request.colour, "label");
@@ -136,7 +141,7 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     const bool closed = is_closed(figure);
     if (closed) figure.marks.pop_back();
     for (std::size_t i = 0; i < requests.size(); ++i)
-        set_label(figure, requests[i], search->chosen(i), search->take_shaped(i), leaders);
+        set_label(figure, requests[i], search->chosen(i), search->take_shaped(i), ground, leaders);
     if (!key.empty()) set_key(figure, key, measure);
     if (closed) figure.marks.emplace_back(GroupEnd{});
     for (std::size_t i = names; i < figure.labels.size(); ++i) figure.unnamed.push_back(std::move(figure.labels[i].text));
