@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "constructions/solve.hpp"
 #include "render/figures/figure.hpp"
@@ -114,6 +115,35 @@ TEST(Labels, stand_on_a_tint_however_dark_but_not_on_ink) {
         place_labels(figure, fonts());
         const Spot off = std::get<TextMark>(figure.marks.back()).pivot - Spot{30, 30};
         EXPECT_EQ(std::max(std::abs(off.x), std::abs(off.y)) < 30, tint);
+    }
+}
+
+/// The circle of a body's number that finds room only on a tint, of that colour.
+Path balloon_on(Colour tint, const BalloonGround& ground) {
+    Figure figure;
+    Path wheel = filled({{0, 0}, {60, 0}, {60, 60}, {0, 60}}, tint);
+    wheel.tinted = true;
+    figure.marks.emplace_back(std::move(wheel));
+    figure.labels = {named("2", {30, 30})};
+    figure.labels.front().balloon = 2.3;
+    figure.labels.front().ground = ground;
+    place_labels(figure, fonts());
+    return std::get<Path>(figure.marks[1]);
+}
+
+TEST(Labels, numbers_on_the_tint_of_another_body_have_the_paper_as_ground) {
+    for (const std::string_view name : theme_names()) {
+        const Theme theme = built_in_theme(name).value();
+        const Colour tint = theme.bodies[0].tint;
+        const Path own = balloon_on(tint, {theme.paper, tint});
+        EXPECT_FALSE(own.filled) << name;
+        // Bodies that look alike cannot be told by their tint: no number stands on it as it is.
+        const Path alike = balloon_on(tint, {theme.paper, std::nullopt});
+        EXPECT_TRUE(alike.filled && alike.tinted) << name;
+        EXPECT_EQ(alike.fill, theme.paper) << name;
+        const Path other = balloon_on(tint, {theme.paper, theme.bodies[1].tint});
+        EXPECT_EQ(other.filled, tint != theme.bodies[1].tint) << name;  // in print all tints are the paper's
+        EXPECT_TRUE(!other.filled || other.fill == theme.paper) << name;
     }
 }
 
@@ -293,7 +323,7 @@ std::vector<std::string> covered(const Figure& figure) {
         if (!path) continue;
         // The ring of a body's number is part of its label.
         const auto* ring = path->segments.size() == 3 ? std::get_if<ArcTo>(&path->segments[1]) : nullptr;
-        if (ring && !path->filled && ring->radius == 2.3) continue;
+        if (ring && (!path->filled || path->tinted) && ring->radius == 2.3) continue;
         const double half = path->stroked ? path->pen.width / 2 : 0;
         Spot pen, start;
         for (const Segment& segment : path->segments) {

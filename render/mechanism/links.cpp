@@ -208,6 +208,15 @@ Stand stand_of(const Sketch& sketch, BodyIndex body) {
     return stand;
 }
 
+/// Its number is told from those of other bodies by the tint, unless one of them has the same.
+BalloonGround ground_of(const Sketch& sketch, BodyIndex body) {
+    const Theme& theme = sketch.theme;
+    const Colour own = theme.body(body).tint;
+    for (const BodyIndex other : sketch.mechanism.moving_bodies())
+        if (other != body && theme.body(other).tint == own) return {theme.paper, std::nullopt};
+    return {theme.paper, own};
+}
+
 }  // namespace
 
 void draw_balloon(Sketch& sketch, BodyIndex body) {
@@ -221,10 +230,12 @@ void draw_balloon(Sketch& sketch, BodyIndex body) {
                          .toward = stand.toward,
                          .clearance = stand.clearance,
                          .dashes = theme.body(body).dashes};
-    if (sketch.context.fonts.shape(request.text, request.size).width < 3.7)
+    if (sketch.context.fonts.shape(request.text, request.size).width < 3.7) {
         request.balloon = balloon_radius;
-    else
+        request.ground = ground_of(sketch, body);
+    } else {
         request.size = theme.derived;
+    }
     sketch.labels.push_back(std::move(request));
 }
 

@@ -11,6 +11,12 @@
 
 namespace kinegraph::render {
 
+/// What fills the circle round a body's number where it stands on a tint, which would seem to be its own.
+struct BalloonGround {
+    Colour paper{};
+    std::optional<Colour> own{};  ///< the tint that needs no ground; none where another body has the same
+};
+
 /// A label that wants a place near its object.
 struct LabelRequest {
     RichText text{};
@@ -27,6 +33,7 @@ struct LabelRequest {
     std::vector<std::string> names{};  ///< as TextMark's
     std::vector<double> dashes{};      ///< line kind of the balloon, mm
     Holds holds{};                     ///< as a Path's
+    std::optional<BalloonGround> ground{};  ///< of the balloon; none: it has no ground on any tint
 };
 
 /// A vector drawn to scale, where it lies on paper.

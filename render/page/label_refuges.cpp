@@ -1,0 +1,131 @@
+// How the nearest free place is looked for: on square rings about the anchor, as far as a better place may be.
+#include "render/page/label_refuges.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "render/page/label_prices.hpp"
+
+namespace kinegraph::render::lettering {
+
+namespace {
+
+constexpr double longest_leader = 40;  // mm; beyond it nobody sees what is named
+constexpr double farthest = 80;        // mm out of the figure's box, where no room is given
+constexpr double unruly_price = 12;    // of a leader, for each other that it crosses
+constexpr int most_looks = 30000;      // for better places, in a figure; then the first that is free will do
+
+/// How far a label that finds no place may go out of the figure's box.
+Spot reach_of(const LabelSetting& setting) { return {std::min(setting.spare.x, farthest), std::min(setting.spare.y, farthest)}; }
+
+/// All that labels can take.
+Box area_of(const LabelSetting& setting, const std::vector<Lettered>& letters) {
+    Spot most = reach_of(setting);
+    for (const Lettered& label : letters) {
+        const Spot half = label.half();
+        most = {std::max(most.x, 3 * half.x + 5), std::max(most.y, 3 * half.y + 5)};
+    }
+    return {setting.box.min - most, setting.box.max + most};
+}
+
+}  // namespace
+
+Refuges::Refuges(const LabelSetting& setting, const std::vector<Lettered>& letters, const std::vector<Candidate>& chosen)
+    : setting_(setting),
+      letters_(letters),
+      chosen_(chosen),
+      taken_(area_of(setting, letters)),
+      threads_(taken_),
+      looks_left_(most_looks) {
+    for (std::size_t label = 0; label < letters_.size(); ++label) take(label);
+}
+
+void Refuges::take(std::size_t label) {
+    const Candidate& place = chosen_[label];
+    taken_.fill(place.box.grown(label_gap));
+    if (place.leader) threads_.stroke(place.leader_from, place.leader_to, ink_margin);
+}
+
+void Refuges::give_back(std::size_t label) {
+    const Box& hole = chosen_[label].extent;
+    taken_.clear(hole);
+    threads_.clear(hole);
+    for (std::size_t other = 0; other < chosen_.size(); ++other)
+        if (other != label && !apart(chosen_[other].extent, hole)) take(other);
+}
+
+std::optional<Candidate> Refuges::nearest(std::size_t label) {
+    const Box& box = setting_.box;
+    const Spot half = letters_[label].half(), edge = reach_of(setting_);
+    if (const auto found = nearest(label, {box.min - edge + half, box.max + edge - half})) return found;
+    if (setting_.strict) return std::nullopt;
+    constexpr double beyond = 4;
+    const Spot further = 2.0 * half + Spot{beyond, beyond};
+    return nearest(label, {box.min - further, box.max + further});
+}
+
+/// The nearest with its middle in a box; of those about as near the one whose leader crosses least.
+std::optional<Candidate> Refuges::nearest(std::size_t label, const Box& middles) {
+    const double step = looks_left_ > 0 ? 1 : 2;
+    const LabelRequest& request = setting_.requests[label];
+    const Spot at = request.anchor, half = letters_[label].half();
+    std::optional<Candidate> found;
+    const auto last = static_cast<int>(
+        std::max({at.x - middles.min.x, middles.max.x - at.x, at.y - middles.min.y, middles.max.y - at.y}) / step);
+    for (int ring = 1; ring <= last; ++ring) {
+        const double away = ring * step;
+        if (found && looks_left_ <= 0) break;
+        if (found && leader_price + far_price * (away - std::max(half.x, half.y) - request.clearance) >= found->price) break;
+        const auto row = [&](double y) {
+            if (y < middles.min.y || y > middles.max.y) return;
+            for (double x = std::max(at.x - away, middles.min.x); x <= std::min(at.x + away, middles.max.x); x += step)
+                look_at(label, {x, y}, step, found);
+        };
+        const auto column = [&](double x) {
+            if (x < middles.min.x || x > middles.max.x) return;
+            for (double y = std::max(at.y - away + step, middles.min.y); y < std::min(at.y + away, middles.max.y); y += step)
+                look_at(label, {x, y}, step, found);
+        };
+        row(at.y - away);
+        row(at.y + away);
+        column(at.x + away);
+        column(at.x - away);
+    }
+    if (found) found->close_extent();
+    return found;
+}
+
+/// Keeps a place that covers no stroke and no label, if it is better than what was found.
+void Refuges::look_at(std::size_t label, Spot centre, double step, std::optional<Candidate>& found) {
+    const LabelRequest& request = setting_.requests[label];
+    const InkBox box{centre, letters_[label].half()};
+    const double extra = distance_to_box(request.anchor, box) - request.clearance;
+    const double least = leader_price + far_price * extra;
+    if (extra < step || extra > longest_leader || (found && least >= found->price)) return;
+    --looks_left_;
+    if (taken_.touches(box) || threads_.touches(box) || !setting_.ground.is_free(box)) return;
+    Candidate candidate;
+    candidate.box = box;
+    candidate.price = least;
+    candidate.add_leader(request);
+    if (taken_.touches(candidate.thread) || setting_.ground.covers_text(candidate.thread)) return;
+    candidate.price += crossings_of(candidate, found ? found->price - least : std::numeric_limits<double>::infinity());
+    if (!found || candidate.price < found->price) found = candidate;
+}
+
+/// The price of what a leader crosses, counted until it is more than `enough`.
+double Refuges::crossings_of(const Candidate& candidate, double enough) const {
+    double price = 0;
+    const auto count = [&](double each, const auto& crossings) {
+        constexpr double most = 1e6;
+        const double left = (enough - price) / each;
+        if (left > 0) price += each * crossings(static_cast<int>(std::min(left, most)) + 1);
+    };
+    const Spot from = candidate.leader_from, to = candidate.leader_to;
+    count(unruly_price, [&](int most) { return threads_.crossings(from, to, most); });
+    count(crossing_price, [&](int most) { return setting_.ground.crossed(from, to, most); });
+    return price;
+}
+
+}  // namespace kinegraph::render::lettering
