@@ -3,12 +3,12 @@
 
 #include "engine/column.hpp"
 #include "engine/exercise.hpp"
-#include "engine/problem_reader.hpp"
+#include "engine/law_reader.hpp"
 
 namespace kinegraph {
 
-/// What the reader of a mechanism file is built on, beside the problems.
-class ExerciseReader : protected ProblemReader {
+/// What the reader of a mechanism file is built on, beside its sections.
+class ExerciseReader : protected LawReader {
 protected:
     /// To be read last, when all that has results is known.
     void read_exercise(const Members& file, Mechanism& mechanism);

@@ -48,6 +48,11 @@ JsonValue FormReader::required(const Members& of, std::string_view key, const Wo
     return {};
 }
 
+void FormReader::not_together(JsonValue at, std::string_view other) {
+    fault(at, {"{0} and {1} do not go together; take one of them out", "{0} e {1} non stanno insieme; toglierne una",
+               quoted(at.key()), quoted(other)});
+}
+
 JsonValue FormReader::one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed) {
     JsonValue only;
     for (const std::string_view key : keys) {
@@ -55,8 +60,7 @@ JsonValue FormReader::one_of(const Members& of, std::initializer_list<std::strin
         if (only) {
             const JsonValue later = only.order() < of[key].order() ? of[key] : only;
             const JsonValue earlier = only.order() < of[key].order() ? only : of[key];
-            fault(later, {"{0} and {1} do not go together; take one of them out", "{0} e {1} non stanno insieme; toglierne una",
-                          quoted(later.key()), quoted(earlier.key())});
+            not_together(later, earlier.key());
             return {};
         }
         only = of[key];

@@ -63,6 +63,8 @@ public:
     }
     /// The member, or a fault that says what it is needed for.
     JsonValue required(const Members& of, std::string_view key, const Words& meaning);
+    /// The fault of a member beside another one of that key.
+    void not_together(JsonValue at, std::string_view other);
     /// The one of several members that must not stand together; a fault where there are none (if `needed`) or more.
     JsonValue one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed = true);
     template <class Action>
@@ -101,6 +103,8 @@ public:
     // ----- parameters
     /// Every parameter is read here, so that its faults are told whether or not it is used. `set` overrides what the file says.
     void read_parameters(JsonValue parameters, std::span<const Setting> set);
+    bool has_parameter(std::string_view name) const { return parameters_.contains(name); }
+    const std::vector<std::string_view>& parameter_names() const { return parameter_names_; }
     /// The value of a formula or a parameter's name; an error without words has been told before.
     tl::expected<Measured, Words> look_up_parameter(std::string_view name);
 

@@ -19,6 +19,7 @@
 #include "engine/reading/loads_section.hpp"
 #include "engine/reading/motion_section.hpp"
 #include "engine/reading/points_section.hpp"
+#include "engine/reading/problem_section.hpp"
 #include "engine/reading/units_section.hpp"
 #include "engine/reading/wishes_section.hpp"
 #include "engine/rounding.hpp"
@@ -78,7 +79,7 @@ private:
         if (file["precision"])
             mechanism_.precision = not_negative(file["precision"], QuantityKind::length, std::string("\"precision\""));
         // A problem names its bodies itself, and needs no points.
-        const bool is_problem = states_problem(file);
+        const bool is_problem = ProblemSection::is_in(file);
         const auto wanted = [&](std::string_view key, const Words& what) {
             return is_problem ? file[key] : required(file, key, what);
         };
@@ -96,12 +97,13 @@ private:
         if (points && points_known_) points_.read_points(points);
         if (bodies_readable) bodies_.read_bodies(bodies);
         if (is_problem) {
-            mechanism_.problem = read_problem(file, mechanism_);
+            mechanism_.problem = problem_.read(file);
             read_exercise(file, mechanism_);
             return;
         }
         joints_.read_joints(file);
-        if (!contacts_.empty()) mechanism_.problem = std::make_shared<const Problem>(Problem{std::move(contacts_)});
+        if (LoadedContacts contacts = joints_.take_contacts(); !contacts.empty())
+            mechanism_.problem = std::make_shared<const Problem>(Problem{std::move(contacts)});
         each(file["drivers"], {"an array of drivers", "un array di moventi"}, [&](JsonValue v) { drivers_.read_driver(v); });
         loads_.read_masses(file["masses"]);
         mechanism_.gravity = vector(file["gravity"], QuantityKind::acceleration, {"a vector [gx, gy]", "un vettore [gx, gy]"});
@@ -140,7 +142,8 @@ private:
     UnitsSection units_{*this, mechanism_};
     PointsSection points_{*this, mechanism_};
     BodiesSection bodies_{*this, mechanism_};
-    JointsSection joints_{*this, mechanism_, bodies_, *this};
+    ProblemSection problem_{*this, mechanism_};
+    JointsSection joints_{*this, mechanism_, bodies_};
     DriversSection drivers_{*this, mechanism_, *this, joints_};
     LoadsSection loads_{*this, mechanism_, joints_};
     EffortsSection efforts_{*this, mechanism_, joints_};

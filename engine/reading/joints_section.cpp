@@ -13,9 +13,7 @@ void JointsSection::read_joints(const Members& file) {
     const JsonValue joints = file["joints"];
     if (file["motion"]) {
         for (const std::string_view key : {"joints", "drivers"}) {
-            if (file[key])
-                file_.fault(file[key], {"\"{0}\" and \"motion\" do not go together; take one of them out",
-                                        "\"{0}\" e \"motion\" non stanno insieme; toglierne una", key});
+            if (file[key]) file_.not_together(file[key], "motion");
         }
     } else if (!file.has_or_misspells("motion")) {
         file_.required(file, "joints",
@@ -108,7 +106,7 @@ void JointsSection::read_joint(JsonValue value) {
     }
     if (pair->has_guide() && !joint.name.empty()) add_sliding_name(value, joint, joint.named ? form["name"].text() : at.text());
     if (!pair->has_guide() && !joint.name.empty()) other_joints_.emplace(joint.name, pair->key);
-    if (pair->touches()) problems_.read_contact(form, joint, JointIndex(mechanism_.joints.size()));
+    if (pair->touches()) contacts_.read(form, joint, JointIndex(mechanism_.joints.size()));
     mechanism_.joints.push_back(std::move(joint));
 }
 
@@ -155,7 +153,7 @@ void JointsSection::miss_kind(JsonValue value) {
 std::vector<std::string_view> JointsSection::keys_of(const PlanePair& pair) {
     std::vector<std::string_view> keys{pair.key, "bodies"};
     std::copy_if(pair.members.begin(), pair.members.end(), std::back_inserter(keys), [](auto key) { return !key.empty(); });
-    if (pair.touches()) keys.insert(keys.end(), ProblemReader::contact_keys.begin(), ProblemReader::contact_keys.end());
+    if (pair.touches()) keys.insert(keys.end(), ContactsOfJoints::keys.begin(), ContactsOfJoints::keys.end());
     keys.emplace_back("name");
     return keys;
 }

@@ -7,18 +7,20 @@
 #include <unordered_map>
 #include <vector>
 
-#include "engine/problem_reader.hpp"
 #include "engine/reading/bodies_section.hpp"
+#include "engine/reading/contacts_of_joints.hpp"
 #include "engine/reading/profiles.hpp"
 
 namespace kinegraph {
 
 class JointsSection {
 public:
-    JointsSection(FormReader& file, Mechanism& mechanism, BodiesSection& bodies, ProblemReader& problems)
-        : file_(file), mechanism_(mechanism), bodies_(bodies), problems_(problems), profiles_(file, mechanism) {}
+    JointsSection(FormReader& file, Mechanism& mechanism, BodiesSection& bodies)
+        : file_(file), mechanism_(mechanism), bodies_(bodies), contacts_(file, mechanism), profiles_(file, mechanism) {}
 
     void read_joints(const Members& file);
+    /// Of what touching bodies are made, where joints say so.
+    LoadedContacts take_contacts() { return contacts_.take(); }
     /// A sliding joint by its name, or none with a fault; `remedy` is for those who name a joint of another kind.
     JointIndex sliding_joint(JsonValue value, const Words& remedy);
     /// By its name, or else by its point.
@@ -44,7 +46,7 @@ private:
     FormReader& file_;
     Mechanism& mechanism_;
     BodiesSection& bodies_;
-    ProblemReader& problems_;  ///< of what touching bodies are made
+    ContactsOfJoints contacts_;
     ProfilesOfContact profiles_;
     bool joints_known_ = false;  ///< the list could be read, so that a name that is not in it is a fault
     std::unordered_map<std::string, JointIndex> sliding_by_name_;

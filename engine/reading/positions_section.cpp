@@ -1,0 +1,117 @@
+#include "engine/reading/positions_section.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "engine/pose.hpp"
+
+namespace kinegraph {
+namespace {
+
+/// "5.657 mm", with the comma in Italian.
+Words length_words(double si, const KnownUnit& unit) {
+    std::array<char, 40> text{};
+    constexpr int digits = 6;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), si / unit.si.to_double(), std::chars_format::general, digits).ptr;
+    std::string value(text.data(), end);
+    value += " " + std::string(unit.symbol);
+    std::string with_comma = value;
+    std::replace(with_comma.begin(), with_comma.end(), '.', ',');
+    return {value, with_comma};
+}
+
+}  // namespace
+
+std::optional<PositionsProblem> PositionsSection::read(JsonValue section) {
+    const Words wanted("two or three positions {\"A\": [x, y], \"B\": [x, y]}",
+                       "due o tre posizioni {\"A\": [x, y], \"B\": [x, y]}");
+    if (section.size() != 2 && section.size() != 3) {
+        file_.fault(section, {"two positions of a body, or three; {0} are given",
+                              "due posizioni di un corpo, o tre; ne sono date {0}", std::to_string(section.size())});
+        return std::nullopt;
+    }
+    PositionsProblem problem;
+    problem.where = section.pointer();
+    const std::size_t before = file_.fault_count();
+    for (const JsonValue position : section) {
+        if (!file_.expect(position, Kind::object, wanted)) return std::nullopt;
+        if (problem.positions.empty()) {
+            if (position.size() != 2) {
+                file_.fault(position,
+                            {"the first position gives the places of two points; {0} are given",
+                             "la prima posizione dà i luoghi di due punti; ne sono dati {0}", std::to_string(position.size())});
+                return std::nullopt;
+            }
+            std::size_t i = 0;
+            for (const JsonValue place : position) {
+                file_.check_name(place, place.key());
+                problem.points.at(i++) = place.key();
+            }
+        }
+        read_position(position, problem);
+    }
+    if (file_.fault_count() > before) return std::nullopt;
+    return problem;
+}
+
+void PositionsSection::read_position(JsonValue value, PositionsProblem& problem) {
+    const bool first = problem.positions.empty();
+    const Members form =
+        first ? file_.members(value, {problem.points[0], problem.points[1]}, {"a position", "una posizione"})
+              : file_.members(value, {problem.points[0], problem.points[1], "turned"}, {"a position", "una posizione"});
+    PositionsProblem::Position position;
+    position.where = value.pointer();
+    const Words place("a place [x, y]", "un luogo [x, y]");
+    position.places[0] =
+        file_.vector(file_.required(form, problem.points[0], place), QuantityKind::length, place).value_or(Vector{});
+    const JsonValue second =
+        first ? file_.required(form, problem.points[1], place) : file_.one_of(form, {problem.points[1], "turned"});
+    if (!second) return;
+    if (second.key() == "turned" && !first) {
+        const auto& start = problem.positions[0].places;
+        const auto turned = file_.angle(second);
+        if (!turned) return;
+        // The square of the direction of half the angle is a unit vector, exactly.
+        const Vector half = direction_of(Angle{turned->value / 2, turned->in_degrees}, 100);
+        const Exact size = squared_length(half);
+        const Exact cosine = (square(half.x) - square(half.y)) / size, sine = 2 * half.x * half.y / size;
+        const Vector arm = start[1] - start[0];
+        position.places[1] = position.places[0] + Vector{cosine * arm.x - sine * arm.y, sine * arm.x + cosine * arm.y};
+    } else {
+        position.places[1] = file_.vector(second, QuantityKind::length, place).value_or(Vector{});
+        if (!first) keep_distance(second, problem, position);
+    }
+    if (first && position.places[0] == position.places[1])
+        file_.fault(value,
+                    {"both points lie at the same place; they must lie apart", "i due punti coincidono; devono essere distinti"});
+    problem.positions.push_back(std::move(position));
+}
+
+void PositionsSection::keep_distance(JsonValue at, const PositionsProblem& problem, PositionsProblem::Position& position) {
+    const auto& start = problem.positions[0].places;
+    const Exact wanted = squared_length(start[1] - start[0]);
+    const Vector arm = position.places[1] - position.places[0];
+    if (squared_length(arm) == wanted || wanted.is_zero()) return;
+    constexpr double rounded_away = 1e-3;
+    const double here = length(arm), there = length(start[1] - start[0]);
+    if (arm.is_zero() || std::abs(here - there) > rounded_away * there) {
+        const KnownUnit& unit = file_.bare_unit(QuantityKind::length);
+        const auto said = [&](double si) { return length_words(si, unit); };
+        file_.fault(
+            at,
+            {"a rigid body keeps distances: here {0} and {1} are {2} apart, in the first position {3}; correct one, or give \"turned\"",
+             "un corpo rigido conserva le distanze: qui {0} e {1} distano {2}, nella prima posizione {3}; correggere, o dare \"turned\"",
+             problem.points[0], problem.points[1], said(here), said(there)});
+        return;
+    }
+    position.places[1] = position.places[0] + square_root(wanted / squared_length(arm), 200).value * arm;
+    position.moved = std::abs(here - there);
+}
+
+}  // namespace kinegraph
