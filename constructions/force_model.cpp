@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/assert.hpp"
-#include "engine/spring_force.hpp"
 
 namespace kinegraph::statics {
 
@@ -15,11 +14,7 @@ Symbol marked(Symbol symbol, const std::string& mark) {
 }
 
 ForceModel::ForceModel(Structure& structure, Board& board, const Motion& motion)
-    : structure_(structure),
-      board_(board),
-      mechanism_(structure.mechanism()),
-      motion_(motion),
-      members_(static_cast<int>(structure.mechanism().bodies.size())) {
+    : board_(board), mechanism_(structure.mechanism()), members_(static_cast<int>(structure.mechanism().bodies.size())) {
     for (const JointIndex joint : indices_of(mechanism_.joints)) add_joint(joint);
     for (std::size_t e = 0; e < mechanism_.efforts.size(); ++e) add_effort(static_cast<int>(e));
     bonds_of_.resize(at(members_));
@@ -28,7 +23,7 @@ ForceModel::ForceModel(Structure& structure, Board& board, const Motion& motion)
         bonds_of_[at(bonds_[b].second)].push_back(static_cast<int>(b));
     }
     joint_bonds_ = bonds_.size();
-    read_loads();
+    loads_ = loads_of_members(structure, board, motion, pin_of_);
 }
 
 void ForceModel::add_components(int hinge) {
@@ -99,8 +94,8 @@ void ForceModel::add_joint(JointIndex index) {
     if (!joint.has_own_node()) return add(member_of(joint.bodies[0]), member_of(joint.bodies[1]));
     if (joint.pair().is_hinge()) {  // a multiple or a loaded hinge: a pin of its own, without weight
         pins_.push_back(joint.point);
-        pin_of_.emplace(index, members_);
         const MemberIndex pin(members_++);
+        pin_of_.emplace(index, pin);
         for (const BodyIndex body : joint.bodies) add(member_of(body), pin);
     } else {
         for (std::size_t b = 1; b < joint.bodies.size(); ++b) add(member_of(joint.bodies[b]), member_of(joint.bodies[0]));
@@ -184,177 +179,6 @@ int ForceModel::material_side(JointIndex index) {
     return board_.sign(board_.difference(curvature(joint.bodies[0]), curvature(joint.bodies[1])));
 }
 
-void ForceModel::add_load(Load load) {
-    if (load.member == member_of(frame)) return;
-    if (load.force && board_.is_zero(*load.force)) load.force.reset();
-    if (load.couple && board_.is_zero(*load.couple)) load.couple.reset();
-    if (load.force || load.couple) loads_.push_back(std::move(load));
-}
-
-void ForceModel::read_loads() {
-    for (std::size_t l = 0; l < mechanism_.loads.size(); ++l) {
-        const auto index = static_cast<int>(l);
-        const auto& given = mechanism_.loads[l];
-        if (const auto* force = std::get_if<ForceLoad>(&given)) {
-            const Force acting = force->value ? board_.load_force(index)
-                                              : board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
-            const Symbol symbol{Symbol::Letter::F, force->name, {}};
-            const MemberIndex member = force->pin == none ? member_of(force->body) : MemberIndex(pin_of_.at(force->pin));
-            add_load({member, symbol, AppliedForce::Kind::load, acting, board_.place(force->at), {}, index});
-        } else if (const auto* couple = std::get_if<CoupleLoad>(&given)) {
-            const auto& points = mechanism_.bodies[at(couple->body)].points;
-            add_load({member_of(couple->body),
-                      {Symbol::Letter::M, couple->name, {}},
-                      AppliedForce::Kind::load,
-                      {},
-                      board_.place(points.empty() ? PointIndex(0) : points.front()),
-                      board_.load_magnitude(index),
-                      index});
-        } else if (const auto* distributed = std::get_if<DistributedLoad>(&given)) {
-            add_distributed(index, *distributed);
-        } else if (const auto* torsion = std::get_if<TorsionLoad>(&given)) {
-            add_torsion(index, *torsion);
-        } else {
-            add_spring(index, std::get<SpringLoad>(given));
-        }
-    }
-    for (std::size_t m = 0; m < mechanism_.masses.size(); ++m) {
-        add_weight(static_cast<int>(m));
-        if (mechanism_.inertia_forces) add_inertia(static_cast<int>(m));
-    }
-}
-
-void ForceModel::add_spring(int index, const SpringLoad& spring) {
-    const auto [first, second] = spring.between;
-    if (board_.coincide(board_.place(first), board_.place(second))) {
-        missing_.push_back({{Sentence::all_forces, {}}, {Sentence::spring_without_direction, {spring.name}}});
-        return;
-    }
-    const std::size_t before = loads_.size();
-    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-        const DirectionHandle pull = end == 0 ? board_.load_unit(index) : board_.load_unit_back(index);
-        add_load({member_of(spring.bodies[end]),
-                  {Symbol::Letter::F, spring.name, {}},
-                  AppliedForce::Kind::spring,
-                  board_.scale<Plane::force>(board_.load_magnitude(index), pull),
-                  board_.place(spring.between[end]),
-                  {},
-                  index});
-    }
-    const auto name = [&](PointIndex point) { return PointName{mechanism_.point(point).name}; };
-    if (spring.elastic && loads_.size() > before)
-        say_of_load(loads_.back(), {Sentence::elastic_spring, {loads_.back().symbol, name(first), name(second)}}, "Hooke");
-}
-
-void ForceModel::add_distributed(int index, const DistributedLoad& load) {
-    const Centroid resultant = centroid_of(load);
-    const Force force = board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
-    const auto share =
-        board_.scale<drawing>(board_.number(resultant.place), board_.vector(board_.place(load.from), board_.place(load.to)));
-    Load acting{member_of(load.body), {Symbol::Letter::F, load.name, {}}, AppliedForce::Kind::load, {}, {}, {}, index};
-    if (resultant.is_couple) {
-        acting.symbol.letter = Symbol::Letter::M;
-        acting.place = board_.place(load.from);
-        acting.couple = board_.moment(share, force);
-    } else {
-        acting.force = force;
-        acting.place = board_.carry(board_.place(load.from), share);
-    }
-    const std::size_t before = loads_.size();
-    add_load(acting);
-    if (loads_.size() == before) return;
-    const auto name = [&](PointIndex point) { return PointName{mechanism_.point(point).name}; };
-    say_of_load(acting, {resultant.is_couple ? Sentence::distributed_couple : Sentence::distributed_load,
-                         {BodyName{mechanism_.body(load.body).name}, acting.symbol, name(load.from), name(load.to)}});
-}
-
-void ForceModel::add_torsion(int index, const TorsionLoad& torsion) {
-    const std::size_t before = loads_.size();
-    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-        const ScalarHandle couple = board_.load_magnitude(index);
-        add_load({member_of(torsion.bodies[side]),
-                  {Symbol::Letter::M, torsion.name, {}},
-                  AppliedForce::Kind::spring,
-                  {},
-                  board_.place(torsion.at),
-                  side == 0 ? couple : board_.opposite(couple),
-                  index});
-    }
-    if (loads_.size() == before) return;
-    const auto name = [&](BodyIndex body) { return BodyName{mechanism_.body(body).name}; };
-    say_of_load(loads_.back(),
-                {Sentence::torsion_spring, {loads_.back().symbol, name(torsion.bodies[0]), name(torsion.bodies[1])}}, "Hooke");
-}
-
-std::string ForceModel::mass_name(const Mass& mass, const char* letter) const {
-    return mechanism_.masses.size() == 1 ? std::string(letter) : std::string(letter) + mechanism_.bodies[at(mass.body)].name;
-}
-
-void ForceModel::add_weight(int index) {
-    if (!mechanism_.gravity) return;
-    const Mass& mass = mechanism_.masses[at(index)];
-    add_load({member_of(mass.body),
-              {Symbol::Letter::F, mass_name(mass, "g"), {}},
-              AppliedForce::Kind::weight,
-              board_.scale<Plane::force>(board_.mass(index), board_.gravity()),
-              board_.place(mass.centre),
-              {},
-              index});
-}
-
-void ForceModel::add_inertia(int index) {
-    const Mass& mass = mechanism_.masses[at(index)];
-    const auto& track = motion_.acceleration;
-    const NodeIndex centre = structure_.find(mass.centre, mass.body);
-    if (track.polygon < 0 || centre == none || !track.has(centre) || !track.turns(mass.body)) {
-        missing_.push_back(
-            {{Sentence::all_forces, {}}, {Sentence::inertia_without_motion, {BodyName{mechanism_.bodies[at(mass.body)].name}}}});
-        return;
-    }
-    const auto acceleration = board_.vector(board_.pole<Plane::acceleration>(), track.tip(centre));
-    Load load{member_of(mass.body),
-              {Symbol::Letter::F, mass_name(mass, "i"), {}},
-              AppliedForce::Kind::inertia,
-              board_.negate(board_.scale<Plane::force>(board_.mass(index), acceleration)),
-              board_.place(mass.centre),
-              {},
-              index};
-    const BodyName body{mechanism_.bodies[at(mass.body)].name};
-    const std::string& label = structure_.node(centre).label;
-    add_said(load, {Sentence::inertia_force, {body, load.symbol, Symbol{Symbol::Letter::a, label, {}}, PointName{label}}});
-    const Load force = load;
-    load.force.reset();
-    load.symbol.letter = Symbol::Letter::M;
-    load.couple = board_.opposite(board_.product(board_.inertia(index), track.spin(mass.body)));
-    add_said(load, {Sentence::inertia_couple, {body, load.symbol, Symbol{Symbol::Letter::alpha, body.name, {}}}});
-    move_inertia(force, load);
-}
-
-void ForceModel::move_inertia(const Load& force, const Load& couple) {
-    if (force.member == member_of(frame) || board_.is_zero(*force.force) || board_.is_zero(*couple.couple)) return;
-    Added one{{force.member}, force.symbol, *force.force, {}, {}, none};
-    one.place = board_.carry(force.place, board_.arm(*couple.couple, *force.force));
-    one.statement = say_of_load(
-        force, {Sentence::inertia_moved, {BodyName{member_name(force.member)}, force.symbol, couple.symbol}}, "d’Alembert");
-    shifts_.push_back({force.member, force.place, *force.force, one.place, one.statement, true});
-    moved_.push_back(std::move(one));
-}
-
-void ForceModel::add_said(const Load& load, Message message) {
-    const std::size_t before = loads_.size();
-    add_load(load);
-    if (loads_.size() > before) say_of_load(load, std::move(message), "d’Alembert");
-}
-
-StatementIndex ForceModel::say_of_load(const Load& load, Message message, const char* source) {
-    Statement statement;
-    statement.message = std::move(message);
-    statement.section = Topic::forces;
-    statement.source = source;
-    if (!is_pin(load.member)) statement.bodies = {body_of(load.member)};
-    return board_.state(std::move(statement));
-}
-
 Action ForceModel::action(PlaceOnDrawing place, DirectionHandle direction) {
     return {place, direction, board_.through(place, direction)};
 }
@@ -433,7 +257,7 @@ Wrench ForceModel::known_on(const Group& group, const std::vector<Load>& loads, 
 }
 
 bool ForceModel::is_inner(const Load& load, const Group& group) const {
-    return load.kind == AppliedForce::Kind::spring && std::any_of(loads_.begin(), loads_.end(), [&](const Load& other) {
+    return load.kind == AppliedForce::Kind::spring && std::any_of(loads().begin(), loads().end(), [&](const Load& other) {
                return other.kind == load.kind && other.given == load.given && other.member != load.member &&
                       in(group, other.member);
            });
@@ -447,76 +271,6 @@ std::array<ScalarHandle, 3> ForceModel::gap(MemberIndex member, const std::vecto
         return board_.moment(board_.own_direction(across), *left.force);
     };
     return {component({0, -1}), component({1, 0}), moment(left, about)};
-}
-
-std::vector<Group> ForceModel::floating() const { return hanging_together(false); }
-
-std::vector<Group> ForceModel::single_on_frame() const {
-    std::vector<Group> found = hanging_together(true);
-    std::erase_if(found, [&](const Group& group) {
-        return std::count_if(group.begin(), group.end(), [&](MemberIndex member) { return !is_pin(member); }) != 1;
-    });
-    return found;
-}
-
-std::vector<Group> ForceModel::hanging_together(bool on_frame) const {
-    std::vector<Group> found;
-    std::set<MemberIndex> seen;
-    for (const MemberIndex first : moving_members()) {
-        if (!seen.insert(first).second) continue;
-        Group group{first};
-        bool by_effort = false, by_frame = false;
-        for (std::size_t next = 0; next < group.size(); ++next)
-            for (const int b : bonds_of(group[next])) {
-                const Bond& bond = bonds_[at(b)];
-                const MemberIndex other = bond.first == group[next] ? bond.second : bond.first;
-                by_effort = by_effort || bond.effort >= 0;
-                by_frame = by_frame || other == member_of(frame);
-                if (other != member_of(frame) && seen.insert(other).second) group.push_back(other);
-            }
-        std::sort(group.begin(), group.end());
-        if (!by_effort && by_frame == on_frame) found.push_back(std::move(group));
-    }
-    return found;
-}
-
-std::vector<Group> ForceModel::hung_on_frame() const {
-    std::vector<Group> found = hanging_together(true);
-    std::erase_if(found, [&](const Group& group) { return group.size() == 1 || is_body_on_bars(group); });
-    return found;
-}
-
-bool ForceModel::is_body_on_bars(const Group& group) const {
-    const auto is_loaded = [&](MemberIndex member) {
-        return std::any_of(loads_.begin(), loads_.end(), [&](const Load& load) { return load.member == member; });
-    };
-    // Where several bars share a hinge of the frame, its pin stands between.
-    const auto reaches_frame = [&](MemberIndex bar, const Bond& bond) {
-        const MemberIndex other = bond.first == bar ? bond.second : bond.first;
-        const std::vector<int>& held = bonds_of(other);
-        return other == member_of(frame) ||
-               (is_pin(other) && std::any_of(held.begin(), held.end(), [&](int b) { return is_on_frame(bonds_[at(b)]); }));
-    };
-    const auto is_bar = [&](MemberIndex member) {
-        const std::vector<int>& held = bonds_of(member);
-        return !is_pin(member) && held.size() == 2 && !is_loaded(member) &&
-               std::all_of(held.begin(), held.end(), [&](int b) { return bonds_[at(b)].kind == Bond::Kind::pin; });
-    };
-    const auto hangs_on_frame = [&](MemberIndex bar) {
-        const std::vector<int>& held = bonds_of(bar);
-        return std::any_of(held.begin(), held.end(), [&](int b) { return reaches_frame(bar, bonds_[at(b)]); });
-    };
-    std::ptrdiff_t bars = 0, bodies = 0;
-    for (const MemberIndex member : group) {
-        if (is_bar(member) && !hangs_on_frame(member)) return false;
-        bars += is_bar(member) ? 1 : 0;
-        bodies += !is_pin(member) && !is_bar(member) ? 1 : 0;
-    }
-    // Pins that bars share are no bodies, but what a pin bears the body does not feel. Where there is no other, one pin is what
-    // the bars hold.
-    const bool pin_loaded =
-        std::any_of(group.begin(), group.end(), [&](MemberIndex member) { return is_pin(member) && is_loaded(member); });
-    return (bodies == 1 && !pin_loaded) || (bodies == 0 && bars + 1 == static_cast<std::ptrdiff_t>(group.size()));
 }
 
 std::vector<int> ForceModel::outer_bonds(const Group& group) const {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "constructions/equilibria.hpp"
+#include "constructions/forces/hanging_groups.hpp"
 
 namespace kinegraph::statics {
 namespace {
@@ -26,7 +27,7 @@ void find_freedom(const ForceModel& model, Board& board, Equilibria& all, Loose&
 std::vector<Loose> loose_bodies(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility) {
     std::vector<Loose> found;
     if (!mechanism.drivers.empty()) return found;
-    for (Group& group : model.floating()) {
+    for (Group& group : floating_groups(model)) {
         const bool balanced = model.known_on(group, model.loads(), {}).vanishes();
         found.push_back({std::move(group), balanced, {}, {}});
     }
@@ -34,7 +35,7 @@ std::vector<Loose> loose_bodies(ForceModel& model, Board& board, const Mechanism
     Run nothing_known;
     nothing_known.reactions.resize(model.joint_bonds());
     const PlaceOnDrawing origin = board.place(PointIndex(0));
-    for (Group& group : model.single_on_frame()) {
+    for (Group& group : single_on_frame(model)) {
         Equilibria all(model, board, nothing_known, group, origin,
                        [&](MemberIndex member) { return model.gap(member, model.loads(), nothing_known, origin); });
         if (all.exist()) continue;

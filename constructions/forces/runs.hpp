@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "constructions/forces/every_equilibrium.hpp"
+#include "constructions/forces/hanging_groups.hpp"
 #include "constructions/forces/trials.hpp"
 
 namespace kinegraph::statics {
@@ -20,7 +21,7 @@ public:
     Runs(ForceModel& model, Board& board, const Mechanism& mechanism, std::set<MemberIndex> adrift, bool redundant)
         : model_(model),
           redundant_(redundant),
-          known_(model, std::move(adrift), mechanism.efforts.empty() ? model.hung_on_frame() : std::vector<Group>{}),
+          known_(model, std::move(adrift), mechanism.efforts.empty() ? hung_on_frame(model) : std::vector<Group>{}),
           said_(model, board, mechanism, known_),
           rules_(model, board, known_, said_),
           sums_(model, board, known_, said_),

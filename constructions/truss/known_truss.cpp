@@ -21,8 +21,7 @@ void KnownTruss::take_supports(const Run& whole) {
         support.pin = pin;
         for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
             const Bond& bond = model_.bonds()[b];
-            const bool on_frame = bond.first == member_of(frame) || bond.second == member_of(frame);
-            if (on_frame && std::find(joints.begin(), joints.end(), bond.joint) != joints.end())
+            if (is_on_frame(bond) && std::find(joints.begin(), joints.end(), bond.joint) != joints.end())
                 support.bonds.push_back(static_cast<int>(b));
         }
         support.known = true;
