@@ -20,11 +20,7 @@
 namespace kinegraph {
 namespace {
 
-using numeric::inner;
-using numeric::Pair;
-using numeric::quarter;
-using numeric::rough;
-using numeric::operator-;
+using namespace numeric;
 
 Vector exactly(const Pair& a) { return {Exact::from_double(a[0]), Exact::from_double(a[1])}; }
 Pair unit(const Vector& a) {
