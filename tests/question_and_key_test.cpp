@@ -242,7 +242,8 @@ TEST(Question, OfATrussHasNoBrokenBar) {
     const Solution solution = example("truss_roof_wind");
     std::string layer;
     int depth = 0;
-    for (const Mark& mark : lay_out(solution, of_kind(SheetKind::question), fonts()).front().marks) {
+    const Page page = lay_out(solution, of_kind(SheetKind::question), fonts()).front();
+    for (const Mark& mark : page.marks) {
         if (const auto* group = std::get_if<GroupBegin>(&mark)) {
             if (group->cls == "links") layer = group->cls, depth = 0;
             ++depth;
