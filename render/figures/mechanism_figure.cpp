@@ -182,10 +182,7 @@ struct MechanismFigure {
         const FitPolicy policy{
             .room = room, .first = first, .asked = asked, .keeps_asked = true, .coarsest = coarsest, .names_stay_in_room = true};
         return fit(policy, [&](const Trial& trial) {
-            if (context.dimensions == Dimensions::on) return drawn(trial, shows.arrows, DimensionWish{.all = true}).figure;
-            Figure plain = drawn(trial, shows.arrows, std::nullopt).figure;
-            if (context.dimensions == Dimensions::off) return plain;
-            return with_free_dimensions(trial, std::move(plain), shows.arrows);
+            return drawn(trial, shows.arrows);
         });
     }
 
@@ -207,9 +204,8 @@ struct MechanismFigure {
         for (const auto& [arrows, most_pulled] : choices) {
             const std::size_t count = count_of(arrows);
             if (count == 0 || count > most || room.x * room.y < room_of_each * static_cast<double>(count)) continue;
-            Figure figure = drawn(trial, arrows, std::nullopt).figure;
+            Figure figure = drawn(trial, arrows);
             if (!has_room(figure) || figure.has_key) continue;
-            if (dimensions_in(plain) > 0) figure = with_free_dimensions(trial, std::move(figure), arrows);
             const double pulled = static_cast<double>(figure.leaders) - static_cast<double>(plain.leaders);
             const bool is_clear = pulled <= std::max(1.0, most_pulled * static_cast<double>(count));
             if (is_clear && dimensions_in(figure) >= dimensions_in(plain)) return figure;
@@ -218,11 +214,8 @@ struct MechanismFigure {
     }
 
 private:
-    struct Drawn {
-        Figure figure;
-        bool dimensioned;
-    };
-    Drawn drawn(const Trial& trial, const Arrows& arrows, const std::optional<DimensionWish>& dimensions) const {
+    /// Dimensions that are not asked for cost the mechanism no step of its scale and no name its place: they come last.
+    Figure drawn(const Trial& trial, const Arrows& arrows) const {
         Sketch sketch(subject, context, trial.scale, "");
         const Box alone{(1 / trial.scale) * shows.without_ways.min, (1 / trial.scale) * shows.without_ways.max};
         if (shows.ways != nullptr) draw_ways(sketch, *shows.ways, alone);
@@ -234,8 +227,7 @@ private:
         draw_equivalent_linkages(sketch);
         if (arrows.accelerations_of_drivers) draw_accelerations_of_drivers(sketch);
         for (const Symbol::Letter letter : arrows.found) draw_turnings(sketch, letter);
-        if (dimensions) draw_dimensions(sketch, room, *dimensions);
-        const bool dimensioned = !sketch.dimensions.empty();
+        if (context.dimensions == Dimensions::on) draw_dimensions(sketch, room, {.all = true});
         if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways, alone);
         name_points(sketch);
         if (shows.ways != nullptr) name_ways(sketch, *shows.ways);
@@ -246,7 +238,9 @@ private:
                                         context.language));
         if (!left_out.empty()) append(figure.caption, without(left_out));
         sketch.close(figure, room, trial.last || trial.asked, trial.scale, subject.mechanism.units.length, trial.strict);
-        return {std::move(figure), dimensioned};
+        if (context.dimensions == Dimensions::automatic && has_room(figure) && !figure.has_key)
+            add_dimensions(sketch, figure, room);
+        return figure;
     }
 
     /// ", without P_24, P_25": the list of centres has them all, so of many the first will do.
@@ -261,21 +255,6 @@ private:
         return text;
     }
 
-    /// Dimensions that are not asked for never cost the mechanism a step of its scale, nor a name its place: names come first.
-    /// One that a name's leader covers is left out, and the rest placed anew.
-    Figure with_free_dimensions(const Trial& trial, Figure plain, const Arrows& arrows) const {
-        constexpr int most_rounds = 4;
-        if (!has_room(plain) || plain.has_key) return plain;
-        DimensionWish wish{.names = places_of_names(plain, context.fonts)};
-        for (int round = 0; round < most_rounds; ++round) {
-            auto [figure, dimensioned] = drawn(trial, arrows, wish);
-            if (!dimensioned || !has_room(figure)) break;
-            std::set<std::string> covered = covered_dimensions(figure, context.fonts);
-            if (covered.empty()) return std::move(figure);
-            wish.left_out.merge(covered);
-        }
-        return plain;
-    }
     static std::size_t dimensions_in(const Figure& figure) {
         return static_cast<std::size_t>(std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
             const auto* group = std::get_if<GroupBegin>(&mark);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <span>
+#include <string_view>
 
 #include "render/mechanism/sketch.hpp"
 #include "render/page/ink_map.hpp"
@@ -12,30 +14,28 @@ namespace kinegraph::render::drawing {
 
 namespace {
 
+/// The layers that dimensions keep off, those of a sketch or those of a figure made of it.
+struct DrawnLayers {
+    std::span<const Mark> construction, ground, bodies, pins, arrows, centres;
+};
+
 class DimensionsDrawing {
 public:
+    /// Before there are names. `room`: for all that is drawn.
     DimensionsDrawing(Sketch& sketch, Spot room, const DimensionWish& wish)
-        : sketch_(sketch), room_(room), wish_(wish), box_(sketch.mechanism_box()) {
-        constexpr std::size_t most_beside_a_solution = 8;
-        const bool through_ground = wish.all || wish.most > most_beside_a_solution;
-        for (const InkBox& name : wish.names) {
-            const Spot along = name.half.x * name.axis;
-            for (const double level : {-1.0, 0.0, 1.0}) {
-                const Spot middle = name.centre + level * name.half.y * turned(name.axis);
-                taken_.push_back({{middle - along, middle + along}});
-            }
-        }
-        // A mark in the way: links, pins, ground and arrows always, construction lines for the figures.
-        for (const std::vector<Mark>* layer : {&sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.centres})
-            add(*layer, heavy_);
-        // What leads from a point of the frame to its dimension may pass through the ground there where all data are wanted.
-        crossed_ = heavy_;
-        add(sketch.ground, heavy_);
-        if (!through_ground) crossed_ = heavy_;
-        add(sketch.construction, light_);
-        for (const std::vector<Mark>* layer :
-             {&sketch.ground, &sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.construction})
-            if (!layer->empty()) box_.include(box_of(*layer));
+        : sketch_(sketch), room_(room - for_names), wish_(wish), box_(sketch.mechanism_box()) {
+        const DrawnLayers layers{sketch.construction, sketch.ground, sketch.bodies, sketch.pins, sketch.arrows, sketch.centres};
+        keep_off(layers);
+        for (const std::span<const Mark> layer : {layers.ground, layers.bodies, layers.pins, layers.arrows, layers.construction})
+            if (!layer.empty()) box_.include(box_of(layer));
+        gather();
+        gather_offsets();
+    }
+    /// Beside all that a finished figure of the sketch has, its names and its scale bar among it.
+    DimensionsDrawing(Sketch& sketch, const Figure& figure, Spot room, const DimensionWish& wish)
+        : sketch_(sketch), room_(room), wish_(wish), box_(figure.box), origin_(figure.origin) {
+        box_ = {box_.min - origin_, box_.max - origin_};
+        keep_off_all_of(figure);
         gather();
         gather_offsets();
     }
@@ -76,6 +76,8 @@ private:
         double price = 0;
     };
 
+    static constexpr Spot for_names{10, 18};  ///< they need a rim, the scale bar its place below
+
     Pen thin() const { return {sketch_.theme.thin, sketch_.theme.text, {}, false}; }
 
     /// What a dimension should keep off, with the box round it, which tells of most that they are far away.
@@ -88,7 +90,57 @@ private:
                 {std::max(bar.from.x, bar.to.x), std::max(bar.from.y, bar.to.y)}};
     }
 
-    static void add(const std::vector<Mark>& marks, std::vector<Obstacle>& to) {
+    /// A mark in the way: links, pins, ground and arrows always, construction lines for the figures.
+    void keep_off(const DrawnLayers& layers) {
+        constexpr std::size_t most_beside_a_solution = 8;
+        const bool through_ground = wish_.all || wish_.most > most_beside_a_solution;
+        for (const std::span<const Mark> layer : {layers.bodies, layers.pins, layers.arrows, layers.centres}) add(layer, heavy_);
+        // What leads from a point of the frame to its dimension may pass through the ground there where all data are wanted.
+        crossed_ = heavy_;
+        add(layers.ground, heavy_);
+        if (!through_ground) crossed_ = heavy_;
+        add(layers.construction, light_);
+    }
+    /// Its layers; names with their leaders, scale bar and all that stands in no layer are taken.
+    void keep_off_all_of(const Figure& figure) {
+        DrawnLayers layers;
+        const std::span<const Mark> marks = figure.marks;
+        for (std::size_t first = 1; first < marks.size();) {
+            const auto* group = std::get_if<GroupBegin>(&marks[first]);
+            std::size_t end = first + 1;
+            for (int depth = group ? 1 : 0; depth > 0; ++end)
+                depth += std::holds_alternative<GroupBegin>(marks[end]) ? 1 : std::holds_alternative<GroupEnd>(marks[end]) ? -1 : 0;
+            const std::span<const Mark> own = marks.subspan(first, end - first);
+            if (std::span<const Mark>* layer = group ? layer_of(layers, group->cls) : nullptr)
+                *layer = own;
+            else
+                add(own, taken_);
+            first = end;
+        }
+        keep_off(layers);
+        for (const Mark& mark : marks)
+            if (const auto* text = std::get_if<TextMark>(&mark))
+                if (const auto ink = ink_of(*text, sketch_.context.fonts)) keep_off(*ink);
+    }
+    static std::span<const Mark>* layer_of(DrawnLayers& layers, std::string_view role) {
+        if (role == "construction" && layers.construction.empty()) return &layers.construction;
+        if (role == "ground") return &layers.ground;
+        if (role == "links") return &layers.bodies;
+        if (role == "joints") return &layers.pins;
+        if (role == "arrows") return &layers.arrows;
+        if (role == "centres") return &layers.centres;
+        return nullptr;
+    }
+    void keep_off(const InkBox& letters) {
+        const Spot along = letters.half.x * letters.axis;
+        for (const double level : {-1.0, 0.0, 1.0}) {
+            const Spot middle = letters.centre + level * letters.half.y * turned(letters.axis) - origin_;
+            taken_.push_back({{middle - along, middle + along}});
+        }
+    }
+
+    void add(std::span<const Mark> marks, std::vector<Obstacle>& to) const {
+        const auto add_bar = [&](Spot from, Spot end) { to.push_back({{from - origin_, end - origin_}}); };
         for (const Mark& mark : marks) {
             const auto* path = std::get_if<Path>(&mark);
             if (!path) continue;
@@ -96,19 +148,19 @@ private:
             for (const Segment& segment : path->segments) {
                 if (const auto* m = std::get_if<MoveTo>(&segment)) pen = start = m->to;
                 if (const auto* l = std::get_if<LineTo>(&segment)) {
-                    to.push_back({{pen, l->to}});
+                    add_bar(pen, l->to);
                     pen = l->to;
                 }
                 if (const auto* a = std::get_if<ArcTo>(&segment)) {
                     const int parts = std::clamp(static_cast<int>(std::abs(a->to - a->from) * a->radius / 3), 2, 24);
                     for (int i = 0; i <= parts; ++i) {
                         const Spot at = a->centre + a->radius * polar_spot(a->from + (a->to - a->from) * i / parts);
-                        if (i > 0) to.push_back({{pen, at}});
+                        if (i > 0) add_bar(pen, at);
                         pen = at;
                     }
                 }
                 if (std::holds_alternative<Close>(segment)) {
-                    to.push_back({{pen, start}});
+                    add_bar(pen, start);
                     pen = start;
                 }
             }
@@ -328,9 +380,7 @@ private:
             if (price < enough) price += toll(bar, {4, 1.5}, {4, 0.6}, {4, 0.6}, nowhere);
         if (price >= enough) return price;
         const Box box = with(box_, trial, text.width());
-        // Names need a rim, the scale bar its place below.
-        if (box.width() > std::max(room_.x - 10, box_.width()) || box.height() > std::max(room_.y - 18, box_.height()))
-            price += 10;
+        if (box.width() > std::max(room_.x, box_.width()) || box.height() > std::max(room_.y, box_.height())) price += 10;
         return price;
     }
 
@@ -466,7 +516,8 @@ private:
     Sketch& sketch_;
     Spot room_;
     const DimensionWish& wish_;
-    Box box_;  // of all that is drawn
+    Box box_;        // of all that is drawn
+    Spot origin_{};  // where that of the sketch lies in the figure
     std::vector<Obstacle> heavy_, light_, taken_;
     std::vector<Obstacle> crossed_;  // what extension lines had better not cross
     std::vector<Length> lengths_;
@@ -487,15 +538,18 @@ struct DimensionPath {
 
 void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish) { DimensionsDrawing(sketch, room, wish).draw(); }
 
-std::vector<InkBox> places_of_names(const Figure& figure, const Fonts& fonts) {
-    std::vector<InkBox> places;
-    for (const Mark& mark : figure.marks)
-        if (const auto* text = std::get_if<TextMark>(&mark))
-            if (auto ink = ink_of(*text, fonts)) {
-                ink->centre = ink->centre - figure.origin;
-                places.push_back(*ink);
-            }
-    return places;
+void add_dimensions(Sketch& sketch, Figure& figure, Spot room) {
+    DimensionsDrawing(sketch, figure, room, {}).draw();
+    std::vector<Mark>& drawn = sketch.dimensions;
+    if (drawn.empty()) return;
+    move(drawn, figure.origin.x, figure.origin.y);
+    figure.box.include(box_of(drawn));
+    figure.marks.pop_back();
+    figure.marks.emplace_back(GroupBegin{"dimensions", {}, {}, {}});
+    for (Mark& mark : drawn) figure.marks.push_back(std::move(mark));
+    figure.marks.insert(figure.marks.end(), 2, GroupEnd{});
+    drawn.clear();
+    figure.move(-figure.box.min.x, -figure.box.min.y);
 }
 
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts) {

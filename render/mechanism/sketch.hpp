@@ -10,7 +10,6 @@
 
 #include "render/mechanism/layout.hpp"
 #include "render/page/figure.hpp"
-#include "render/page/ink_map.hpp"
 #include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
 #include "render/scene/drawing_context.hpp"
@@ -95,12 +94,11 @@ struct DimensionWish {
     bool all = false;                  ///< even where no place is free
     std::size_t most = 8;              ///< where not all are drawn
     std::set<std::string> left_out{};  ///< ids of groups
-    std::vector<InkBox> names{};       ///< places of letters that a dimension keeps off
 };
 /// What the file gives, as dimensions, each where it is free; within a room (mm) for all that is drawn.
 void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish);
-/// Where a finished figure has its names, as its sketch sees them.
-std::vector<InkBox> places_of_names(const Figure& figure, const Fonts& fonts);
+/// The same beside all that the sketch's closed figure has, its names among it: where nothing is in the way, and within the room.
+void add_dimensions(Sketch& sketch, Figure& figure, Spot room);
 /// Ids of the dimensions of a finished figure whose text lies on a line that is not their own: on a leader, say, that a name got
 /// later. Of two dimensions in each other's way one is named.
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts);
