@@ -36,8 +36,11 @@ bool FigureNeeds::may_refuse(const Wanted& wanted) const {
 void FigureNeeds::learn_from(const DrawnFigure& drawn) {
     Wanted& wanted = wanted_.list[drawn.wanted];
     if (wanted.empty || wanted.fills || wanted.spare || wanted.asked) return;
+    // A little air, as far as its room has it: the plan must hold with what it taught.
     constexpr double air = 0.5;
-    const Spot taken{drawn.size.x + air, drawn.size.y + drawn.caption - caption_line + air};
+    const double air_x = std::clamp(drawn.room.width() - drawn.size.x, 0.0, air);
+    const double air_y = std::clamp(drawn.room.height() - drawn.height(), 0.0, air);
+    const Spot taken{drawn.size.x + air_x, drawn.size.y + drawn.caption - caption_line + air_y};
     const Spot guess = wanted.strokes_at(drawn.figure.scale) + Spot{wanted.rim_x, wanted.rim_y};
     const auto [known, fresh] = wanted.taken.try_emplace(drawn.figure.scale, taken);
     if (fresh) spared_ = std::max({spared_, guess.x - taken.x, guess.y - taken.y});
