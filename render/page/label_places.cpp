@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
-#include <utility>
 
 #include "render/page/label_prices.hpp"
 
@@ -18,16 +18,68 @@ constexpr double beside_price = 2.5;  // of a vector's name beyond its ends
 constexpr double upright_price = 8;   // of a direction mark that leaves its line
 constexpr double leaves_room = 30;
 constexpr double least_of_far = 11;  // leader and distance: no far place costs less
+constexpr double unlimited = 1e300;
+constexpr double kept_apart = 1.2;  // half of what two labels keep between them, and a little for turned ones
 // What covers ink costs more than all that makes less wanted places worth a thought.
 static_assert(covers_stroke > std::max({beside_price, upright_price, least_of_far}));
 
-std::vector<Spot> directions(int count) {
-    std::vector<Spot> round;
-    for (int k = 0; k < count; ++k) {
-        const double angle = 2 * std::numbers::pi * k / count;
-        round.push_back({std::cos(angle), -std::sin(angle)});
-    }
-    return round;
+enum class Distance { nearest, near, far };
+
+void sort_by_bound(std::vector<Seed>& seeds) {
+    std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.bound < b.bound; });
+}
+
+/// On rings about an anchor. A number in a circle is tied to what it names sooner.
+std::vector<Seed> seeds_around(Distance distance, bool balloon) {
+    constexpr int count = 24;
+    using enum Distance;
+    const std::vector<double> rings = distance == nearest ? std::vector{0.0}
+                                      : distance == near  ? std::vector{0.5, 1.1, 2.0, 3.2}
+                                                          : std::vector{6.0, 9.0, 13.0, 18.0, 24.0};
+    std::vector<Seed> seeds;
+    for (const double extra : rings)
+        for (int k = 0; k < count; ++k) {
+            const bool leader = extra > 3.5 || (balloon && extra > 1.5);
+            if (leader && k % 2 != 0) continue;
+            const double angle = 2 * std::numbers::pi * k / count;
+            const Spot u{std::cos(angle), -std::sin(angle)};
+            // Upper right is read first, then upper left, right, below.
+            const double turned_away = 0.45 * (1 - (u.x - u.y) * std::numbers::sqrt2 / 2) + (k % 6 == 0 ? 0 : 0.05);
+            seeds.push_back({.bound = far_price * extra + turned_away + (leader ? leader_price : 0),
+                             .extra = extra,
+                             .along = u,
+                             .leader = leader});
+        }
+    sort_by_bound(seeds);
+    return seeds;
+}
+
+/// Beside a line on both sides, from its middle on. Only a mark that is turned with its line can stand before or behind it.
+std::vector<Seed> seeds_beside(Distance distance, bool turned_with_it) {
+    constexpr double past_the_end = 1.1;
+    const std::vector<double> rows = distance == Distance::nearest ? std::vector{0.0} : std::vector{0.7, 1.5, 3.0};
+    std::vector<Seed> seeds;
+    for (const double extra : rows)
+        for (const double at :
+             {0.0, -0.15, 0.15, -0.3, 0.3, -0.5, 0.5, -0.7, 0.7, -0.85, 0.85, -1.0, 1.0, -1.4, 1.4, -1.9, 1.9, -2.5, 2.5})
+            for (const double side : {-1.0, 1.0})
+                if (turned_with_it || std::abs(at) <= past_the_end)
+                    seeds.push_back({.bound = 1.5 * extra + 2.0 * std::abs(at), .extra = extra, .at = at, .side = side});
+    sort_by_bound(seeds);
+    return seeds;
+}
+
+/// All seeds, made once.
+const std::vector<Seed>& seeds_of(bool beside, Distance distance, bool turned_or_balloon) {
+    static const auto all = [] {
+        std::array<std::vector<Seed>, 12> made;
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            const auto how_far = static_cast<Distance>(i / 4);
+            made[i] = i % 4 < 2 ? seeds_around(how_far, i % 2 == 1) : seeds_beside(how_far, i % 2 == 1);
+        }
+        return made;
+    }();
+    return all[4 * static_cast<std::size_t>(distance) + (beside ? 2 : 0) + (turned_or_balloon ? 1 : 0)];
 }
 
 /// How far along u the box's centre is when its nearest ink is `distance` from the origin.
@@ -67,8 +119,7 @@ void Candidate::add_leader(const LabelRequest& request) {
 }
 
 void Candidate::close_extent(const Box& of_box) {
-    // Half of what two labels keep between them, and a little for turned ones.
-    constexpr Spot kept{1.2, 1.2};
+    constexpr Spot kept{kept_apart, kept_apart};
     extent = of_box;
     if (leader) {
         enlarge(extent, leader_from);
@@ -81,57 +132,106 @@ void Candidate::close_extent(const Box& of_box) {
 LabelPlaces::LabelPlaces(const LabelSetting& setting, std::size_t label, Spot half)
     : setting_(setting), request_(setting.requests[label]), label_(label), half_(half) {
     // Memory that grows step by step takes twice as much of it, and a place is no small thing.
-    constexpr std::size_t beside_it = 104, along_it = 152, around = 120, most_batches = 3;
-    const bool beside = is_beside_line();
-    all_.reserve(!beside ? around : request_.along ? along_it : beside_it);
-    free_.reserve(most_batches), covering_.reserve(most_batches);
-    if (beside)
-        propose_beside_line(*request_.toward);
-    else
-        propose_around(0, 0, false);
-    keep_as_batch();
+    constexpr std::size_t often_met = 64, most_batches = 5;
+    all_.reserve(often_met);
+    batches_.reserve(most_batches);
+    if (is_beside_line()) {
+        beside_ = beside_of(*request_.toward);
+        propose(seeds_of(true, Distance::nearest, request_.along), 0, true, unlimited);
+    } else {
+        propose(seeds_of(false, Distance::nearest, request_.balloon > 0), 0, false, unlimited);
+    }
+    while (batches_.front().has_seeds()) place_next(batches_.front());
+    for (const Candidate& candidate : all_) uncovered_ += !candidate.covered;
 }
 
 bool LabelPlaces::is_beside_line() const { return request_.toward && length(*request_.toward - request_.anchor) > 0; }
 
-int LabelPlaces::uncovered() const {
-    int count = 0;
-    for (const Candidate& candidate : all_) count += !candidate.covered;
-    return count;
-}
-
 bool LabelPlaces::propose_more(double least) {
-    const bool beside = is_beside_line();
+    const bool balloon = request_.balloon > 0;
     // A vector shorter than its name has room beyond its ends; a direction mark stays on its line if it can.
-    const double price = request_.along ? upright_price : beside_price;
-    if (stage_ == 0) {
-        if (beside && least < price) return false;
-        stage_ = 1;
-        if (beside) {
-            propose_around(price, request_.along ? 0.0 : length(*request_.toward - request_.anchor), false);
-            keep_as_batch();
-            return true;
+    const double beyond = !beside_ ? 0 : request_.along ? upright_price : beside_price;
+    using enum Distance;
+    const auto may_help = [&](const std::vector<Seed>& seeds, double penalty) { return penalty + seeds.front().bound < least; };
+    switch (stage_) {
+        case 0: {
+            const std::vector<Seed>& seeds = seeds_of(beside_.has_value(), near, beside_ ? request_.along : balloon);
+            if (!may_help(seeds, 0)) return false;
+            propose(seeds, 0, beside_.has_value(), unlimited);
+            break;
         }
+        case 1:
+        case 2: {
+            if (!beside_) {
+                stage_ = 3;
+                return propose_more(least);
+            }
+            const std::vector<Seed>& seeds = seeds_of(false, stage_ == 1 ? nearest : near, balloon);
+            constexpr double at_an_end = 2.5;
+            if (!may_help(seeds, beyond)) return false;
+            propose(seeds, beyond, false, request_.along ? unlimited : at_an_end);
+            break;
+        }
+        case 3: {
+            if (least < least_of_far) return false;
+            propose(seeds_of(false, far, balloon), beyond, false, unlimited);
+            break;
+        }
+        default: return false;
     }
-    if (stage_ == 1) {
-        if (least < least_of_far) return false;
-        stage_ = 2;
-        propose_around(beside ? price : 0.0, 0, true);
-        keep_as_batch();
-        return true;
-    }
-    return false;
+    ++stage_;
+    return true;
 }
 
-/// What was proposed since the last time.
-void LabelPlaces::keep_as_batch() {
-    const std::size_t first = free_.empty() ? 0 : free_.back().end;
-    free_.push_back({first, all_.size()});
-    covering_.push_back({first, all_.size()});
+void LabelPlaces::propose(const std::vector<Seed>& seeds, double penalty, bool beside, double farthest) {
+    batches_.push_back({&seeds, penalty, beside, farthest});
+    // Wherever its places stand, they are within this.
+    double extra = 0, at = 0;
+    for (const Seed& seed : seeds) extra = std::max(extra, seed.extra), at = std::max(at, std::abs(seed.at));
+    const double reach = request_.clearance + extra + 2 * (half_.x + half_.y) + kept_apart + (beside ? at * beside_->slide : 0);
+    enlarge(span_, Box{request_.anchor - Spot{reach, reach}, request_.anchor + Spot{reach, reach}});
 }
 
-/// Prices a place as far as its own position goes; in line, since there are a hundred for each label.
-inline void LabelPlaces::finish(Candidate& candidate) {
+LabelPlaces::Beside LabelPlaces::beside_of(Spot toward) const {
+    Beside beside;
+    beside.along = unit(toward - request_.anchor);
+    beside.across = turned(beside.along);
+    beside.axis = {1, 0};
+    if (request_.along) {
+        beside.axis = beside.along;
+        // Read from below or from the right, never upside-down; what is nearly upright reads upwards.
+        constexpr double nearly = 0.17;
+        if (beside.axis.x < -nearly || (beside.axis.x < nearly && beside.axis.y > 0)) beside.axis = -1.0 * beside.axis;
+    }
+    beside.reach_across =
+        std::abs(dot(beside.across, beside.axis)) * half_.x + std::abs(cross(beside.across, beside.axis)) * half_.y;
+    beside.slide = std::max(length(toward - request_.anchor) * 0.7, 4.0);
+    const Spot outward = request_.anchor - 0.5 * (setting_.box.min + setting_.box.max);
+    for (const double side : {-1.0, 1.0}) {
+        const Spot off = side * beside.across;
+        double& price = beside.price[side < 0 ? 0 : 1];
+        price = dot(off, outward) < 0 ? 0.8 : 0;                             // the outer side
+        if (off.y > 0.3 || (std::abs(off.y) <= 0.3 && off.x < 0)) price += 0.3;  // above, right
+    }
+    return beside;
+}
+
+inline void LabelPlaces::stand_beside(const Seed& seed, Candidate& candidate) const {
+    const Beside& line = *beside_;
+    const double off = seed.side * (request_.clearance + seed.extra + line.reach_across);
+    candidate.box = {request_.anchor + (seed.at * line.slide) * line.along + off * line.across, half_, line.axis};
+    candidate.price += line.price[seed.side < 0 ? 0 : 1];
+}
+
+inline void LabelPlaces::stand_around(const Seed& seed, Candidate& candidate) const {
+    InkBox box{{}, half_};
+    box.centre = request_.anchor + centre_distance(box, seed.along, request_.clearance + seed.extra) * seed.along;
+    candidate.box = box;
+    if (seed.leader) candidate.add_leader(request_);
+}
+
+/// Prices a place as far as its own position goes.
+inline void LabelPlaces::finish(Candidate& candidate) const {
     const Box of_box = extent_of(candidate.box);
     const Spot out = setting_.outside(of_box);
     candidate.price += 0.06 * (out.x + out.y);
@@ -143,99 +243,53 @@ inline void LabelPlaces::finish(Candidate& candidate) {
     candidate.free = setting_.ground.is_free(candidate.box);
     candidate.covered = candidate.covered || !candidate.free;
     candidate.close_extent(of_box);
-    enlarge(span_, candidate.extent);
 }
 
-void LabelPlaces::propose_beside_line(Spot toward) {
-    const Spot along = unit(toward - request_.anchor), across = turned(along);
-    const double half_line = length(toward - request_.anchor);
-    Spot axis{1, 0};
-    if (request_.along) {
-        axis = along;
-        // Read from below or from the right, never upside-down; what is nearly upright reads upwards.
-        constexpr double nearly = 0.17;
-        if (axis.x < -nearly || (axis.x < nearly && axis.y > 0)) axis = -1.0 * axis;
-    }
-    const double reach_across = std::abs(dot(across, axis)) * half_.x + std::abs(cross(across, axis)) * half_.y;
-    const double slide = std::max(half_line * 0.7, 4.0);
-    const Spot middle = 0.5 * (setting_.box.min + setting_.box.max);
-    const Spot outward = request_.anchor - middle;
-    for (const double extra : {0.0, 0.7, 1.5, 3.0})
-        for (const double at :
-             {0.0, -0.15, 0.15, -0.3, 0.3, -0.5, 0.5, -0.7, 0.7, -0.85, 0.85, -1.0, 1.0, -1.4, 1.4, -1.9, 1.9, -2.5, 2.5}) {
-            // Only a mark that is turned with its line can stand before or behind it.
-            if (std::abs(at) > 1.1 && !request_.along) continue;
-            for (const double side : {-1.0, 1.0}) {
-                Candidate& candidate = all_.emplace_back();
-                const Spot off = side * across;
-                candidate.box = {request_.anchor + (at * slide) * along + (request_.clearance + extra + reach_across) * off,
-                                 half_, axis};
-                candidate.price = 1.5 * extra + 2.0 * std::abs(at);
-                if (dot(off, outward) < 0) candidate.price += 0.8;                                 // the outer side
-                if (off.y > 0.3 || (std::abs(off.y) <= 0.3 && off.x < 0)) candidate.price += 0.3;  // above, right
-                finish(candidate);
-            }
-        }
+void LabelPlaces::place_next(Batch& batch) {
+    const double bound = batch.bound();
+    const Seed& seed = (*batch.seeds)[batch.next++];
+    if (!seed.leader && seed.extra > batch.farthest) return;
+    const std::size_t place = all_.size();
+    Candidate& candidate = all_.emplace_back();
+    candidate.price = bound;
+    if (batch.beside)
+        stand_beside(seed, candidate);
+    else
+        stand_around(seed, candidate);
+    finish(candidate);
+    if (candidate.free)
+        batch.free.wait({candidate.price, place, false});
+    else
+        batch.covering.wait({candidate.price + covers_stroke, place, false});
 }
 
-/// A place in the direction u from the anchor, `extra` mm further than the nearest.
-inline void LabelPlaces::stand_around(Spot u, double extra, bool leader, Candidate& candidate) const {
-    InkBox box{{}, half_};
-    box.centre = request_.anchor + centre_distance(box, u, request_.clearance + extra) * u;
-    candidate.box = box;
-    // Upper right is read first, then upper left, right, below.
-    candidate.price = far_price * extra + 0.45 * (1 - (u.x - u.y) * std::numbers::sqrt2 / 2);
-    if (leader) {
-        candidate.add_leader(request_);
-        candidate.price += leader_price;
-    }
+void LabelPlaces::Queue::wait(Ranked place) {
+    waiting.push_back(place);
+    std::push_heap(waiting.begin(), waiting.end(), std::greater<>());
 }
 
-void LabelPlaces::propose_around(double penalty, double half_line, bool far) {
-    static const std::vector<Spot> round = directions(24);
-    static constexpr std::array near_rings{0.0, 0.5, 1.1, 2.0, 3.2}, far_rings{6.0, 9.0, 13.0, 18.0, 24.0};
-    for (const double extra : far ? far_rings : near_rings)
-        for (std::size_t k = 0; k < round.size(); ++k) {
-            const bool leader = extra > 3.5 || (request_.balloon > 0 && extra > 1.5);
-            if (leader && k % 2 != 0) continue;
-            if (half_line > 0 && !leader && extra > 2.5) continue;
-            Candidate& candidate = all_.emplace_back();
-            stand_around(round[k], extra, leader, candidate);
-            candidate.price += penalty + (k % 6 == 0 ? 0 : 0.05);
-            finish(candidate);
-        }
-}
-
-/// The most wanted first: where one of them is free, the others need no look.
-void LabelPlaces::rank(Queue& queue, bool free) const {
-    if (std::exchange(queue.is_ranked, true)) return;
-    constexpr std::size_t often_met = 16;
-    queue.waiting.reserve(queue.end - queue.first);
-    queue.met.reserve(std::min(often_met, queue.end - queue.first));
-    for (std::size_t place = queue.first; place < queue.end; ++place)
-        if (const Candidate& candidate = all_[place]; candidate.free == free)
-            queue.waiting.push_back({candidate.price + (free ? 0 : covers_stroke), place, false});
-    std::make_heap(queue.waiting.begin(), queue.waiting.end(), std::greater<>());
-}
-
-/// The next place of a queue, of which `rank` have been met. What stands about a place is looked at only when it is its turn; it
-/// then makes room for those that now cost less.
-std::size_t LabelPlaces::next_of(Queue& queue, std::size_t rank) {
+/// What stands about a place is looked at only when it is its turn; it then makes room for those that now cost less.
+bool LabelPlaces::is_met(Batch& batch, Queue& queue, std::size_t rank, double least) {
     while (queue.met.size() <= rank) {
+        constexpr double none = std::numeric_limits<double>::infinity();
+        const double first = queue.waiting.empty() ? none : queue.waiting.front().price;
+        const double bound = batch.has_seeds() ? batch.bound() : none;
+        if (std::min(first, bound) >= least) return false;
+        if (bound <= first) {
+            place_next(batch);
+            continue;
+        }
         std::pop_heap(queue.waiting.begin(), queue.waiting.end(), std::greater<>());
-        Ranked& next = queue.waiting.back();
+        Ranked next = queue.waiting.back();
+        queue.waiting.pop_back();
         if (next.priced) {
             queue.met.push_back(next);
-            queue.waiting.pop_back();
         } else {
-            Candidate& candidate = all_[next.place];
-            look_about(candidate);
-            next.price = candidate.price;
-            next.priced = true;
-            std::push_heap(queue.waiting.begin(), queue.waiting.end(), std::greater<>());
+            look_about(all_[next.place]);
+            queue.wait({all_[next.place].price, next.place, true});
         }
     }
-    return queue.met[rank].place;
+    return queue.met[rank].price < least;
 }
 
 /// Adds what the marks about a place cost, and the objects that it might seem to name.

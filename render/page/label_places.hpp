@@ -2,11 +2,12 @@
 // costs as far as its own position goes; does not know where the other labels stand, only what they name.
 //
 // Method: point-feature labelling by candidate places on rings about the anchor (after Imhof's rules), or beside the line that is
-// named. Most places are never asked for, so that what is dear to find about one is found when it is its turn.
+// named. Most places are never asked for: each stands somewhere, and what is dear to find about it is found, when it is its turn.
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <limits>
+#include <optional>
 #include <vector>
 
 #include "render/page/figure.hpp"
@@ -48,27 +49,37 @@ struct Candidate {
     void close_extent() { close_extent(extent_of(box)); }
 };
 
+/// A place before it is one: where about its anchor or line, and the least that it costs there.
+struct Seed {
+    double bound;
+    double extra;        ///< mm further than the nearest
+    double at = 0;       ///< beside a line: how far along it; of half of it
+    Spot along{};        ///< about an anchor: the direction
+    double side = 1;     ///< beside a line: of which
+    bool leader = false; ///< it is tied to what it names
+};
+
 class LabelPlaces {
 public:
-    /// The most wanted places of the request with that index, whose box has these half extents. The setting must outlive them.
+    /// The nearest places of the request with that index, whose box has these half extents. The setting must outlive them.
     LabelPlaces(const LabelSetting& setting, std::size_t label, Spot half);
 
     const Candidate& operator[](std::size_t place) const { return all_[place]; }
-    /// How many of those proposed so far cover nothing and stay in the room.
-    int uncovered() const;
-    /// What all proposed so far take.
+    /// How many of the nearest cover nothing and stay in the room.
+    int uncovered() const { return uncovered_; }
+    /// What all proposed so far may take.
     const Box& span() const { return span_; }
 
     /// Proposes less wanted places as a further batch. False: there are none, or none that could cost less than `least`.
     bool propose_more(double least);
-    std::size_t batches() const { return free_.size(); }
+    std::size_t batches() const { return batches_.size(); }
     /// Shows look() the places of a batch that cover no ink, or those that do, the cheapest first, as long as they cost less than
     /// `least`; look may lower that.
     template <class Look>
     void look_through(std::size_t batch, bool free, const double& least, Look look) {
-        Queue& queue = free ? free_[batch] : covering_[batch];
-        rank(queue, free);
-        for (std::size_t rank = 0; queue.least(rank) < least; ++rank) look(next_of(queue, rank));
+        Batch& of = batches_[batch];
+        Queue& queue = free ? of.free : of.covering;
+        for (std::size_t rank = 0; is_met(of, queue, rank, least); ++rank) look(queue.met[rank].place);
     }
 
 private:
@@ -79,39 +90,54 @@ private:
         bool priced;
         bool operator>(const Ranked& other) const { return price > other.price || (price == other.price && place > other.place); }
     };
-    /// Places that were proposed together, and are asked for in the order of price: most of them never are.
+    /// Places that are asked for in the order of price: most of them never are.
     struct Queue {
-        std::size_t first, end;         // among all
-        bool is_ranked = false;         // only once it is asked for
         std::vector<Ranked> met{};      // in their order
         std::vector<Ranked> waiting{};  // a heap, the cheapest on top
-        /// What the next place costs at least of which `rank` have been asked for; infinity: there is none.
-        double least(std::size_t rank) const {
-            if (rank < met.size()) return met[rank].price;
-            return waiting.empty() ? std::numeric_limits<double>::infinity() : waiting.front().price;
-        }
+        void wait(Ranked place);
+    };
+    /// Places that were proposed together. Most never stand anywhere: they become places in the order of the least they can cost.
+    struct Batch {
+        const std::vector<Seed>* seeds;
+        double penalty;                  // of all of them
+        bool beside;                     // the line, else about the anchor
+        double farthest;                 // of the anchor, mm; seeds that are farther are left out
+        std::size_t next = 0;            // seed
+        Queue free{}, covering{};        // those that cover ink: dearer than most, and the dearest to price
+        bool has_seeds() const { return next < seeds->size(); }
+        double bound() const { return penalty + (*seeds)[next].bound; }
     };
     bool is_beside_line() const;
 
-    void propose_beside_line(Spot toward);
-    void propose_around(double penalty, double half_line, bool far);
-    void stand_around(Spot u, double extra, bool leader, Candidate& candidate) const;
-    void finish(Candidate& candidate);
-    void keep_as_batch();
+    void propose(const std::vector<Seed>& seeds, double penalty, bool beside, double farthest);
+    /// Whether a place of a queue that costs less than `least` is met after so many others.
+    bool is_met(Batch& batch, Queue& queue, std::size_t rank, double least);
+    void place_next(Batch& batch);
+    void stand_beside(const Seed& seed, Candidate& candidate) const;
+    void stand_around(const Seed& seed, Candidate& candidate) const;
+    void finish(Candidate& candidate) const;
 
-    void rank(Queue& queue, bool free) const;
-    std::size_t next_of(Queue& queue, std::size_t rank);
     void look_about(Candidate& candidate) const;
     double near_other_points(const Candidate& candidate) const;
     double near_other_lines(const Candidate& candidate) const;
+
+    /// Beside a line: how it runs, how the label is turned there, and which side is the better one.
+    struct Beside {
+        Spot along, across, axis;
+        double slide, reach_across;
+        std::array<double, 2> price;  // of the sides −1 and 1
+    };
+    Beside beside_of(Spot toward) const;
 
     const LabelSetting& setting_;
     const LabelRequest& request_;
     std::size_t label_;  // its index
     Spot half_;          // of its box
+    std::optional<Beside> beside_;
     std::vector<Candidate> all_;
-    std::vector<Queue> free_, covering_;  // those that cover ink: dearer than most, and the dearest to price
-    int stage_ = 0;                       // how many less wanted batches have been thought of
+    std::vector<Batch> batches_;
+    int uncovered_ = 0;
+    int stage_ = 0;  // how many batches have been thought of
     Box span_ = nowhere;
 };
 
