@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/commands.hpp"
+#include "app/memory_ahead.hpp"
 #include "app/module.hpp"
 #include "app/modules/type.hpp"
 #include "render/backends/backends.hpp"
@@ -143,6 +144,7 @@ tl::expected<void, Status> Press::prepare(std::optional<Press>& press, const std
     if (press) {
         press->fonts_->start_anew();
     } else {
+        take_memory_ahead();
         auto typefaces = open_module_as<TypeFunctions>("kinegraph_type", {"Type is set", "I caratteri sono composti"})
                              .and_then([](const TypeFunctions* functions) { return functions->open_typefaces(); });
         if (!typefaces) return fails(typefaces.error());

@@ -181,9 +181,7 @@ struct MechanismFigure {
             choose_scale(extent.width(), extent.height(), std::max(room.x - 10, 10.0), std::max(room.y - 18, 10.0), asked);
         const FitPolicy policy{
             .room = room, .first = first, .asked = asked, .keeps_asked = true, .coarsest = coarsest, .names_stay_in_room = true};
-        return fit(policy, [&](const Trial& trial) {
-            return drawn(trial, shows.arrows);
-        });
+        return fit(policy, [&](const Trial& trial) { return drawn(trial, shows.arrows); });
     }
 
     /// The same with ω and α, or ω alone, and what the file gives of the drivers' accelerations, where that costs it neither its

@@ -109,7 +109,9 @@ private:
             const auto* group = std::get_if<GroupBegin>(&marks[first]);
             std::size_t end = first + 1;
             for (int depth = group ? 1 : 0; depth > 0; ++end)
-                depth += std::holds_alternative<GroupBegin>(marks[end]) ? 1 : std::holds_alternative<GroupEnd>(marks[end]) ? -1 : 0;
+                depth += std::holds_alternative<GroupBegin>(marks[end]) ? 1
+                         : std::holds_alternative<GroupEnd>(marks[end]) ? -1
+                                                                        : 0;
             const std::span<const Mark> own = marks.subspan(first, end - first);
             if (std::span<const Mark>* layer = group ? layer_of(layers, group->cls) : nullptr)
                 *layer = own;

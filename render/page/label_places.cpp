@@ -177,7 +177,8 @@ bool LabelPlaces::propose_more(double least) {
             propose(seeds_of(false, far, balloon), beyond, false, unlimited);
             break;
         }
-        default: return false;
+        default:
+            return false;
     }
     ++stage_;
     return true;
@@ -210,7 +211,7 @@ LabelPlaces::Beside LabelPlaces::beside_of(Spot toward) const {
     for (const double side : {-1.0, 1.0}) {
         const Spot off = side * beside.across;
         double& price = beside.price[side < 0 ? 0 : 1];
-        price = dot(off, outward) < 0 ? 0.8 : 0;                             // the outer side
+        price = dot(off, outward) < 0 ? 0.8 : 0;                                 // the outer side
         if (off.y > 0.3 || (std::abs(off.y) <= 0.3 && off.x < 0)) price += 0.3;  // above, right
     }
     return beside;

@@ -52,11 +52,11 @@ struct Candidate {
 /// A place before it is one: where about its anchor or line, and the least that it costs there.
 struct Seed {
     double bound;
-    double extra;        ///< mm further than the nearest
-    double at = 0;       ///< beside a line: how far along it; of half of it
-    Spot along{};        ///< about an anchor: the direction
-    double side = 1;     ///< beside a line: of which
-    bool leader = false; ///< it is tied to what it names
+    double extra;         ///< mm further than the nearest
+    double at = 0;        ///< beside a line: how far along it; of half of it
+    Spot along{};         ///< about an anchor: the direction
+    double side = 1;      ///< beside a line: of which
+    bool leader = false;  ///< it is tied to what it names
 };
 
 class LabelPlaces {
@@ -99,11 +99,11 @@ private:
     /// Places that were proposed together. Most never stand anywhere: they become places in the order of the least they can cost.
     struct Batch {
         const std::vector<Seed>* seeds;
-        double penalty;                  // of all of them
-        bool beside;                     // the line, else about the anchor
-        double farthest;                 // of the anchor, mm; seeds that are farther are left out
-        std::size_t next = 0;            // seed
-        Queue free{}, covering{};        // those that cover ink: dearer than most, and the dearest to price
+        double penalty;            // of all of them
+        bool beside;               // the line, else about the anchor
+        double farthest;           // of the anchor, mm; seeds that are farther are left out
+        std::size_t next = 0;      // seed
+        Queue free{}, covering{};  // those that cover ink: dearer than most, and the dearest to price
         bool has_seeds() const { return next < seeds->size(); }
         double bound() const { return penalty + (*seeds)[next].bound; }
     };
