@@ -50,7 +50,7 @@ bool DrawnFigures::draw(SheetPlan& plan, bool refuse) {
             drawn.waits = wanted.fills;
             constexpr double rounding = 1e-9;
             const bool may_refuse = refuse && wanted.draw_or_refuse && needs_.may_refuse(wanted);
-            if (!drawn.waits) draw_into(drawn, own, may_refuse ? drawn.promised * (1 + rounding) : any_scale, refuse);
+            if (!drawn.waits) draw_into(drawn, own, may_refuse ? drawn.promised * (1 + rounding) : any_scale);
             if (!drawn.waits && !drawn.is_refused()) needs_.learn_from(drawn);
             (layout.stacked ? corner.y : corner.x) += (layout.stacked ? size.y : size.x) + gap;
             if (layout.cornered && !drawn.is_refused() && !set_in_corner(drawn, layouts.equations())) {
@@ -69,7 +69,7 @@ void DrawnFigures::draw_what_fills_its_room() {
         for (DrawnFigure& drawn : figures) in_order[drawn.number] = &drawn;
     std::size_t details = 0;
     for (const auto& [number, drawn] : in_order) {
-        if (std::exchange(drawn->waits, false)) draw_into(*drawn, {drawn->room.width(), drawn->room.height()}, any_scale, false);
+        if (std::exchange(drawn->waits, false)) draw_into(*drawn, {drawn->room.width(), drawn->room.height()}, any_scale);
         letter_details_on(drawn->figure, context_, details);
         details += drawn->figure.details.size();
     }
@@ -152,16 +152,14 @@ bool DrawnFigures::serves(const Known& known, const Wanted& wanted, Spot room, d
     return fits && (wanted.fills ? is_hardly_other(known.room, room) : !larger || gains_nothing(wanted, known.figure, room));
 }
 
-/// A caption of several lines is known only then: as long as it may ask for more room (`grows`), a figure does so rather than be
-/// drawn once more and smaller.
-void DrawnFigures::draw_into(DrawnFigure& drawn, Spot room, double coarsest, bool grows) {
+void DrawnFigures::draw_into(DrawnFigure& drawn, Spot room, double coarsest) {
     constexpr double least_room = 10;
     const auto below = [&](double taken) { return Spot{std::max(room.x, least_room), std::max(room.y - taken, least_room)}; };
     drawn.figure = figure_in(drawn.wanted, below(caption_line), coarsest);
     drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
     if (drawn.is_refused()) return;
     drawn.caption = height_of_caption(drawn);
-    if (!grows && drawn.caption > caption_line && drawn.height() > room.y)
+    if (drawn.caption > caption_line && drawn.height() > room.y)
         drawn.figure = figure_in(drawn.wanted, below(drawn.caption), coarsest);
     drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
 }

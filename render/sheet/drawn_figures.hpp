@@ -40,7 +40,7 @@ private:
     };
     const Figure& figure_in(std::size_t index, Spot room, double coarsest);
     bool serves(const Known& known, const Wanted& wanted, Spot room, double coarsest) const;
-    void draw_into(DrawnFigure& drawn, Spot room, double coarsest, bool grows);
+    void draw_into(DrawnFigure& drawn, Spot room, double coarsest);
     double height_of_caption(const DrawnFigure& drawn) const;
     void share_room(std::vector<DrawnFigure>& figures) const;
     bool set_in_corner(DrawnFigure& drawn, const Block& equations) const;

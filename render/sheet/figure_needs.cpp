@@ -86,7 +86,6 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
         wanted.least_room = {std::max(wanted.least_room.x, box.width()),
                              std::max(wanted.least_room.y, drawn.height() - caption_line)};
     } else {
-        refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y});
         wanted.rim_x += std::max(over_x, 0.0);
         wanted.rim_y += std::max(over_y, 0.0);
         learn_from(drawn);  // its caption may have more lines by now
