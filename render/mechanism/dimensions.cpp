@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <span>
 #include <string_view>
 
@@ -18,6 +19,24 @@ namespace {
 struct DrawnLayers {
     std::span<const Mark> construction, ground, bodies, pins, arrows, centres;
 };
+
+/// Where a mark ends, or the group that it begins.
+std::size_t end_of_mark(std::span<const Mark> marks, std::size_t first) {
+    std::size_t end = first + 1;
+    for (int depth = std::holds_alternative<GroupBegin>(marks[first]) ? 1 : 0; depth > 0; ++end)
+        depth += std::holds_alternative<GroupBegin>(marks[end]) ? 1 : std::holds_alternative<GroupEnd>(marks[end]) ? -1 : 0;
+    return end;
+}
+/// Of a closed figure, where its labels begin.
+std::size_t end_of_layers(std::span<const Mark> marks) {
+    constexpr std::array<std::string_view, 8> layers{"tint",   "construction", "ground",  "links",
+                                                     "joints", "arrows",       "centres", "dimensions"};
+    std::size_t end = 1;
+    for (const GroupBegin* group = nullptr; end < marks.size() && (group = std::get_if<GroupBegin>(&marks[end])) != nullptr &&
+                                            std::find(layers.begin(), layers.end(), group->cls) != layers.end();)
+        end = end_of_mark(marks, end);
+    return end;
+}
 
 class DimensionsDrawing {
 public:
@@ -105,19 +124,14 @@ private:
     void keep_off_all_of(const Figure& figure) {
         DrawnLayers layers;
         const std::span<const Mark> marks = figure.marks;
-        for (std::size_t first = 1; first < marks.size();) {
-            const auto* group = std::get_if<GroupBegin>(&marks[first]);
-            std::size_t end = first + 1;
-            for (int depth = group ? 1 : 0; depth > 0; ++end)
-                depth += std::holds_alternative<GroupBegin>(marks[end]) ? 1
-                         : std::holds_alternative<GroupEnd>(marks[end]) ? -1
-                                                                        : 0;
+        for (std::size_t first = 1, end = 1; first < marks.size(); first = end) {
+            end = end_of_mark(marks, first);
             const std::span<const Mark> own = marks.subspan(first, end - first);
+            const auto* group = std::get_if<GroupBegin>(&marks[first]);
             if (std::span<const Mark>* layer = group ? layer_of(layers, group->cls) : nullptr)
                 *layer = own;
             else
                 add(own, taken_);
-            first = end;
         }
         keep_off(layers);
         for (const Mark& mark : marks)
@@ -137,7 +151,7 @@ private:
         const Spot along = letters.half.x * letters.axis;
         for (const double level : {-1.0, 0.0, 1.0}) {
             const Spot middle = letters.centre + level * letters.half.y * turned(letters.axis) - origin_;
-            taken_.push_back({{middle - along, middle + along}});
+            letters_.push_back({{middle - along, middle + along}});
         }
     }
 
@@ -367,7 +381,9 @@ private:
     }
     double toll(const Bar& bar, const std::vector<Obstacle>& heavy_bars, Rate heavy, Rate light, Rate taken,
                 const std::array<Spot, 2>& ends) const {
-        return heavy.price * count_near(bar, heavy_bars, heavy.distance, ends) +
+        constexpr Rate letters{4, 0.6};  // nothing may run over them
+        return letters.price * count_near(bar, letters_, letters.distance, nowhere) +
+               heavy.price * count_near(bar, heavy_bars, heavy.distance, ends) +
                light.price * count_near(bar, light_, light.distance, ends) +
                taken.price * count_near(bar, taken_, taken.distance, nowhere);
     }
@@ -520,7 +536,7 @@ private:
     const DimensionWish& wish_;
     Box box_;        // of all that is drawn
     Spot origin_{};  // where that of the sketch lies in the figure
-    std::vector<Obstacle> heavy_, light_, taken_;
+    std::vector<Obstacle> heavy_, light_, taken_, letters_;
     std::vector<Obstacle> crossed_;  // what extension lines had better not cross
     std::vector<Length> lengths_;
     std::vector<Radius> radii_;
@@ -546,10 +562,11 @@ void add_dimensions(Sketch& sketch, Figure& figure, Spot room) {
     if (drawn.empty()) return;
     move(drawn, figure.origin.x, figure.origin.y);
     figure.box.include(box_of(drawn));
-    figure.marks.pop_back();
-    figure.marks.emplace_back(GroupBegin{"dimensions", {}, {}, {}});
-    for (Mark& mark : drawn) figure.marks.push_back(std::move(mark));
-    figure.marks.insert(figure.marks.end(), 2, GroupEnd{});
+    // The last of the layers, below all letters.
+    drawn.insert(drawn.begin(), GroupBegin{"dimensions", {}, {}, {}});
+    drawn.emplace_back(GroupEnd{});
+    figure.marks.insert(figure.marks.begin() + static_cast<std::ptrdiff_t>(end_of_layers(figure.marks)),
+                        std::make_move_iterator(drawn.begin()), std::make_move_iterator(drawn.end()));
     drawn.clear();
     figure.move(-figure.box.min.x, -figure.box.min.y);
 }
