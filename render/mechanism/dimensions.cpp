@@ -10,6 +10,7 @@
 
 #include "render/mechanism/sketch.hpp"
 #include "render/page/ink_map.hpp"
+#include "render/page/label_boxes.hpp"
 
 namespace kinegraph::render::drawing {
 
@@ -95,7 +96,8 @@ private:
         double price = 0;
     };
 
-    static constexpr Spot for_names{10, 18};  ///< they need a rim, the scale bar its place below
+    static constexpr double price_of_letters = 4;  ///< nothing may run over them
+    static constexpr Spot for_names{10, 18};       ///< they need a rim, the scale bar its place below
 
     Pen thin() const { return {sketch_.theme.thin, sketch_.theme.text, {}, false}; }
 
@@ -136,7 +138,10 @@ private:
         keep_off(layers);
         for (const Mark& mark : marks)
             if (const auto* text = std::get_if<TextMark>(&mark))
-                if (const auto ink = ink_of(*text, sketch_.context.fonts)) keep_off(*ink);
+                if (auto ink = ink_of(*text, sketch_.context.fonts)) {
+                    ink->centre = ink->centre - origin_;
+                    letters_.push_back(*ink);
+                }
     }
     static std::span<const Mark>* layer_of(DrawnLayers& layers, std::string_view role) {
         if (role == "construction" && layers.construction.empty()) return &layers.construction;
@@ -147,14 +152,6 @@ private:
         if (role == "centres") return &layers.centres;
         return nullptr;
     }
-    void keep_off(const InkBox& letters) {
-        const Spot along = letters.half.x * letters.axis;
-        for (const double level : {-1.0, 0.0, 1.0}) {
-            const Spot middle = letters.centre + level * letters.half.y * turned(letters.axis) - origin_;
-            letters_.push_back({{middle - along, middle + along}});
-        }
-    }
-
     void add(std::span<const Mark> marks, std::vector<Obstacle>& to) const {
         const auto add_bar = [&](Spot from, Spot end) { to.push_back({{from - origin_, end - origin_}}); };
         for (const Mark& mark : marks) {
@@ -328,6 +325,13 @@ private:
         }
         return count;
     }
+    int count_letters_near(const Bar& bar) const {
+        constexpr double near = 0.6;
+        const InkBox own{middle(bar), {length(bar) / 2, 0}, length(bar) > 0 ? unit(bar.to - bar.from) : Spot{1, 0}};
+        return static_cast<int>(std::count_if(letters_.begin(), letters_.end(), [&](const InkBox& letters) {
+            return lettering::gap_between(own, letters, near) < near;
+        }));
+    }
     static bool crosses(const Bar& a, const Bar& b) {
         const Spot u = a.to - a.from, v = b.to - b.from;
         const double turn = cross(u, v);
@@ -381,9 +385,7 @@ private:
     }
     double toll(const Bar& bar, const std::vector<Obstacle>& heavy_bars, Rate heavy, Rate light, Rate taken,
                 const std::array<Spot, 2>& ends) const {
-        constexpr Rate letters{4, 0.6};  // nothing may run over them
-        return letters.price * count_near(bar, letters_, letters.distance, nowhere) +
-               heavy.price * count_near(bar, heavy_bars, heavy.distance, ends) +
+        return price_of_letters * count_letters_near(bar) + heavy.price * count_near(bar, heavy_bars, heavy.distance, ends) +
                light.price * count_near(bar, light_, light.distance, ends) +
                taken.price * count_near(bar, taken_, taken.distance, nowhere);
     }
@@ -536,7 +538,8 @@ private:
     const DimensionWish& wish_;
     Box box_;        // of all that is drawn
     Spot origin_{};  // where that of the sketch lies in the figure
-    std::vector<Obstacle> heavy_, light_, taken_, letters_;
+    std::vector<Obstacle> heavy_, light_, taken_;
+    std::vector<InkBox> letters_;
     std::vector<Obstacle> crossed_;  // what extension lines had better not cross
     std::vector<Length> lengths_;
     std::vector<Radius> radii_;
