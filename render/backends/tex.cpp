@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -22,6 +23,7 @@ namespace kinegraph::render {
 namespace {
 
 constexpr int digits = 4;            // of mm and degrees: 0.1 µm
+constexpr double blank = 0.25;       // between words, em
 constexpr double farthest = 4000;    // mm; TeX's longest length is 5.7 m
 constexpr double largest_arc = 500;  // mm; TikZ turns by its own sines, which are good to five digits
 
@@ -176,6 +178,68 @@ private:
     std::vector<std::pair<Key, Spot>> order_;
 };
 
+/// How wide a glyph is, em, as far as its ink tells it: as much white behind it as before it, and a little at least.
+double width_of(const Outline& outline) {
+    constexpr double least_white = 0.03;
+    double left = std::numeric_limits<double>::infinity(), right = -left;
+    const auto take = [&](Spot spot) {
+        left = std::min(left, spot.x);
+        right = std::max(right, spot.x);
+    };
+    for (const Segment& segment : outline.segments) {
+        if (const auto* m = std::get_if<MoveTo>(&segment)) take(m->to);
+        if (const auto* l = std::get_if<LineTo>(&segment)) take(l->to);
+        if (const auto* c = std::get_if<CurveTo>(&segment)) take(c->to);
+    }
+    return left > right ? 0 : right + std::max(left, least_white);
+}
+
+/// How wide the letters of a document are, by their faces. Neighbours are drawn together where their shapes want it, hardly ever
+/// apart: the longest step to a next letter is the width.
+class LetterWidths {
+public:
+    void take(const LiveRun& run, const Glyphs& glyphs) {
+        for (std::size_t i = 0; i < run.letters.size(); ++i) {
+            const auto& [glyph, text] = run.letters[i];
+            if (text.size() != 1 || !is_set_as_text(text.front()) || glyph.size <= 0) continue;
+            Width& width = widths_[glyph.face][text.front()];
+            if (i + 1 < run.letters.size()) {
+                const double step = run.letters[i + 1].glyph.origin.x - glyph.origin.x;
+                width.step = std::max(width.step, std::lround(1000 * step / glyph.size));
+            } else if (width.step == 0) {
+                width.guess = std::lround(1000 * width_of(glyphs.outline(glyph.face, glyph.index)));
+            }
+        }
+    }
+
+    std::string definitions() const {
+        return "% How wide the letters are, thousandths of their size.\n" + definition("\\kgroman", Face::regular) +
+               definition("\\kgitalics", Face::italic) + definition("\\kgbolds", Face::bold);
+    }
+
+private:
+    struct Width {
+        long step = 0;   // to a next letter, thousandths of an em; 0: never seen
+        long guess = 0;  // by its ink
+    };
+
+    static bool is_set_as_text(char c) {
+        constexpr std::string_view signs = "()[]+,-./:;=!?*@";
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               signs.find(c) != std::string_view::npos;
+    }
+
+    std::string definition(const std::string& name, Face face) const {
+        std::string text = "\\def" + name + "{";
+        if (const auto found = widths_.find(static_cast<std::uint8_t>(face)); found != widths_.end())
+            for (const auto& [letter, width] : found->second)
+                text += letter + std::to_string(width.step > 0 ? width.step : width.guess) + " ";
+        return text + "}\n";
+    }
+
+    std::map<std::uint8_t, std::map<char, Width>> widths_;
+};
+
 Spot on_arc(const ArcTo& arc, double angle) { return arc.centre + arc.radius * Spot{std::cos(angle), std::sin(angle)}; }
 
 /// Where a mark is turned: a spot of the unturned text on the page.
@@ -185,22 +249,10 @@ Spot turned(const TextMark& mark, Spot spot) {
     return mark.pivot + Spot{from.x * c - from.y * s, from.x * s + from.y * c};
 }
 
-/// How far to the right the ink of a glyph reaches from its origin, em.
-double right_of(const Outline& outline) {
-    double right = 0;
-    const auto take = [&right](Spot spot) { right = std::max(right, spot.x); };
-    for (const Segment& segment : outline.segments) {
-        if (const auto* m = std::get_if<MoveTo>(&segment)) take(m->to);
-        if (const auto* l = std::get_if<LineTo>(&segment)) take(l->to);
-        if (const auto* c = std::get_if<CurveTo>(&segment)) take(c->to);
-    }
-    return right;
-}
-
 class Picture {
 public:
-    Picture(const Page& page, const Glyphs& glyphs, Styles& styles)
-        : page_(page), glyphs_(glyphs), styles_(styles), points_(page.marks) {}
+    Picture(const Page& page, const Glyphs& glyphs, Styles& styles, LetterWidths& widths)
+        : page_(page), glyphs_(glyphs), styles_(styles), widths_(widths), points_(page.marks) {}
 
     std::string write() {
         const std::string width = number(page_.width), height = number(page_.height);
@@ -295,32 +347,55 @@ private:
     void write(const LiveLine& line) {
         const bool coded =
             std::any_of(line.runs.begin(), line.runs.end(), [](const LiveRun& run) { return run.kind == LiveRun::Kind::coded; });
-        const auto tex = tex_of(text_of(*line.first), [this](Colour c) { return styles_.colour(c); });
-        if (coded || !tex) {
+        const auto words = tex_words_of(text_of(*line.first), [this](Colour c) { return styles_.colour(c); });
+        if (coded || !words) {
             outline(line);
             return;
         }
-        const Glyph* base = nullptr;
-        double left = 0, right = 0;
+        std::vector<const Glyph*> glyphs;
         for (const LiveRun& run : line.runs) {
-            for (const Letter& letter : run.letters) {
-                const Glyph& glyph = letter.glyph;
-                const double end = glyph.origin.x + glyph.size * right_of(glyphs_.outline(glyph.face, glyph.index));
-                left = base == nullptr ? glyph.origin.x : std::min(left, glyph.origin.x);
-                right = base == nullptr ? end : std::max(right, end);
-                if (base == nullptr || glyph.size > base->size + 1e-9) base = &glyph;
-            }
+            widths_.take(run, glyphs_);
+            for (const Letter& letter : run.letters) glyphs.push_back(&letter.glyph);
         }
-        if (base == nullptr || tex->empty()) return;
-        const Spot at = turned(*line.first, {left, base->origin.y});
+        if (glyphs.empty() || words->empty()) return;
+        const Glyph& base = **std::max_element(glyphs.begin(), glyphs.end(),
+                                               [](const Glyph* a, const Glyph* b) { return a->size < b->size - 1e-9; });
+        const std::vector<Span> spans = spans_of(*words, glyphs, base.size);
+        std::string widths;
+        for (const Span& span : spans) widths += (widths.empty() ? "" : " ") + number(span.end - span.begin, 3);
+        const Spot at = turned(*line.first, {spans.front().begin, base.origin.y});
         std::string options = "kg text, text=" + styles_.colour(line.first->colour);
         if (line.first->angle != 0) options += ", rotate=" + number(-line.first->angle * 180 / std::numbers::pi);
-        // A line of several words fills its width; one word stands in the middle of it.
-        const bool words =
-            std::any_of(line.runs.begin(), line.runs.end(), [](const LiveRun& run) { return run.kind == LiveRun::Kind::blank; });
-        text_ += "\\node[" + options + "] at (" + number(within_reach(at.x)) + "," + number(within_reach(at.y)) + ") {" +
-                 (words ? "\\kgline{" : "\\kgword{") + number(right - left) + "}{" + number(base->size * 72 / 25.4, 2) + "}{" +
-                 *tex + "}};\n";
+        text_ += "\\node[" + options + "] at (" + number(within_reach(at.x)) + "," + number(within_reach(at.y)) + ") {\\kgline{" +
+                 number(base.size * 72 / 25.4, 2) + "}{" + widths + "}{" + line_of(*words) + "}};\n";
+    }
+
+    /// From where to where a word reaches along its line, mm.
+    struct Span {
+        double begin = 0, end = 0;
+    };
+
+    /// Of each word; a blank is between each two.
+    std::vector<Span> spans_of(const std::vector<TexWord>& words, const std::vector<const Glyph*>& glyphs, double size) const {
+        const double space = blank * size;
+        std::vector<Span> spans(words.size());
+        double last = glyphs.front()->origin.x;
+        auto glyph = glyphs.begin();
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            while (glyph != glyphs.end() && (*glyph)->at < words[i].at) ++glyph;
+            double begin = last, end = last;
+            bool is_first = true;
+            for (; glyph != glyphs.end() && (i + 1 == words.size() || (*glyph)->at < words[i + 1].at); ++glyph) {
+                const double x = (*glyph)->origin.x;
+                begin = is_first ? x : std::min(begin, x);
+                end = std::max(end, x + (*glyph)->size * width_of(glyphs_.outline((*glyph)->face, (*glyph)->index)));
+                is_first = false;
+            }
+            spans[i] = {begin - static_cast<double>(words[i].blanks) * space, end};
+            if (i > 0) spans[i - 1].end = spans[i].begin - space;
+            last = end + space;
+        }
+        return spans;
     }
 
     /// What TeX has no letters for, as it looks.
@@ -358,6 +433,7 @@ private:
     const Page& page_;
     const Glyphs& glyphs_;
     Styles& styles_;
+    LetterWidths& widths_;
     NamedPoints points_;
     std::string text_;
 };
@@ -365,30 +441,64 @@ private:
 /// A document of its own, or a part of one: in the body of a document \@nodocument means nothing any more.
 constexpr std::string_view document_head =
     R"(% pdflatex makes a document of this file, a picture on each page; in another document that has
-% \usepackage{tikz}, \input gives the pictures alone.
+% \usepackage{tikz}, \input gives the pictures alone, in that document's fonts.
 \expandafter\ifx\csname @nodocument\endcsname\relax
   \def\kgbegin#1#2{\par\noindent}
   \def\kgend{\par}
   \let\kgfinish\relax
+  \def\kgletters#1{}
+  \let\kgscripts\relax
 \else
-  \RequirePackage{fix-cm}
   \documentclass{article}
   \usepackage{tikz}
+  % Of each face the one design whose strokes are nearest to those of our PNG, for indices too.
+  \DeclareFontShape{OT1}{cmr}{m}{n}{<->cmr8}{}
+  \DeclareFontShape{OT1}{cmr}{m}{it}{<->cmti10}{}
+  \DeclareFontShape{OT1}{cmr}{bx}{n}{<->cmb10}{}
+  \DeclareFontShape{OT1}{cmr}{bx}{it}{<->cmbxti10}{}
+  \DeclareFontShape{OML}{cmm}{m}{it}{<->cmmi10}{}
+  \DeclareFontShape{OML}{cmm}{b}{it}{<->cmmib10}{}
+  \DeclareFontShape{OMS}{cmsy}{m}{n}{<->cmsy10}{}
+  \DeclareFontShape{OMS}{cmsy}{b}{n}{<->cmbsy10}{}
   \pdfhorigin=0pt \pdfvorigin=0pt \hoffset=0pt \voffset=0pt
   \def\kgbegin#1#2{\pdfpagewidth=#1mm \pdfpageheight=#2mm \setbox0=\hbox\bgroup\ignorespaces}
   \def\kgend{\egroup\shipout\box0 }
   \def\kgfinish{\end{document}}
+  % Letters as wide as \kgroman, \kgitalics and \kgbolds say: white is put to their sides, or taken away.
+  \def\kgletters#1{\pdfprependkern=1 \pdfappendkern=1
+    \expandafter\ifx\csname kg:\fontname\font\endcsname\relax
+      \expandafter\gdef\csname kg:\fontname\font\endcsname{}\pdfnoligatures\font
+      \dimen4=\csname f@size\endcsname pt \divide\dimen4 by 1000 \ifx#1\empty\else\expandafter\kgletter#1\kgstop\fi
+    \fi}
+  \def\kgletter#1#2 {\dimen2=#2\dimen4 \advance\dimen2 by -\fontcharwd\font`#1
+    \multiply\dimen2 by 500 \divide\dimen2 by \fontdimen6\font
+    \knbccode\font`#1=\dimen2 \knaccode\font`#1=\dimen2 \futurelet\kgtoken\kgnext}
+  \def\kgnext{\ifx\kgtoken\kgstop\expandafter\kgdone\else\expandafter\kgletter\fi}
+  % How far indices stand below and exponents above the line.
+  \def\kgscripts{\scriptspace=.03\kgem \setbox1=\hbox{$ $}\fontdimen16\textfont2=.22\kgem \fontdimen17\textfont2=.22\kgem
+    \fontdimen13\textfont2=.4\kgem \fontdimen14\textfont2=.4\kgem \fontdimen15\textfont2=.4\kgem}
   \begin{document}
 \fi
-% Lengths are mm, y downwards. Words have the width that they are given: what is wider is set narrower; of what is not, a line
-% begins there, a single word stands in the middle.
+% Lengths are mm, y downwards. \kgline{SIZE}{WIDTHS}{WORDS} sets each word as wide as the list says, what is short by more than a
+% quarter in the middle of its width; where the list ends, as wide as it is. A blank is a quarter of the size.
 \tikzset{kg/.style={x=1mm,y=-1mm,line cap=butt,line join=miter,miter limit=4},
   kg text/.style={anchor=base west,inner sep=0pt,outer sep=0pt}}
-\def\kgsize#1{\fontsize{#1bp}{#1bp}\selectfont}
-\def\kgset#1#2#3{\setbox1=\hbox{\kgsize{#2}\spaceskip=.25em\relax#3}%
-  \ifdim\wd1>#1mm \resizebox{#1mm}{\height}{\box1}\else\box1 \fi}
-\def\kgline#1#2#3{\hbox to #1mm{\kgset{#1}{#2}{#3}\hss}}
-\def\kgword#1#2#3{\hbox to #1mm{\hss\kgset{#1}{#2}{#3}\hss}}
+\ifx\kgem\undefined\newdimen\kgem\fi
+\def\kgsize#1{\kgem=#1bp \fontsize{\kgem}{\kgem}\selectfont\kgletters\kgroman\kgscripts\spaceskip=.25\kgem\relax \mathcode`\*=42
+  \def\textbf{\kgface\bfseries\kgbolds}\def\textit{\kgface\itshape\kgitalics}}
+\def\kgface#1#2#3{{#1\kgletters#2#3}}
+\def\kgline#1#2#3{\hbox{\kgsize{#1}\def\kgwidths{#2 }\kgword\relax#3 \kgstop}}
+\def\kgword#1 {\setbox1=\hbox{#1}\ifx\kgwidths\empty\else\expandafter\kgfit\kgwidths\kgstop\fi\box1 \futurelet\kgtoken\kgmore}
+\def\kgmore{\ifx\kgtoken\kgstop\expandafter\kgdone\else\kern.25\kgem\expandafter\kgagain\fi}
+\def\kgagain{\kgword\relax}
+\def\kgdone\kgstop{}
+\def\kgstop{\kgstop}
+\def\kgfit#1 #2\kgstop{\def\kgwidths{#2}\dimen0=#1mm
+  \ifdim\dimen0>1.33\wd1 \else\ifdim\dimen0>0pt \setbox1=\hbox{\resizebox{\dimen0}{\height}{\box1}}\fi\fi
+  \setbox1=\hbox to\dimen0{\hss\box1\hss}}
+\def\kgbold#1{\mbox{\boldmath$#1$}}
+\def\kgcircled#1{{\dimen0=\csname f@size\endcsname pt\ooalign{\hfil\raise.14\dimen0\hbox{\fontsize{.62\dimen0}{0pt}\selectfont#1}\hfil
+  \crcr\raise.09\dimen0\hbox{\fontsize{.8\dimen0}{0pt}\selectfont$\bigcirc$}}}}
 \def\kgscript{\dimen0=\csname f@size\endcsname pt\fontsize{.7\dimen0}{.7\dimen0}\selectfont}
 )";
 
@@ -396,9 +506,10 @@ constexpr std::string_view document_head =
 
 std::string to_tex(const std::vector<Page>& pages, const Glyphs& glyphs) {
     Styles styles;
+    LetterWidths widths;
     std::string pictures;
-    for (const Page& page : pages) pictures += Picture(page, glyphs, styles).write();
-    return std::string(document_head) + styles.definitions() + pictures + "\\kgfinish\n";
+    for (const Page& page : pages) pictures += Picture(page, glyphs, styles, widths).write();
+    return std::string(document_head) + widths.definitions() + styles.definitions() + pictures + "\\kgfinish\n";
 }
 
 }  // namespace kinegraph::render

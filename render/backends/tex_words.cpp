@@ -180,24 +180,24 @@ constexpr auto signs_of_prose = std::to_array<Sign>({
     {U'-', "-{}"},
     {U'‐', "-{}"},
     {U'‑', "-{}"},
-    {U'–', "--{}"},
-    {U'—', "---{}"},
+    {U'–', "\\textendash{}"},
+    {U'—', "\\textemdash{}"},
     {U'‘', "`{}"},
     {U'’', "'{}"},
-    {U'“', "``{}"},
-    {U'”', "''{}"},
+    {U'“', "\\textquotedblleft{}"},
+    {U'”', "\\textquotedblright{}"},
     {U'„', ",,"},
     {U'‚', ","},
     {U'…', "\\ldots{}"},
-    {U'①', "{\\ooalign{\\hfil\\raise.12ex\\hbox{\\tiny 1}\\hfil\\crcr$\\bigcirc$}}"},
-    {U'②', "{\\ooalign{\\hfil\\raise.12ex\\hbox{\\tiny 2}\\hfil\\crcr$\\bigcirc$}}"},
-    {U'③', "{\\ooalign{\\hfil\\raise.12ex\\hbox{\\tiny 3}\\hfil\\crcr$\\bigcirc$}}"},
-    {U'④', "{\\ooalign{\\hfil\\raise.12ex\\hbox{\\tiny 4}\\hfil\\crcr$\\bigcirc$}}"},
-    {U'⑤', "{\\ooalign{\\hfil\\raise.12ex\\hbox{\\tiny 5}\\hfil\\crcr$\\bigcirc$}}"},
-    {U'⑥', "{\\ooalign{\\hfil\\raise.12ex\\hbox{\\tiny 6}\\hfil\\crcr$\\bigcirc$}}"},
-    {U'⑦', "{\\ooalign{\\hfil\\raise.12ex\\hbox{\\tiny 7}\\hfil\\crcr$\\bigcirc$}}"},
-    {U'⑧', "{\\ooalign{\\hfil\\raise.12ex\\hbox{\\tiny 8}\\hfil\\crcr$\\bigcirc$}}"},
-    {U'⑨', "{\\ooalign{\\hfil\\raise.12ex\\hbox{\\tiny 9}\\hfil\\crcr$\\bigcirc$}}"},
+    {U'①', "\\kgcircled{1}"},
+    {U'②', "\\kgcircled{2}"},
+    {U'③', "\\kgcircled{3}"},
+    {U'④', "\\kgcircled{4}"},
+    {U'⑤', "\\kgcircled{5}"},
+    {U'⑥', "\\kgcircled{6}"},
+    {U'⑦', "\\kgcircled{7}"},
+    {U'⑧', "\\kgcircled{8}"},
+    {U'⑨', "\\kgcircled{9}"},
     {U'†', "\\dag{}"},
     {U'§', "\\S{}"},
     {U'¶', "\\P{}"},
@@ -213,9 +213,8 @@ constexpr auto signs_of_prose = std::to_array<Sign>({
     {U'ł', "\\l{}"},
     {U'Ł', "\\L{}"},
     {U'ı', "\\i{}"},
-    {U'¿', "?`"},
-    {U'¡', "!`"},
-    {U'\u00A0', "~"},
+    {U'¿', "\\textquestiondown{}"},
+    {U'¡', "\\textexclamdown{}"},
     {U'\u202F', "\\,"},
     {U'\u2009', "\\,"},
     {U'\u200A', "\\,"},
@@ -263,6 +262,8 @@ constexpr auto accents_apart = std::to_array<std::pair<char32_t, char>>({{0x300,
 bool is_letter(char32_t c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char32_t c) { return c >= '0' && c <= '9'; }
 bool is_white(char32_t c) { return c <= 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029; }
+/// Nothing breaks a line that is set, so a blank that does not break is one like any other.
+bool parts_words(char32_t c) { return is_white(c) || c == U'\u00A0'; }
 bool is_unseen(char32_t c) {
     return c == 0xAD || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || (c >= 0x2060 && c <= 0x206F) ||
            (c >= 0xFE00 && c <= 0xFE0F) || c == 0xFEFF;
@@ -288,7 +289,7 @@ std::string accent(char sign, const std::string& letter) {
 /// One character of prose with the accent that follows it; moves `at` behind both.
 std::optional<std::string> prose_at(const std::u32string& text, std::size_t& at) {
     const char32_t c = text[at++];
-    if (is_white(c)) return " ";
+    if (parts_words(c)) return " ";
     if (is_unseen(c)) return "";
     if (is_letter(c) && at < text.size()) {
         const auto apart =
@@ -350,7 +351,7 @@ std::optional<std::string> mathematics(std::string_view words, Face face) {
         else if (c == U',')
             tex += "{,}";
         else if (c == U'-' || c == U'–')
-            tex += c == U'-' ? "-" : "\\mbox{--}";
+            tex += c == U'-' ? "-" : "\\mbox{\\textendash}";
         else if (const Sign* sign = sign_in(signs_of_mathematics, c))
             tex += sign->tex;
         else
@@ -376,15 +377,16 @@ std::string dotted(std::string letter, int dots) {
     return dots == 1 ? "\\dot{" + letter + "}" : letter;
 }
 
-}  // namespace
-
-std::optional<std::string> tex_of(const Piece& piece) {
+/// One piece, of which nothing stands in another colour.
+std::optional<std::string> whole(const Piece& piece) {
     const auto sub = script('_', piece.sub, piece.sub_face), sup = script('^', piece.sup, piece.sup_face);
     if (!sub || !sup) return std::nullopt;
     const std::string scripts = *sub + *sup;
     const bool slanted = piece.face == Face::italic || piece.face == Face::bold_italic;
     const bool heavy = piece.face == Face::bold || piece.face == Face::bold_italic;
-    const auto formula = [&](const std::string& tex) { return heavy ? "{\\boldmath$" + tex + "$}" : "$" + tex + "$"; };
+    const auto formula = [&](const std::string& tex, const std::string& behind) {
+        return "$" + (heavy && !tex.empty() ? "\\kgbold{" + tex + "}" : tex) + behind + "$";
+    };
     if (piece.dots > 0) {
         // Over the last letter.
         const std::u32string text = characters_of(piece.text);
@@ -393,14 +395,117 @@ std::optional<std::string> tex_of(const Piece& piece) {
         const auto first = prose(before, piece.face);
         const auto letter = mathematics(last, piece.face);
         if (!first || !letter) return std::nullopt;
-        return *first + formula(dotted(*letter, piece.dots) + scripts);
+        return *first + formula(dotted(*letter, piece.dots), scripts);
     }
     if (slanted)
         if (const auto letters = mathematics(piece.text, piece.face); letters && !letters->empty())
-            return formula(*letters + scripts);
+            return formula(*letters, scripts);
     const auto words = prose(piece.text, piece.face);
     if (!words) return std::nullopt;
-    return scripts.empty() ? *words : *words + formula("{}" + scripts);
+    return scripts.empty() ? *words : *words + formula("", "{}" + scripts);
+}
+
+/// A stretch of a piece with the blanks before it.
+struct Stretch {
+    std::size_t blanks = 0;
+    std::size_t begin = 0, end = 0;  // bytes of the piece's text
+};
+
+/// A piece between its blanks: at least one stretch, and the blanks behind the last.
+struct Stretches {
+    std::vector<Stretch> all;
+    std::size_t blanks_behind = 0;
+};
+
+/// Words, or what stands between the first and the last of them.
+Stretches stretches_of(std::string_view text, bool word_by_word) {
+    Stretches found;
+    Stretch now;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t from = at;
+        if (parts_words(next_code_point(text, at))) {
+            ++found.blanks_behind;
+            continue;
+        }
+        const bool is_next = now.end > now.begin && found.blanks_behind > 0 && word_by_word;
+        if (is_next) found.all.push_back(now);
+        if (is_next || now.end == now.begin) now = {found.blanks_behind, from, at};
+        now.end = at;
+        found.blanks_behind = 0;
+    }
+    found.all.push_back(now);
+    return found;
+}
+
+/// A line that grows word by word.
+class WordByWord {
+public:
+    explicit WordByWord(const NameOfColour& name_of) : name_of_(name_of) {}
+
+    /// Whether TeX has letters for the piece; `said`: where it begins in what the line says.
+    bool take(const Piece& piece, std::size_t said) {
+        // Within braces TeX sees no blank that could part two words.
+        const auto [stretches, blanks_behind] = stretches_of(piece.text, piece.face == Face::regular && !piece.coloured);
+        for (const Stretch& stretch : stretches) {
+            Piece part = piece;
+            part.text = piece.text.substr(stretch.begin, stretch.end - stretch.begin);
+            if (&stretch != &stretches.back()) {  // the scripts stand behind the last
+                part.dots = 0;
+                part.sub.clear();
+                part.sup.clear();
+            }
+            const auto set = whole(part);
+            if (!set) return false;
+            blanks_ += stretch.blanks;
+            if (!set->empty())
+                put(piece.coloured ? "{\\color{" + name_of_(piece.colour) + "}" + *set + "}" : *set, said + stretch.begin);
+        }
+        blanks_ += blanks_behind;
+        return true;
+    }
+
+    std::vector<TexWord> words() && { return std::move(words_); }
+
+private:
+    void put(const std::string& tex, std::size_t at) {
+        if (words_.empty()) {
+            words_.push_back({tex, at, 0});
+        } else if (blanks_ == 0) {
+            words_.back().tex += tex;
+        } else {
+            std::string kept;
+            for (std::size_t i = 1; i < blanks_; ++i) kept += "\\ ";
+            words_.push_back({kept + tex, at, blanks_ - 1});
+        }
+        blanks_ = 0;
+    }
+
+    const NameOfColour& name_of_;
+    std::vector<TexWord> words_;
+    std::size_t blanks_ = 0;  // behind the last word
+};
+
+}  // namespace
+
+std::optional<std::vector<TexWord>> tex_words_of(const RichText& text, const NameOfColour& name_of) {
+    WordByWord line(name_of);
+    std::size_t said = 0;
+    for (const Piece& piece : text) {
+        if (!line.take(piece, said)) return std::nullopt;
+        said += plain({piece}).size();
+    }
+    return std::move(line).words();
+}
+
+std::string line_of(const std::vector<TexWord>& words) {
+    std::string line;
+    for (const TexWord& word : words) line += (line.empty() ? "" : " ") + word.tex;
+    return line;
+}
+
+std::optional<std::string> tex_of(const RichText& text, const NameOfColour& name_of) {
+    const auto words = tex_words_of(text, name_of);
+    return words ? std::optional(line_of(*words)) : std::nullopt;
 }
 
 }  // namespace kinegraph::render

@@ -2,36 +2,33 @@
 // size; the fonts are those that plain LaTeX brings along (Computer Modern in its OT1 encoding).
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "render/text/rich_text.hpp"
 
 namespace kinegraph::render {
 
-/// The text for TeX's horizontal mode, without blanks at its ends; pieces in another colour as {\color{NAME}…}, NAME from
-/// `name_of`. Nothing where TeX has no letter for one of its characters: then it is drawn as its outlines.
-template <class NameOfColour>
-std::optional<std::string> tex_of(const RichText& text, NameOfColour&& name_of);
-
-/// One piece, of which nothing stands in another colour.
-std::optional<std::string> tex_of(const Piece& piece);
-
-template <class NameOfColour>
-std::optional<std::string> tex_of(const RichText& text, NameOfColour&& name_of) {
+/// What stands on a line between two blanks that TeX sees as such: outside of every brace.
+struct TexWord {
     std::string tex;
-    for (const Piece& piece : text) {
-        const auto set = tex_of(piece);
-        if (!set) return std::nullopt;
-        tex += piece.coloured ? "{\\color{" + name_of(piece.colour) + "}" + *set + "}" : *set;
-    }
-    // Blanks at the ends, also those that are told to stay: "\\ ".
-    const std::string_view told = "\\ ";
-    std::string_view inner = tex;
-    while (inner.starts_with(' ') || inner.starts_with(told)) inner.remove_prefix(inner.front() == ' ' ? 1 : told.size());
-    while (inner.ends_with(' ')) inner.remove_suffix(inner.ends_with(told) ? told.size() : 1);
-    return std::string(inner);
-}
+    std::size_t at = 0;      ///< where it begins in plain(text), bytes
+    std::size_t blanks = 0;  ///< blanks that it begins with, behind the one before it: "\\ "
+};
+
+using NameOfColour = std::function<std::string(Colour)>;
+
+/// The text for TeX's horizontal mode, word by word, without blanks at its ends; pieces in another colour as {\color{NAME}…}.
+/// Nothing where TeX has no letter for one of its characters: then it is drawn as its outlines.
+std::optional<std::vector<TexWord>> tex_words_of(const RichText& text, const NameOfColour& name_of);
+
+/// The words with a blank between each two.
+std::string line_of(const std::vector<TexWord>& words);
+
+/// The whole line at once.
+std::optional<std::string> tex_of(const RichText& text, const NameOfColour& name_of);
 
 }  // namespace kinegraph::render
