@@ -52,6 +52,7 @@ TEST(TexWords, QuantitiesAreMathematics) {
     EXPECT_EQ(tex("AB", Face::italic), "$\\mathit{AB}$");
     EXPECT_EQ(tex(with_powers("m/s²")), "m/s${}^{2}$");
     EXPECT_EQ(tex(symbol("P", "1,3")), "$P_{1{,}3}$");
+    EXPECT_EQ(tex(symbol("o\u2032", "2")), "$o{}'{}_{2}$");
 }
 
 TEST(TexWords, ProseIsProse) {

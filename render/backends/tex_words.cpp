@@ -385,7 +385,9 @@ std::optional<std::string> whole(const Piece& piece) {
     const bool slanted = piece.face == Face::italic || piece.face == Face::bold_italic;
     const bool heavy = piece.face == Face::bold || piece.face == Face::bold_italic;
     const auto formula = [&](const std::string& tex, const std::string& behind) {
-        return "$" + (heavy && !tex.empty() ? "\\kgbold{" + tex + "}" : tex) + behind + "$";
+        // TeX would set an index below the prime, not behind it.
+        const char* apart = tex.ends_with('\'') && !behind.empty() ? "{}" : "";
+        return "$" + (heavy && !tex.empty() ? "\\kgbold{" + tex + "}" : tex) + apart + behind + "$";
     };
     if (piece.dots > 0) {
         // Over the last letter.
