@@ -10,6 +10,13 @@ namespace kinegraph::render {
 namespace {
 
 constexpr int most_refusals = 3;
+constexpr double ink = 0.25;  // mm, of rules at the rim of a figure: they may stand out of its room
+
+/// A little more than was taken of a room, as far as the room has it: the plan must hold with what it taught.
+double with_air(double taken, double room) {
+    constexpr double air = 0.5;
+    return taken < room + ink ? std::min(taken + air, room) : taken + air;
+}
 
 /// For what its letters took at a coarser scale; what is not known, is tried.
 void give_more_room(Wanted& wanted, const DrawnFigure& drawn) {
@@ -36,11 +43,8 @@ bool FigureNeeds::may_refuse(const Wanted& wanted) const {
 void FigureNeeds::learn_from(const DrawnFigure& drawn) {
     Wanted& wanted = wanted_.list[drawn.wanted];
     if (wanted.empty || wanted.fills || wanted.spare || wanted.asked) return;
-    // A little air, as far as its room has it: the plan must hold with what it taught.
-    constexpr double air = 0.5;
-    const double air_x = std::clamp(drawn.room.width() - drawn.size.x, 0.0, air);
-    const double air_y = std::clamp(drawn.room.height() - drawn.height(), 0.0, air);
-    const Spot taken{drawn.size.x + air_x, drawn.size.y + drawn.caption - caption_line + air_y};
+    const Spot taken{with_air(drawn.size.x, drawn.room.width()),
+                     with_air(drawn.height(), drawn.room.height()) - caption_line};
     const Spot guess = wanted.strokes_at(drawn.figure.scale) + Spot{wanted.rim_x, wanted.rim_y};
     const auto [known, fresh] = wanted.taken.try_emplace(drawn.figure.scale, taken);
     if (fresh) spared_ = std::max({spared_, guess.x - taken.x, guess.y - taken.y});
@@ -80,7 +84,6 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
     }
     const Box& box = drawn.figure.box;
     const double over_x = box.width() - drawn.room.width(), over_y = drawn.height() - drawn.room.height();
-    constexpr double ink = 0.25;  // of rules at the rim
     if (over_x < ink && over_y < ink) return false;
     if (wanted.fills) {
         wanted.least_room = {std::max(wanted.least_room.x, box.width()),
