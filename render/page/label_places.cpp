@@ -186,6 +186,9 @@ bool LabelPlaces::propose_more(double least) {
 
 void LabelPlaces::propose(const std::vector<Seed>& seeds, double penalty, bool beside, double farthest) {
     batches_.push_back({&seeds, penalty, beside, farthest});
+    constexpr std::size_t often_waiting = 32, often_met = 8;
+    batches_.back().free.waiting.reserve(often_waiting);
+    batches_.back().free.met.reserve(often_met);
     // Wherever its places stand, they are within this.
     double extra = 0, at = 0;
     for (const Seed& seed : seeds) extra = std::max(extra, seed.extra), at = std::max(at, std::abs(seed.at));
