@@ -15,7 +15,7 @@ namespace {
 /// Whether a larger room than it was drawn for lets a figure be no larger, and it lacks nothing.
 bool gains_nothing(const Wanted& wanted, const Figure& drawn, Spot room) {
     constexpr double rounding = 1e-9;
-    if (wanted.empty || wanted.asked || drawn.lacks_details || drawn.has_key) return false;
+    if (!wanted.tells_its_extents() || wanted.asked || drawn.lacks_details || drawn.has_key) return false;
     const double finest = choose_scale(wanted.extent_x, wanted.extent_y, room.x, room.y, std::nullopt);
     return finest >= drawn.scale * (1 - rounding);
 }
@@ -45,6 +45,7 @@ bool DrawnFigures::draw(SheetPlan& plan, bool refuse) {
             drawn.wanted = band.figures[f];
             drawn.number = ++number;
             drawn.room = rectangle(corner.x, corner.y, corner.x + size.x, corner.y + size.y);
+            drawn.own = own;
             drawn.promised = layouts.scale_in(f, own);
             const Wanted& wanted = wanted_.list[drawn.wanted];
             drawn.waits = wanted.fills;

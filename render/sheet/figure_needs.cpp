@@ -22,7 +22,7 @@ double with_air(double taken, double room) {
 void give_more_room(Wanted& wanted, const DrawnFigure& drawn) {
     constexpr double more = 6;
     if (drawn.is_refused()) {
-        (drawn.room.width() > drawn.room.height() ? wanted.rim_y : wanted.rim_x) += more;
+        (drawn.own.x > drawn.own.y ? wanted.rim_y : wanted.rim_x) += more;
         return;
     }
     const Spot strokes = wanted.strokes_at(drawn.figure.scale);
@@ -42,7 +42,7 @@ bool FigureNeeds::may_refuse(const Wanted& wanted) const {
 
 void FigureNeeds::learn_from(const DrawnFigure& drawn) {
     Wanted& wanted = wanted_.list[drawn.wanted];
-    if (wanted.empty || wanted.fills || wanted.spare || wanted.asked) return;
+    if (!wanted.tells_its_extents() || wanted.asked) return;
     const Spot taken{with_air(drawn.size.x, drawn.room.width()),
                      with_air(drawn.height(), drawn.room.height()) - caption_line};
     const Spot guess = wanted.strokes_at(drawn.figure.scale) + Spot{wanted.rim_x, wanted.rim_y};
@@ -55,8 +55,7 @@ void FigureNeeds::learn_from(const DrawnFigure& drawn) {
 bool FigureNeeds::is_coarser_than_promised(const DrawnFigure& drawn) const {
     const Wanted& wanted = wanted_.list[drawn.wanted];
     constexpr double rounding = 1e-6;
-    return !wanted.empty && !wanted.fills && !wanted.spare && !wanted.asked &&
-           drawn.figure.scale > drawn.promised * (1 + rounding);
+    return wanted.tells_its_extents() && !wanted.asked && drawn.figure.scale > drawn.promised * (1 + rounding);
 }
 
 bool FigureNeeds::asks_for_more_room(const DrawnFigure& drawn) const {
@@ -69,8 +68,7 @@ void FigureNeeds::wants_more_than_its_room(const DrawnFigure& drawn) {
     const auto known = taken.find(drawn.promised);
     if (known == taken.end()) return;
     constexpr double more = 3;
-    known->second = {std::max(known->second.x, drawn.room.width() + more),
-                     std::max(known->second.y, drawn.room.height() - caption_line + more)};
+    known->second = {std::max(known->second.x, drawn.own.x + more), std::max(known->second.y, drawn.own.y - caption_line + more)};
 }
 
 bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
@@ -99,7 +97,7 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
 bool FigureNeeds::misses_its_scale(const DrawnFigure& drawn) const {
     const Wanted& wanted = wanted_.list[drawn.wanted];
     constexpr double rounding = 1e-9;
-    return wanted.asked && !wanted.empty && !wanted.fills && !wanted.spare &&
+    return wanted.asked && wanted.tells_its_extents() &&
            std::abs(drawn.figure.scale - *wanted.asked) > rounding * drawn.figure.scale;
 }
 

@@ -17,6 +17,7 @@ namespace kinegraph::render {
 struct DrawnFigure {
     std::size_t wanted = 0;
     Box room;
+    Spot own{};  ///< of it, what is not for equations in a corner
     int number = 0;
     double promised = 0;  ///< the scale that the room was planned for
     double caption = 0;   ///< mm that it takes

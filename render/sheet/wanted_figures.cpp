@@ -421,6 +421,7 @@ void WantedFigures::add_displacements() {
         wanted.rim_x = 30;
         wanted.rim_y = 36;
         wanted.least = 60;
+        wanted.tells_vectors = true;
         wanted.draw = [this, i](double x, double y) { return displacement_figure(context_, i, x, y); };
         add(std::move(wanted));
     }
@@ -436,6 +437,7 @@ void WantedFigures::add_moving_axes() {
         wanted.rim_x = 30;
         wanted.rim_y = 36;
         wanted.least = 60;
+        wanted.tells_vectors = true;
         wanted.draw = [this, i](double x, double y) { return moving_axes_figure(context_, i, x, y); };
         add(std::move(wanted));
     }

@@ -52,7 +52,10 @@ struct Wanted {
     bool spare = false;           ///< shown only where there is room, or alone
     bool to_force_scale = false;  ///< one scale for all of these
     bool fills = false;           ///< drawn to fill its room; its scale is that of its vectors
+    bool tells_vectors = false;   ///< the scale of its figure is that of its vectors, too, but it is drawn as it is planned
 
+    /// Whether the scale of its figure is that which its room was planned for.
+    bool tells_its_extents() const { return !empty && !fills && !tells_vectors && !spare; }
     Spot strokes_at(double scale) const { return strokes ? strokes(scale) : Spot{extent_x / scale, extent_y / scale}; }
 };
 
