@@ -151,8 +151,8 @@ void SheetPlan::share_force_scale() {
             plan_all();
             if (!pages_.empty() && pages_.size() <= pages) return;
         }
+    // All of them have room at that of the one which has least.
     wanted_.force_scale = coarsest;
-    wanted_.keeps_force_scale = false;
     plan_all();
 }
 
