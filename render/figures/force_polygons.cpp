@@ -384,7 +384,7 @@ private:
         all.unit = context_.solution.mechanism.units.force.symbol;
         all.caption = one_piece(word(caption(), context_.language));
         double y = 0;
-        for (const Row& row : arranged(cells, room)) y = set_row(all, row, cells, names, room, y);
+        for (const Row& row : arranged(cells, room)) y = set_row(all, row, cells, names, y);
         all.box = box_of(all.marks);
         set_scale_bar(context_, all, 24, {all.box.min.x, all.box.max.y + 3});
         return all;
@@ -398,17 +398,14 @@ private:
         return std::string(triangles ? "force triangle" : "force polygon") + (items_.size() == 1 ? "" : "s");
     }
     /// Where the next row begins.
-    double set_row(Figure& all, const Row& row, std::vector<Cell>& cells, const Block& names, double room, double y) const {
-        double tallest = 0, used = 0, below = 0;
+    double set_row(Figure& all, const Row& row, std::vector<Cell>& cells, const Block& names, double y) const {
+        double tallest = 0, below = 0;
         for (const std::size_t i : row) {
             tallest = std::max(tallest, cells[i].figure.box.height());
-            used += cells[i].size.x;
             below = std::max(below, items_[i].table.height);
         }
         double x = indent_of(names);
         bool named = names.width <= 0;
-        const double gaps = static_cast<double>(row.size() - 1);
-        const double spread = row.size() < 2 ? between : std::clamp((room - used) / gaps, between, 3 * between);
         for (const std::size_t i : row) {
             set_cell(all, items_[i], cells[i], {x, y}, tallest);
             if (const Block& table = items_[i].table; !table.marks.empty()) {
@@ -418,7 +415,7 @@ private:
                 if (!named) set_table(all, names, {at.x - indent_of(names), at.y}, none);
                 named = all.has_table = true;
             }
-            x += cells[i].size.x + spread;
+            x += cells[i].size.x + between;
         }
         return y + head + tallest + (below > 0 ? below + above_table : 0) + between;
     }
