@@ -18,7 +18,7 @@ public:
     CircleDiagram(const DrawingContext& context, double room_x, double room_y)
         : context_(context), theme_(context.theme), count_(context.solution.mechanism.bodies.size()) {
         const double most = 0.5 * std::min(room_x, room_y) - node - 4;
-        radius_ = std::clamp(4.2 * static_cast<double>(count_), std::min(12.0, most), std::max(12.0, most));
+        radius_ = std::clamp(6.3 * static_cast<double>(count_), std::min(12.0, most), std::max(12.0, most));
         for (const InstantCentre& centre : context.solution.centres)
             if (centre.how != InstantCentre::How::unknown && (centre.at || centre.everywhere)) chords_.push_back(&centre);
     }
