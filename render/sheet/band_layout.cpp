@@ -166,18 +166,27 @@ bool BandLayouts::may_be_narrow(int divided, bool cornered) const {
     return *known;
 }
 
-double BandLayouts::matter() const {
+double BandLayouts::taken_in(Width width, double height, Notch notch) const {
+    const BandLayout layout = in(width, height, notch);
     double sum = 0;
-    const ColumnText& own = text(format_.columns, false);
-    if (!own.empty()) sum += own.whole_height() * own.measure();
-    const Spot half{0.5 * format_.content.width(), 0.6 * format_.content.height()};
-    for (const std::vector<FigureSize>& figure : figures_.sizes()) {
-        const auto found = std::find_if(figure.begin(), figure.end(),
-                                        [&](const FigureSize& size) { return size.x <= half.x && size.y <= half.y; });
-        const FigureSize& size = found == figure.end() ? figure.back() : *found;
-        sum += size.x * size.y;
+    if (layout.divided > 0) {
+        const ColumnText& own = text(layout.divided, layout.cornered);
+        sum += own.whole_height() * own.measure();
+    }
+    for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
+        if (!(layout.rooms[f].x > 0)) continue;
+        const FigureSize size = size_in(f, layout.rooms[f], layout.cornered);
+        sum += (size.x + (layout.cornered ? size.wider : 0)) * size.y;
     }
     return sum;
+}
+
+const FigureSize& BandLayouts::size_in(std::size_t figure, Spot room, bool cornered) const {
+    const std::vector<FigureSize>& sizes = figures_.sizes()[figure];
+    const auto found = std::find_if(sizes.begin(), sizes.end(), [&](const FigureSize& size) {
+        return size.x + (cornered ? size.wider : 0) <= room.x + 0.01 && size.y <= room.y + 0.01;
+    });
+    return found == sizes.end() ? sizes.back() : *found;
 }
 
 double BandLayouts::wider_in(Spot room) const {
@@ -186,11 +195,7 @@ double BandLayouts::wider_in(Spot room) const {
     return 0;
 }
 
-double BandLayouts::scale_in(std::size_t figure, Spot room) const {
-    for (const FigureSize& size : figures_.sizes()[figure])
-        if (size.x <= room.x + 0.01 && size.y <= room.y + 0.01) return size.scale;
-    return figures_.sizes()[figure].back().scale;
-}
+double BandLayouts::scale_in(std::size_t figure, Spot room) const { return size_in(figure, room, false).scale; }
 
 bool BandLayouts::may_improve(const Best& best, const BandLayout& layout) const {
     return layout.worth + best.most_of_figures > best.layout.worth;

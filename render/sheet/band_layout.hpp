@@ -105,8 +105,8 @@ public:
     BandLayout in(Width width, double height, Notch notch = {}) const;
     /// By heights that are multiples of `step`, the greatest `most` of them; kept once asked for.
     const WorthByHeight& worth(Width width, const Notch& notch, double step, int most) const;
-    /// What it takes of a page, about, mm²: its text, and its figures as they stand in half a page.
-    double matter() const;
+    /// What it takes of such a room, about, mm²: its text, and its figures with their letters.
+    double taken_in(Width width, double height, Notch notch) const;
     /// Whether another has the same figures and the same text, so that all it was asked for holds here.
     bool is_like(const BandLayouts& other) const;
     /// The text in the columns of a page divided by so many.
@@ -119,6 +119,7 @@ public:
     double scale_in(std::size_t figure, Spot room) const;
 
 private:
+    const FigureSize& size_in(std::size_t figure, Spot room, bool cornered) const;
     /// Whether its text may stand in narrower columns than the format's.
     bool may_be_narrow(int divided, bool cornered) const;
     /// The best of what was tried, and what its figures share.

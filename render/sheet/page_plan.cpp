@@ -53,7 +53,7 @@ public:
           heights_(at_index(std::max(steps_of(format, true), steps_of(format, false))) + 1) {
         for (std::size_t cells = 1; cells <= most_cells; ++cells)
             for (const int of : {format.columns, format.columns + 1}) {
-                if (cells == 1 && of != format.columns) continue;
+                if (static_cast<int>(cells) <= of - format.columns) continue;
                 std::vector<int> now;
                 std::vector<std::vector<int>> all;
                 shares(of, cells, now, all);
@@ -83,25 +83,15 @@ public:
 
     std::vector<PlannedPage> pages() {
         const std::size_t n = bands_.size();
-        struct Rest {
-            int pages = 1 << 20;
-            double worth = impossible;
-            std::size_t end = 0;
-        };
-        std::vector<Rest> rest(n + 1);
-        rest[n] = {0, 0, n};
-        for (std::size_t first = n; first-- > 0;) {
-            const std::vector<double> worth = page_worth(first);
-            for (std::size_t k = 0; k < worth.size(); ++k) {
-                const Rest& after = rest[first + k + 1];
-                if (worth[k] < possible || after.worth < possible) continue;
-                const double price = first + k + 1 < n ? price_of_emptiness(first, first + k + 1) : 0;
-                const Rest found{after.pages + 1, after.worth + worth[k] - price, first + k + 1};
-                if (found.pages < rest[first].pages || (found.pages == rest[first].pages && found.worth > rest[first].worth))
-                    rest[first] = found;
-            }
-            if (rest[first].worth < possible) return {};
-        }
+        for (std::size_t first = 0; first < n; ++first) tables_.push_back(tables(first));
+        std::vector<Rest> rest = fewest_pages();
+        if (!rest[0].is_reached) return {};
+        for (std::size_t first = n; first-- > 0;)
+            if (rest[first].is_reached)
+                for_each_page(rest, first, [&](std::size_t end, double worth) {
+                    const double all = worth + rest[end].worth - (end < n ? price_of_emptiness(first, end) : 0);
+                    if (all > rest[first].worth) rest[first].worth = all, rest[first].end = end;
+                });
         std::vector<PlannedPage> pages;
         for (std::size_t first = 0; first < n; first = rest[first].end) pages.push_back(page(first, rest[first].end));
         return pages;
@@ -138,16 +128,51 @@ private:
         int height = 0;         // of the last row
     };
     using Table = std::vector<std::vector<State>>;  // by bands, by height
+    /// The pages from a band on.
+    struct Rest {
+        static constexpr int none = 1 << 20;
+        int pages = none;
+        bool is_reached = false;  ///< a page of the fewest begins with the band
+        double worth = impossible;
+        std::size_t end = 0;  ///< of the first of them
+    };
+
+    /// The pages that begin with a band where as few follow as can be: look(end, worth).
+    template <class Look>
+    void for_each_page(const std::vector<Rest>& rest, std::size_t first, Look look) const {
+        const std::vector<State>& ends = tables_[first].second;
+        for (std::size_t k = 1; k < ends.size(); ++k)
+            if (ends[k].worth >= possible && rest[first + k].pages == rest[first].pages - 1) look(first + k, ends[k].worth);
+    }
+    std::vector<Rest> fewest_pages() const {
+        const std::size_t n = bands_.size();
+        std::vector<Rest> rest(n + 1);
+        rest[n] = {0, false, 0, n};
+        for (std::size_t first = n; first-- > 0;) {
+            const std::vector<State>& ends = tables_[first].second;
+            for (std::size_t k = 1; k < ends.size(); ++k)
+                if (ends[k].worth >= possible && rest[first + k].pages + 1 < rest[first].pages)
+                    rest[first].pages = rest[first + k].pages + 1;
+        }
+        rest[0].is_reached = rest[0].pages < Rest::none;
+        for (std::size_t first = 0; first < n; ++first)
+            if (rest[first].is_reached) for_each_page(rest, first, [&](std::size_t end, double) { rest[end].is_reached = true; });
+        return rest;
+    }
 
     /// A page before the last that is half empty looks like a mistake: to fill it is worth a smaller figure, of which a step of
-    /// its scale is worth 0.7, but no more than one.
-    double price_of_emptiness(std::size_t first, std::size_t end) const {
-        constexpr double well_filled = 0.6, price_of_an_empty_page = 0.6;
+    /// its scale is worth 0.7. One that is very empty is worse than two that are a little.
+    double price_of_emptiness(std::size_t first, std::size_t end) {
+        constexpr double well_filled = 0.8, price_of_an_empty_page = 10;
         const Box content = content_of(format_, first == 0);
-        double room = content.width() * content.height(), matter = 0;
+        double room = content.width() * content.height(), taken = 0;
         if (first == 0) room -= (content.max.x - format_.block.min.x) * (content.max.y - format_.block.min.y);
-        for (std::size_t b = first; b < end; ++b) matter += layouts_[b].matter();
-        return price_of_an_empty_page * std::max(0.0, 1 - matter / (well_filled * room));
+        for (const PlannedRow& row : page(first, end))
+            for (const PlannedCell& cell : row)
+                for (const PlacedBand& placed : cell)
+                    taken += layouts_[placed.band].taken_in(placed.width, placed.room.height(), placed.notch);
+        const double empty = std::max(0.0, 1 - taken / (well_filled * room));
+        return price_of_an_empty_page * empty * empty;
     }
     double left_of(const Split& split, std::size_t i) const {
         double x = format_.content.min.x;
@@ -299,15 +324,8 @@ private:
         for (std::size_t b = first; b < end; ++b) count += bands_[b].draws_mechanism ? 1 : 0;
         return count;
     }
-    std::vector<double> page_worth(std::size_t first) {
-        std::vector<double> worth;
-        for (const State& state : tables(first).second) worth.push_back(state.worth);
-        worth.erase(worth.begin());
-        return worth;
-    }
-
     PlannedPage page(std::size_t first, std::size_t end) {
-        auto [table, ends] = tables(first);
+        const auto& [table, ends] = tables_[first];
         const Box content = content_of(format_, first == 0);
         PlannedPage rows;
         State state = ends[end - first];
@@ -352,9 +370,10 @@ private:
     std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;  // by the number of bands
     std::size_t heights_;                                           // that a row may have, in steps
     std::vector<Stand> stands_;
-    std::vector<Curve> curves_;           // by band and stand
-    std::vector<Pair> pairs_;             // by the upper band and stand
-    std::vector<std::vector<Row>> rows_;  // by the first band, count, whether at the block; by height
+    std::vector<std::pair<Table, std::vector<State>>> tables_;  // by the first band
+    std::vector<Curve> curves_;                                 // by band and stand
+    std::vector<Pair> pairs_;                                   // by the upper band and stand
+    std::vector<std::vector<Row>> rows_;                        // by the first band, count, whether at the block; by height
 };
 
 }  // namespace
