@@ -103,13 +103,18 @@ double ColumnText::height_found(std::size_t columns) const {
     return heights_[columns] = height(TextColumns(columns));
 }
 
-void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& columns) const {
+void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose) const {
+    constexpr double most_air = 1.5;  // mm, under a long sentence
+    double air = 0;                   // above a row, of all those over it in its column
     flow(columns, height(columns), [&](const Group& group, bool turns, std::size_t column, double y) {
         const Passage& passage = passages_[group.passage];
-        Spot corner{at.x + columns[column].x, at.y + columns[column].top + y};
+        if (turns) air = 0;
+        Spot corner{at.x + columns[column].x, at.y + columns[column].top + y + air};
         const auto put = [&](const SharedBlock& block) {
+            const double under = std::min(loose * height_of(block), most_air);
             render::set(marks, scaled(block.set(), scale_), corner);
-            corner.y += height_of(block);
+            corner.y += height_of(block) + under;
+            air += under;
         };
         if (group.first == 0) put(passage.heading);
         if (group.first == 0 || turns) put(passage.head);
@@ -117,10 +122,10 @@ void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& colum
     });
 }
 
-void ColumnText::set(std::vector<Mark>& marks, Spot at, int columns, double between) const {
+void ColumnText::set(std::vector<Mark>& marks, Spot at, int columns, double between, double loose) const {
     TextColumns all;
     for (int i = 0; i < columns; ++i) all.push_back({i * (measure_ + between), 0, 0});
-    set(marks, at, all);
+    set(marks, at, all, loose);
 }
 
 }  // namespace kinegraph::render

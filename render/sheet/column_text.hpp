@@ -32,12 +32,13 @@ public:
         const auto index = static_cast<std::size_t>(columns);
         return index < heights_.size() && heights_[index] >= 0 ? heights_[index] : height_found(index);
     }
-    void set(std::vector<Mark>& marks, Spot at, int columns, double between) const;
+    /// `loose`: rows stand by so much of their height, at most, farther apart.
+    void set(std::vector<Mark>& marks, Spot at, int columns, double between, double loose) const;
 
     /// The same in columns of different heights, from the first to the last.
     bool fits(const TextColumns& columns, double height) const;
     double height(const TextColumns& columns) const;
-    void set(std::vector<Mark>& marks, Spot at, const TextColumns& columns) const;
+    void set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose) const;
     /// One column under the other.
     double whole_height() const;
 

@@ -38,80 +38,101 @@ std::vector<Page> SheetPages::set(std::size_t after) {
 
 // --- heights ----------------------------------------------------------------------------------------------------------------
 
-double SheetPages::height_of(const PlannedCell& cell) const {
-    double height = -row_gap;
-    for (const PlacedBand& placed : cell) height += row_gap + height_of(placed, true);
-    return height;
-}
-
-/// What a band takes of its room once it is drawn; `whole`: with what the title block takes.
-double SheetPages::height_of(const PlacedBand& placed, bool whole) const {
-    const BandLayout layout = contents_.plan.layout_of(placed);
-    double figures = 0, right = 0;
+SheetPages::Standing SheetPages::standing(const PlacedBand& placed) const {
+    Standing band{&placed, contents_.plan.layout_of(placed)};
+    const BandLayout& layout = band.layout;
+    double right = 0;
     const DrawnFigures::ByBand& by_band = std::as_const(contents_.figures).by_band();
     if (const auto drawn = by_band.find(placed.band); drawn != by_band.end())
         for (const DrawnFigure& each : drawn->second) {
-            figures = layout.stacked ? figures + (figures > 0 ? gap : 0) + each.height() : std::max(figures, each.height());
+            band.figures = layout.stacked ? band.figures + (band.figures > 0 ? gap : 0) + each.height()
+                                          : std::max(band.figures, each.height());
             right = std::max(right, each.room.max.x);
         }
-    if (layout.under > 0) return height_round(placed, layout, figures, right, whole);
-    const double text = layout.divided == 0
-                            ? 0
-                            : contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered).height(layout.columns);
-    const double notch = whole ? placed.notch.high : 0;
-    if (!layout.beside) return figures + (figures > 0 && text > 0 ? text_gap : 0) + text + notch;
-    return std::max(figures + (right > placed.notch.left + grace ? notch : 0), text + notch);
+    const bool has_text = layout.divided > 0;
+    if (has_text && layout.under > 0) {
+        const ColumnText& text = contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered);
+        band.words = text.height(layout.text_columns(placed.room.width(), text.measure(), band.figures, placed.notch));
+    } else {
+        if (has_text)
+            band.words = contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered).height(layout.columns);
+        if (!layout.beside) band.above = band.figures + (band.figures > 0 && has_text ? text_gap : 0);
+        band.below = placed.notch.high;
+    }
+    if (right > placed.notch.left + grace) band.figures += placed.notch.high;
+    return band;
 }
 
-/// … of one whose text stands under and beside its figures.
-double SheetPages::height_round(const PlacedBand& placed, const BandLayout& layout, double figures, double right,
-                                bool whole) const {
-    const ColumnText& text = contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered);
-    const Notch notch = whole ? placed.notch : Notch{};
-    const double words = text.height(layout.text_columns(placed.room.width(), text.measure(), figures, notch));
-    return std::max(figures + (notch.high > 0 && right > notch.left + grace ? notch.high : 0), words);
+double SheetPages::Standing::height(double loose) const { return std::max(figures, above + (1 + loose) * words + below); }
+/// Bands one under the other.
+double SheetPages::height_of(const StandingCell& cell, double loose) {
+    double height = -row_gap;
+    for (const Standing& band : cell) height += row_gap + band.height(loose);
+    return height;
+}
+double SheetPages::height_of(const StandingRow& row, double loose) {
+    double height = 0;
+    for (const StandingCell& cell : row) height = std::max(height, height_of(cell, loose));
+    return height;
+}
+double SheetPages::height_of(const std::vector<StandingRow>& rows, double loose) {
+    double height = -row_gap;
+    for (const StandingRow& row : rows) height += row_gap + height_of(row, loose);
+    return height;
+}
+/// By how much the rows of text may stand farther apart on a page so high.
+double SheetPages::looseness_of(const std::vector<StandingRow>& rows, double height) {
+    constexpr double most = 0.15, fine = 0.01;
+    if (height_of(rows, most) <= height) return most;
+    double low = 0, high = most;
+    while (high - low > fine) {
+        const double middle = 0.5 * (low + high);
+        (height_of(rows, middle) <= height ? low : high) = middle;
+    }
+    return low;
 }
 
 // --- what stands where ------------------------------------------------------------------------------------------------------
 
 std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& scale_of_mechanism) {
     std::vector<Mark> marks;
-    const PlannedPage& rows = contents_.plan.pages()[page];
-    const Box content = content_of(format_, page == 0);
-    std::vector<double> heights;
-    double spare = content.height();
-    for (const PlannedRow& row : rows) {
-        double height = 0;
-        for (const PlannedCell& cell : row) height = std::max(height, height_of(cell));
-        heights.push_back(height);
-        spare -= height + (heights.size() > 1 ? row_gap : 0);
+    std::vector<StandingRow> rows;
+    for (const PlannedRow& row : contents_.plan.pages()[page]) {
+        StandingRow& cells = rows.emplace_back();
+        for (const PlannedCell& cell : row) {
+            StandingCell& bands = cells.emplace_back();
+            for (const PlacedBand& placed : cell) bands.push_back(standing(placed));
+        }
     }
-    // A little of what is left loosens the rows.
+    const Box content = content_of(format_, page == 0);
+    // What is left loosens the text, and a little of it the rows.
     constexpr double most_air = 6;
-    const double air = std::clamp(spare / static_cast<double>(rows.size()), 0.0, most_air);
+    const double loose = looseness_of(rows, content.height());
+    const double air = std::clamp((content.height() - height_of(rows, loose)) / static_cast<double>(rows.size()), 0.0, most_air);
     double y = content.min.y;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        for (const PlannedCell& cell : rows[r]) {
+    for (const StandingRow& row : rows) {
+        const double height = height_of(row, loose);
+        for (const StandingCell& cell : row) {
             double down = y;
-            for (const PlacedBand& placed : cell) {
-                set_band(marks, scale_of_mechanism, placed, {placed.room.min.x, down});
-                down += height_of(placed, false) + row_gap + std::min(air, (heights[r] - height_of(cell)) / 2);
+            for (const Standing& band : cell) {
+                set_band(marks, scale_of_mechanism, band, {band.placed->room.min.x, down}, loose);
+                down += band.height(loose) + row_gap + std::min(air, (height - height_of(cell, loose)) / 2);
             }
         }
-        y += heights[r] + row_gap + air;
+        y += height + row_gap + air;
     }
     return marks;
 }
 
-void SheetPages::set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const PlacedBand& placed,
-                          Spot at) {
-    const BandLayout layout = contents_.plan.layout_of(placed);
-    marks.emplace_back(GroupBegin{"band", "", "", {{"data-question", contents_.bands.list[placed.band].question}}});
+void SheetPages::set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const Standing& band, Spot at,
+                          double loose) {
+    const std::size_t index = band.placed->band;
+    marks.emplace_back(GroupBegin{"band", "", "", {{"data-question", contents_.bands.list[index].question}}});
     double below = 0;
     DrawnFigures::ByBand& by_band = contents_.figures.by_band();
-    if (const auto figures = by_band.find(placed.band); figures != by_band.end())
-        below = set_figures(marks, scale_of_mechanism, figures->second, layout.stacked, at);
-    if (layout.divided > 0) set_text(marks, placed, layout, at, below);
+    if (const auto figures = by_band.find(index); figures != by_band.end())
+        below = set_figures(marks, scale_of_mechanism, figures->second, band.layout.stacked, at);
+    if (band.layout.divided > 0) set_text(marks, band, at, below, loose);
     marks.emplace_back(GroupEnd{});
 }
 
@@ -136,16 +157,18 @@ double SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& 
     return below;
 }
 
-void SheetPages::set_text(std::vector<Mark>& marks, const PlacedBand& placed, const BandLayout& layout, Spot at, double below) {
+void SheetPages::set_text(std::vector<Mark>& marks, const Standing& band, Spot at, double below, double loose) {
+    const PlacedBand& placed = *band.placed;
+    const BandLayout& layout = band.layout;
     const ColumnText& planned = contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered);
     const ColumnText& measured = contents_.text.of(contents_.bands.list[placed.band], layout);
     if (layout.under > 0) {
-        measured.set(marks, at, layout.text_columns(placed.room.width(), planned.measure(), below, placed.notch));
+        measured.set(marks, at, layout.text_columns(placed.room.width(), planned.measure(), below, placed.notch), loose);
     } else {
         const double width = layout.columns * (planned.measure() + gap) - gap;
         const Spot corner =
             layout.beside ? Spot{placed.room.max.x - width, at.y} : Spot{at.x, at.y + below + (below > 0 ? text_gap : 0)};
-        measured.set(marks, corner, layout.columns, gap);
+        measured.set(marks, corner, layout.columns, gap, loose);
     }
 }
 

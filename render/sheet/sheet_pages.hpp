@@ -45,14 +45,30 @@ public:
     double first_caption_width() const { return first_caption_width_; }
 
 private:
-    double height_of(const PlannedCell& cell) const;
-    double height_of(const PlacedBand& placed, bool whole) const;
-    double height_round(const PlacedBand& placed, const BandLayout& layout, double figures, double right, bool whole) const;
+    /// A band with what it takes of its room once it is drawn.
+    struct Standing {
+        const PlacedBand* placed;
+        BandLayout layout;
+        double figures = 0;  ///< their height, with what the title block takes under them
+        double above = 0;    ///< where the first column of its text begins
+        double words = 0;    ///< how high the text is from there on
+        double below = 0;    ///< what the title block takes under it
+        double height(double loose) const;
+    };
+    using StandingCell = std::vector<Standing>;
+    using StandingRow = std::vector<StandingCell>;
+    static double height_of(const StandingCell& cell, double loose);
+    static double height_of(const StandingRow& row, double loose);
+    static double height_of(const std::vector<StandingRow>& rows, double loose);
+    static double looseness_of(const std::vector<StandingRow>& rows, double height);
+
+    Standing standing(const PlacedBand& placed) const;
     std::vector<Mark> marks_on(std::size_t page, std::optional<double>& scale_of_mechanism);
-    void set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const PlacedBand& placed, Spot at);
+    void set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const Standing& band, Spot at,
+                  double loose);
     double set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, std::vector<DrawnFigure>& figures,
                        bool stacked, Spot at);
-    void set_text(std::vector<Mark>& marks, const PlacedBand& placed, const BandLayout& layout, Spot at, double below);
+    void set_text(std::vector<Mark>& marks, const Standing& band, Spot at, double below, double loose);
 
     const DrawingContext& context_;
     const SheetFormat& format_;
