@@ -128,7 +128,7 @@ double fill_of(const Page& page, const SheetFormat& format, bool first) {
 TEST(Bands, FillTheirPages) {
     const SheetFormat format = format_of(Paper::a4, Orientation::landscape);
     double sum = 0, least = 1;
-    int count = 0;
+    int count = 0, half_empty = 0;
     std::string emptiest;
     for (const std::string& name : example_names()) {
         const auto pages = lay_out(example(name), {}, fonts());
@@ -137,12 +137,15 @@ TEST(Bands, FillTheirPages) {
             if (fill < least) least = fill, emptiest = name + ", page " + std::to_string(p + 1);
             sum += fill;
             ++count;
+            if (fill < 0.5) ++half_empty;
         }
     }
     ASSERT_GT(count, 0);
-    // 0.52 and 0.30 while a whole page more was taken for figures that came smaller than their rooms.
-    EXPECT_GE(sum / count, 0.59) << count << " pages";
-    EXPECT_GE(least, 0.26) << emptiest;
+    // 0.52 and 0.30 while a whole page more was taken for figures that came smaller than their rooms; 0.62 and 0.27 before a page
+    // was priced by what its rows leave of it.
+    EXPECT_GE(sum / count, 0.645) << count << " pages";
+    EXPECT_GE(least, 0.35) << emptiest;
+    EXPECT_LE(half_empty, 2);
 }
 
 TEST(Bands, TellNothingLikewiseBeforeItsVectorIsDrawn) {
@@ -183,7 +186,7 @@ TEST(Bands, AreReadInTheOrderOfTheSolutionAndNoneIsTorn) {
     // 183 before there were bands, 186 with the arithmetic in the sentences; 23 more of examples that came later.
     // 178 before text stood under and beside its figures, 173 after; 12 more of trusses, virtual work and a moving frame.
     // 185 before rooms were made for what letters really take and text was set in narrower columns.
-    EXPECT_LE(pages_in_all, 172);
+    EXPECT_LE(pages_in_all, 153);
 }
 
 TEST(Bands, OfAFourBarsKinematicsFillOneSheet) { EXPECT_EQ(lay_out(example("four_bar"), {}, fonts()).size(), 1U); }
