@@ -132,7 +132,7 @@ void Candidate::close_extent(const Box& of_box) {
 LabelPlaces::LabelPlaces(const LabelSetting& setting, std::size_t label, Spot half)
     : setting_(setting), request_(setting.requests[label]), label_(label), half_(half) {
     // Memory that grows step by step takes twice as much of it, and a place is no small thing.
-    constexpr std::size_t often_met = 64, most_batches = 5;
+    constexpr std::size_t often_met = 96, most_batches = 5;
     all_.reserve(often_met);
     batches_.reserve(most_batches);
     if (is_beside_line()) {
@@ -141,7 +141,11 @@ LabelPlaces::LabelPlaces(const LabelSetting& setting, std::size_t label, Spot ha
     } else {
         propose(seeds_of(false, Distance::nearest, request_.balloon > 0), 0, false, unlimited);
     }
+    // How free a label is, the nearest places and the better half of the near ones tell: fewer take labels in a worse order, so
+    // that figures come smaller.
     while (batches_.front().has_seeds()) place_next(batches_.front());
+    propose_more(unlimited);
+    while (batches_.back().next < batches_.back().seeds->size() / 2) place_next(batches_.back());
     for (const Candidate& candidate : all_) uncovered_ += !candidate.covered;
 }
 

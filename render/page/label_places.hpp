@@ -61,11 +61,11 @@ struct Seed {
 
 class LabelPlaces {
 public:
-    /// The nearest places of the request with that index, whose box has these half extents. The setting must outlive them.
+    /// The near places of the request with that index, whose box has these half extents. The setting must outlive them.
     LabelPlaces(const LabelSetting& setting, std::size_t label, Spot half);
 
     const Candidate& operator[](std::size_t place) const { return all_[place]; }
-    /// How many of the nearest cover nothing and stay in the room.
+    /// How many of the nearer ones cover nothing and stay in the room.
     int uncovered() const { return uncovered_; }
     /// What all proposed so far may take.
     const Box& span() const { return span_; }
