@@ -59,13 +59,14 @@ Status batch_command(const BatchRequest& request) {
     int signal = 0;
     {
         LineReader lines;
-        InOrder in_order(std::move(workers), [&](const std::string& answer) {
+        const auto sink = [&](const std::string& answer) {
             failure = answers->add(answer);
             return !failure;
-        });
+        };
+        InOrder in_order(std::move(workers), sink, [] { return LineReader::signal() != 0; });
         const LineReader::Event end = feed(lines, in_order);
         in_order.finish();
-        if (end == LineReader::Event::stopped) signal = lines.signal();
+        signal = LineReader::signal();
         if (end == LineReader::Event::failed) {
             say({"standard input", "ingresso standard"}, lines.why(), language);
             return Status::bad_input;

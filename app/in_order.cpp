@@ -31,7 +31,8 @@ private:
 
 }  // namespace
 
-InOrder::InOrder(std::vector<Worker> workers, Sink sink) : sink_(std::move(sink)), window_(window_of_a_worker * workers.size()) {
+InOrder::InOrder(std::vector<Worker> workers, Sink sink, Stops stops)
+    : sink_(std::move(sink)), stops_(std::move(stops)), window_(window_of_a_worker * workers.size()) {
     const NoSignals blocked;
     for (Worker& worker : workers) {
         try {
@@ -49,8 +50,8 @@ InOrder::InOrder(std::vector<Worker> workers, Sink sink) : sink_(std::move(sink)
 bool InOrder::add(std::string line) {
     std::unique_lock lock(mutex_);
     // Where there is no room, until there is much: to be woken for each line costs as much as a tenth of an answer.
-    if (lines_.size() >= window_) room_.wait(lock, [this] { return has_much_room() || refused_; });
-    if (refused_) return false;
+    if (lines_.size() >= window_) room_.wait(lock, [this] { return has_much_room() || refused_ || stopped_; });
+    if (refused_ || stopped_) return false;
     lines_.push_back({std::move(line)});
     to_do_.notify_one();
     return true;
@@ -70,8 +71,14 @@ bool InOrder::finish() {
 void InOrder::work(const Worker& worker) {
     std::unique_lock lock(mutex_);
     while (true) {
-        to_do_.wait(lock, [this] { return taken_ < lines_.size() || closed_ || refused_; });
-        if (refused_ || taken_ == lines_.size()) return;
+        to_do_.wait(lock, [this] { return taken_ < lines_.size() || closed_ || refused_ || stopped_; });
+        if (refused_ || stopped_ || taken_ == lines_.size()) return;
+        if (stops_()) {
+            stopped_ = true;
+            room_.notify_all();
+            to_do_.notify_all();
+            return;
+        }
         Line& line = lines_[taken_++];
         lock.unlock();
         line.text = worker(line.text);

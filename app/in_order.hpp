@@ -20,15 +20,19 @@ public:
     /// Takes the answers one after the other; false: it takes no more.
     using Sink = std::function<bool(const std::string& answer)>;
 
+    /// Whether no further line is to be begun; asked by workers, before each.
+    using Stops = std::function<bool()>;
+
     /// Where the machine refuses a thread, so many workers as it gave.
-    InOrder(std::vector<Worker> workers, Sink sink);
+    InOrder(std::vector<Worker> workers, Sink sink, Stops stops);
     InOrder(const InOrder&) = delete;
     InOrder& operator=(const InOrder&) = delete;
     ~InOrder() { finish(); }
 
-    /// Waits while so many lines are under way that an answer must come first. False: the sink takes no more.
+    /// Waits while so many lines are under way that an answer must come first. False: the sink takes no more, or no further
+    /// line is begun.
     bool add(std::string line);
-    /// Waits for the answers of all lines. False: the sink did not take them all.
+    /// Waits for the answers of all lines that are begun. False: the sink did not take them all.
     bool finish();
 
 private:
@@ -42,12 +46,13 @@ private:
     void hand_on(std::unique_lock<std::mutex>& lock);
 
     Sink sink_;
+    Stops stops_;
     std::size_t window_;
     std::mutex mutex_;
     std::condition_variable to_do_, room_;
     std::deque<Line> lines_;  ///< under way; a deque, so that a line stays in its place while others come and go
     std::size_t taken_ = 0;   ///< of lines_, by workers
-    bool handing_on_ = false, closed_ = false, refused_ = false;
+    bool handing_on_ = false, closed_ = false, refused_ = false, stopped_ = false;
     std::vector<std::thread> threads_;
 };
 

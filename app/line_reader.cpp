@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -14,7 +15,9 @@ namespace {
 
 constexpr std::size_t piece = std::size_t{1} << 16U;
 
-volatile std::sig_atomic_t stopped_by = 0;
+/// Written by a handler, read by every thread.
+std::atomic<int> stopped_by = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 void stop(int signal) { stopped_by = signal; }
 
@@ -26,40 +29,57 @@ sigset_t those_that_stop() {
     return set;
 }
 
+/// While it lives they wait: none can come between the question whether one came and the waiting for input.
+class Held {
+public:
+    Held() {
+        const sigset_t ours = those_that_stop();
+        ::pthread_sigmask(SIG_BLOCK, &ours, &before_);
+    }
+    ~Held() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    Held(const Held&) = delete;
+    Held& operator=(const Held&) = delete;
+    const sigset_t& before() const { return before_; }
+
+private:
+    sigset_t before_{};
+};
+
+/// Waits until there is input, its end, or a signal. True: something can be read.
+bool input_comes() {
+    const Held held;
+    if (stopped_by != 0) return false;
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    return ::ppoll(&input, 1, nullptr, &held.before()) > 0;
+}
+
 }  // namespace
 
 LineReader::LineReader() {
-    // They are let through only while input is waited for: none can come between the question whether to go on and the waiting.
     struct sigaction action {};
     action.sa_handler = stop;
+    action.sa_flags = SA_RESTART;
     ::sigemptyset(&action.sa_mask);
     for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
-    const sigset_t ours = those_that_stop();
-    ::pthread_sigmask(SIG_BLOCK, &ours, nullptr);
-}
-
-LineReader::~LineReader() {
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
     const sigset_t ours = those_that_stop();
     ::pthread_sigmask(SIG_UNBLOCK, &ours, nullptr);
 }
 
-int LineReader::signal() const { return stopped_by; }
+LineReader::~LineReader() {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+}
+
+int LineReader::signal() { return stopped_by; }
 
 bool LineReader::fill() {
     buffer_.erase(0, std::exchange(at_, 0));
-    sigset_t waiting;
-    ::pthread_sigmask(SIG_SETMASK, nullptr, &waiting);
-    ::sigdelset(&waiting, SIGINT);
-    ::sigdelset(&waiting, SIGTERM);
     while (true) {
-        pollfd input{STDIN_FILENO, POLLIN, 0};
-        const int ready = ::ppoll(&input, 1, nullptr, &waiting);
+        const bool ready = input_comes();
         if (stopped_by != 0) {
             last_ = Event::stopped;
             return false;
         }
-        if (ready < 0) continue;
+        if (!ready) continue;
         const std::size_t size = buffer_.size();
         buffer_.resize(size + piece);
         const ssize_t got = ::read(STDIN_FILENO, buffer_.data() + size, piece);
@@ -74,6 +94,8 @@ bool LineReader::fill() {
 }
 
 LineReader::Event LineReader::next(std::string& line) {
+    // The lines that the buffer still holds are no longer begun.
+    if (stopped_by != 0) return Event::stopped;
     bool long_one = false;
     std::size_t searched = at_;
     while (!ended_) {

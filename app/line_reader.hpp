@@ -9,8 +9,8 @@
 
 namespace kinegraph::app {
 
-/// Reads lines while it lives; SIGINT and SIGTERM end the reading, and what was read is still to be answered. Seen to once, a
-/// second signal ends the run as always.
+/// Reads lines while it lives; SIGINT and SIGTERM end the reading, also where input is always ready and where lines wait in the
+/// buffer. Further signals change nothing while it lives.
 class LineReader {
 public:
     enum class Event { line, end, stopped, failed };
@@ -22,9 +22,10 @@ public:
 
     /// The next line, without its line feed. Of one longer than `largest_input` so much and one character more.
     Event next(std::string& line);
-    /// Why reading failed, and the signal that stopped it.
+    /// Why reading failed.
     Words why() const { return why_; }
-    int signal() const;
+    /// The signal that came; 0: none. Any thread may ask.
+    static int signal();
 
 private:
     /// More of the input; false: there is none, or no more is to be read.

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <tuple>
 
 #include "tests/command_line.hpp"
 #include "tests/random_mechanism.hpp"
@@ -262,6 +263,30 @@ TEST_F(Batch, StopsInOrderOnASignal) {
     ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && bash stop.sh 2>/dev/null").c_str()), 0);
     EXPECT_EQ(answers(contents(folder_ / "answers")).size(), 3U);
     EXPECT_TRUE(lines_are(contents(folder_ / "said"), "kinegraph: stopped, lines answered: 3; --resume does the rest"));
+}
+
+TEST_F(Batch, StopsOnASignalWhereItsInputIsAlwaysReady) {
+    const int count = unless_sanitized(150, 60);
+    const std::string lines = cranks(count, R"(["svg", "json"])", "out");
+    const Outcome whole = batch(lines, "--jobs 2");
+    const Snapshot made = files("out");
+    for (const auto& [signal, status, jobs] : {std::tuple("INT", "130", "1"), std::tuple("TERM", "143", "2")}) {
+        SCOPED_TRACE(signal);
+        fs::remove_all(folder_ / "out");
+        write("stop.sh", "'" + program_ + "' batch --jobs " + jobs +
+                             " <lines >answers 2>said &\nuntil [ -e out/3.json ]; do sleep 0.002; done\nkill -" + signal +
+                             " $!\nwait $!\n[ $? = " + status + " ]\n");
+        ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && bash stop.sh 2>/dev/null").c_str()), 0);
+        const std::string answered = contents(folder_ / "answers");
+        const std::size_t number = answers(answered).size();
+        EXPECT_LT(number, static_cast<std::size_t>(count));
+        EXPECT_TRUE(whole.out.starts_with(answered));
+        EXPECT_EQ(files("out").size(), 2 * number) << "a line was begun and not answered";
+        EXPECT_TRUE(lines_are(contents(folder_ / "said"),
+                              "kinegraph: stopped, lines answered: " + std::to_string(number) + "; --resume does the rest"));
+        EXPECT_TRUE(batch(lines, "--resume --jobs 2").out == whole.out);
+        EXPECT_TRUE(files("out") == made);
+    }
 }
 
 TEST_F(Batch, WhatCannotBeWrittenIsSaid) {
