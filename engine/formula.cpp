@@ -224,9 +224,32 @@ private:
             return refused({"a minus is written \"-\" in a formula", "il meno in una formula si scrive \"-\""});
         if (rest().starts_with("·") || rest().starts_with("×"))
             return refused({"a product is written \"*\" in a formula", "il prodotto in una formula si scrive \"*\""});
+        if (auto why = factor_without_sign()) return refused(*std::move(why));
         return refused({"{0} is not understood here; +, -, *, /, ^, brackets, numbers with units and names are",
                         "{0} qui non si capisce; si capiscono +, -, *, /, ^, parentesi, numeri con unità e nomi",
                         quoted(rest())});
+    }
+
+    /// Behind a value a unit, a name or a bracket, as if they were multiplied: how that is written.
+    std::optional<Words> factor_without_sign() const {
+        const std::size_t last = text_.substr(0, at_).find_last_not_of(" \t");
+        if (last == std::string_view::npos) return std::nullopt;
+        const char before = text_[last];
+        const bool follows_a_value = before == ')' || static_cast<unsigned char>(before) >= 0x80 ||
+                                     std::isalnum(static_cast<unsigned char>(before)) != 0 || before == '_';
+        if (!follows_a_value) return std::nullopt;
+        constexpr std::size_t longest_unit = 16;
+        for (std::size_t length = std::min(longest_unit, rest().size()); length > 0; --length) {
+            const std::string_view spelt = rest().substr(0, length);
+            if (spelt.ends_with(' ') || unit_spelt(spelt) == nullptr || letter_at(rest(), length) > 0) continue;
+            if (means_something(spelt)) break;
+            return Words("a unit stands behind a number: write … * 1 {0}", "un’unità sta dopo un numero: scrivere … * 1 {0}",
+                         std::string(spelt));
+        }
+        const std::string_view word = rest().substr(0, name_length(rest()));
+        if (means_something(word)) return product_wanted("…", word);
+        if (rest().starts_with('(')) return product_wanted("…", "(");
+        return std::nullopt;
     }
 
     Outcome sum() {
@@ -318,14 +341,24 @@ private:
             digits();
             if (end == first) end = before;
         }
-        auto value = read_decimal(text_.substr(at_, end - at_));
+        const std::string_view number = text_.substr(at_, end - at_);
+        auto value = read_decimal(number);
         if (!value) return refused(std::move(value.error()));
         at_ = end;
         if (const KnownUnit* unit = takes_unit()) return measured({std::move(*value), unit});
         skip();
-        const std::size_t letters = name_length(text_.substr(at_));
-        if (letters > 0) return refused(unknown_unit_message(text_.substr(at_, letters), QuantityKind::dimensionless));
+        const std::string_view word = text_.substr(at_, name_length(text_.substr(at_)));
+        if (means_something(word)) return refused(product_wanted(number, word));
+        if (!word.empty()) return refused(unknown_unit_message(word, QuantityKind::dimensionless));
         return bare(std::move(*value));
+    }
+    /// A word that a formula may have as a factor.
+    bool means_something(std::string_view word) const {
+        return !word.empty() && (word == "pi" || is_function(word) || look_up_(word).has_value());
+    }
+    static Words product_wanted(std::string_view first, std::string_view second) {
+        return {"a product is written with *: {0}*{1}, not {0} {1}", "il prodotto si scrive con *: {0}*{1}, non {0} {1}",
+                std::string(first), std::string(second)};
     }
     /// "12 cm^2" is the square of 12 cm, as it ever was; "12 cm²" is an area.
     static bool means_a_power(std::string_view spelt) {

@@ -104,6 +104,13 @@ TEST(Formula, SaysWhatIsWrong) {
     EXPECT_EQ(refusal("= 2^r"), "an exponent must be a bare number, not a length");
     EXPECT_EQ(refusal("= 10^303*r"), "a value of the formula lies outside 1e-300 … 1e300");
     EXPECT_EQ(refusal("= 2 x"), "unknown unit \"x\"");
+    EXPECT_EQ(refusal("= 2 r + 60 mm"), "a product is written with *: 2*r, not 2 r");
+    EXPECT_EQ(refusal("= 2.5 pi * r"), "a product is written with *: 2.5*pi, not 2.5 pi");
+    EXPECT_EQ(refusal("= k r"), "a product is written with *: …*r, not … r");
+    EXPECT_EQ(refusal("= (k + 1) sin(phi) * r"), "a product is written with *: …*sin, not … sin");
+    EXPECT_EQ(refusal("= 4*pi rad/s"), "a unit stands behind a number: write … * 1 rad/s");
+    EXPECT_EQ(refusal("= (k + 1) mm"), "a unit stands behind a number: write … * 1 mm");
+    EXPECT_EQ(si("= 4*pi * 1 rad/s", QuantityKind::angular_velocity), 4 * pi());
     EXPECT_EQ(refusal("= (r"), "a bracket is not closed");
     EXPECT_EQ(refusal("= r − 1 mm"), "a minus is written \"-\" in a formula");
     EXPECT_EQ(refusal("= atan2(r)"), "atan2 is written atan2(y, x), with two values between the brackets");
