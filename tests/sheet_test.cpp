@@ -14,6 +14,7 @@
 #include "render/page/shapes.hpp"
 #include "render/tables/tables.hpp"
 #include "tests/pages.hpp"
+#include "tests/solved.hpp"
 
 namespace {
 
@@ -303,6 +304,19 @@ TEST(Results, AsTextNameTheirUnits) {
     for (const char* words : {"ω [rad/s]", "vx [m/s]", "x [mm]", "1,3", "Four-bar linkage", "by Grübler"})
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
     EXPECT_NE(results_table(example("four_bar"), Language::it).find("−12,5664"), std::string::npos);
+}
+
+TEST(Results, WhatIsNothingBesideTheLargestOfItsKindIsZeroInAllColumns) {
+    const std::string text = results_table(tests::solved(R"({"kinegraph": 1,
+        "points": {"O": [0, 0], "A": {"from": "O", "distance": "5e-20 mm", "angle": 60},
+                   "B": {"meet": [{"circle": "A", "radius": "150 mm"}, {"line": [0, 0], "angle": 0}], "side": "ahead"}},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
+        "joints": [{"revolute": "O", "bodies": [0, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+                   {"prismatic": "B", "bodies": [4, 0], "along": 0}],
+        "drivers": [{"body": 2, "omega": 10}]})"),
+                                           Language::en);
+    EXPECT_NE(text.find("|v| [m/s]"), std::string::npos) << text;
+    EXPECT_EQ(text.substr(0, text.find("Remarks")).find("× 10"), std::string::npos) << text;
 }
 
 TEST(Tables, PowersAreSetAsSuperscripts) {

@@ -16,6 +16,7 @@ namespace kinegraph::render {
 namespace {
 
 using Cells = std::vector<std::string>;
+using Kind = Quantity::Kind;
 
 /// Rows under a heading; the first column left, the others right aligned.
 std::string table(const std::string& heading, const std::vector<Cells>& rows) {
@@ -75,7 +76,8 @@ private:
     std::string value(const Quantity& quantity, const Exact& v, const Unit& unit) const {
         return magnitudes_.is_noise(quantity, v.to_double()) ? value(0.0) : value(v, unit);
     }
-    std::string length_of(const Vector& v, const Unit& unit) const {
+    std::string length_of(Quantity::Kind kind, const Vector& v, const Unit& unit) const {
+        if (magnitudes_.is_noise({.kind = kind}, length(v))) return value(0.0);
         return value(length(Spot{(v.x / unit.si).to_double(), (v.y / unit.si).to_double()}));
     }
     const std::string& body(BodyIndex index) const { return solution_.mechanism.body(index).name; }
@@ -125,7 +127,8 @@ private:
                 for (std::size_t i = 0; i < motion.bodies.size(); ++i) label += (i > 0 ? ", " : "") + body(motion.bodies[i]);
             }
             const Quantity quantity = velocity ? velocity_of(motion) : acceleration_of(motion);
-            rows.push_back({label, value(quantity, vector->x, unit), value(quantity, vector->y, unit), length_of(*vector, unit)});
+            rows.push_back({label, value(quantity, vector->x, unit), value(quantity, vector->y, unit),
+                            length_of(quantity.kind, *vector, unit)});
         }
         return table(word(velocity ? "velocities" : "accelerations", language_), rows);
     }
@@ -140,9 +143,10 @@ private:
             std::string label = joint.name;
             if (joint.bodies.size() == 2)
                 label += ": " + body(joint.bodies[0]) + " " + word("on", language_) + " " + body(joint.bodies[1]);
-            rows.push_back({label, each.velocity ? length_of(*each.velocity, units.velocity) : "–",
-                            each.acceleration ? length_of(*each.acceleration, units.acceleration) : "–",
-                            each.coriolis ? length_of(*each.coriolis, units.acceleration) : "–"});
+            rows.push_back(
+                {label, each.velocity ? length_of(Kind::sliding_velocity, *each.velocity, units.velocity) : "–",
+                 each.acceleration ? length_of(Kind::sliding_acceleration, *each.acceleration, units.acceleration) : "–",
+                 each.coriolis ? length_of(Kind::sliding_coriolis, *each.coriolis, units.acceleration) : "–"});
         }
         return table(word("sliding", language_), rows);
     }
@@ -158,8 +162,10 @@ private:
                     ? word("seen from axes translating with", language_) + " " + point(each.query.translating_with)
                     : word("seen from body", language_) + " " + body(each.query.observer);
             rows.push_back({point(each.query.point) + " " + observer,
-                            each.relative_velocity ? length_of(*each.relative_velocity, units.velocity) : "–",
-                            each.relative_acceleration ? length_of(*each.relative_acceleration, units.acceleration) : "–"});
+                            each.relative_velocity ? length_of(Kind::velocity, *each.relative_velocity, units.velocity) : "–",
+                            each.relative_acceleration
+                                ? length_of(Kind::acceleration, *each.relative_acceleration, units.acceleration)
+                                : "–"});
         }
         return table(word("relative motion", language_), rows);
     }
@@ -180,15 +186,17 @@ private:
                                          [](const JointForce& f) { return f.couple && !f.couple->is_zero(); });
         std::vector<Cells> rows{{word("joint", language_), "Fx" + in_force, "Fy" + in_force, "|F|" + in_force}};
         if (couples) rows[0].push_back("M [" + moment.symbol + "]");
+        const Quantity any_force{.kind = Kind::force};
         for (const JointForce& each : solution_.forces) {
             const std::string from = each.from == none ? word("pin", language_) : body(each.from);
             const std::string on = each.on == none ? word("pin", language_) : body(each.on);
             rows.push_back({solution_.mechanism.joint(each.joint).name + ": " + from + " " + word("on", language_) + " " + on,
-                            each.force ? value(each.force->x, force) : "–", each.force ? value(each.force->y, force) : "–",
-                            each.force       ? length_of(*each.force, force)
+                            each.force ? value(any_force, each.force->x, force) : "–",
+                            each.force ? value(any_force, each.force->y, force) : "–",
+                            each.force       ? length_of(Kind::force, *each.force, force)
                             : each.component ? component(each, force)
                                              : "–"});
-            if (couples) rows.back().push_back(each.couple ? value(*each.couple, moment) : "–");
+            if (couples) rows.back().push_back(each.couple ? value({.kind = Kind::couple}, *each.couple, moment) : "–");
         }
         return table(word("reactions heading", language_), rows);
     }
@@ -225,7 +233,8 @@ private:
             const std::string name = body(centre.first) + "," + body(centre.second);
             if (centre.at && !centre.at->at_infinity()) {
                 const Vector at = centre.at->place();
-                rows.push_back({name, value(at.x / centre.at->w, unit), value(at.y / centre.at->w, unit)});
+                const Quantity place{.kind = Kind::centre};
+                rows.push_back({name, value(place, at.x / centre.at->w, unit), value(place, at.y / centre.at->w, unit)});
             } else if (centre.at) {
                 const Spot along = unit_of(centre.at->place());
                 rows.push_back({name, "∞ · " + value(along.x), "∞ · " + value(along.y)});
