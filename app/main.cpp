@@ -8,9 +8,12 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <charconv>
 #include <csignal>
+#include <cstdint>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <new>
 #include <optional>
@@ -34,7 +37,7 @@ constexpr const char* statuses =
     "module of the program is missing, or the port can't be had; 70 a fault of ours.";
 
 /// What the parser of options says, piece by piece.
-constexpr std::array<Translation, 15> option_faults{{
+constexpr std::array<Translation, 17> option_faults{{
     {"The following argument was not expected: ", "argomento inatteso: "},
     {"The following arguments were not expected: ", "argomenti inattesi: "},
     {" is required", " è obbligatorio"},
@@ -45,6 +48,8 @@ constexpr std::array<Translation, 15> option_faults{{
     {" excludes ", " esclude "},
     {" requires ", " richiede "},
     {" is not a number from ", " non è un numero da "},
+    {" is not a whole number from ", " non è un numero intero da "},
+    {" up to ", " fino a "},
     {" is not NAME=VALUE", " non è NOME=VALORE"},
     {" is not a share: a number from 0 to 1, or from 0% to 100%", " non è una quota: un numero da 0 a 1, o da 0% a 100%"},
     {"20 to 1200", "20 a 1200"},
@@ -70,6 +75,21 @@ std::optional<double> number_within(const std::string& text, double least, doubl
     if (!CLI::detail::lexical_cast(text, value) || !(value >= least && value <= most)) return std::nullopt;
     return value;
 }
+
+/// A check that the whole of a text is a whole number from `least` to `most`, digits alone: the parser of options takes what is
+/// beyond its largest number for that number, and nothing for 0.
+auto whole_number(std::uint64_t least, std::uint64_t most) {
+    return [least, most](const std::string& text) {
+        std::uint64_t value = 0;
+        const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = end.ec == std::errc() && end.ptr == text.data() + text.size();
+        if (whole && value >= least && value <= most) return std::string();
+        return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " up to " + std::to_string(most);
+    };
+}
+
+/// Rows beyond these are no use to anyone.
+constexpr std::uint64_t most_steps = 10'000'000;
 
 /// 0.005 or 0.5%.
 std::optional<double> share(const std::string& text) {
@@ -249,7 +269,7 @@ void add_branch(CLI::App& command, int& branch) {
             "--branch", branch,
             "Out of a change point that is drawn: which of the branches that the results list, from 1; without it the one "
             "on which the bodies move least")
-        ->check(CLI::PositiveNumber)
+        ->check(whole_number(1, 1000))
         ->type_name("N");
 }
 
@@ -279,7 +299,7 @@ void add_batch(CLI::App& program, Action& action) {
     auto request = std::make_shared<BatchRequest>();
     auto words = std::make_shared<SolveWords>();
     command->add_option("--jobs", request->jobs, "So many lines are worked on at a time, each on a processor of its own")
-        ->check(CLI::Range(1, 1024))
+        ->check(whole_number(1, 1024))
         ->type_name("N")
         ->capture_default_str();
     command->add_flag(
@@ -337,6 +357,7 @@ void add_travel(CLI::App& command, SweepRequest& request) {
         ->type_name("TURN");
     command.add_option("--to", request.to, "Where it ends")->type_name("TURN");
     command.add_option("--steps", request.steps, "Steps from the first position to the last")
+        ->check(whole_number(0, most_steps))
         ->type_name("N")
         ->capture_default_str();
 }
@@ -361,7 +382,7 @@ void add_plots(CLI::App& command, SweepRequest& request) {
         ->allow_extra_args(false)
         ->type_name("i,j");
     command.add_option("--poses", request.poses, "So many positions thin behind the mechanism")
-        ->check(CLI::Range(0, 360))
+        ->check(whole_number(0, 360))
         ->type_name("N");
     add_print(command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
     add_text(command, request.live_text);
@@ -405,9 +426,10 @@ void add_variants(CLI::App& program, Action& action) {
         ->required()
         ->type_name("OUT/");
     command->add_option("--count", request.count, "How many, 1 to 1000000; without it one for each name of the roster")
-        ->check(CLI::Range(1L, 1000000L))
+        ->check(whole_number(1, 1'000'000))
         ->type_name("N");
     command->add_option("--seed", request.seed, "Which of them: the same seed gives the same variants")
+        ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->type_name("S")
         ->capture_default_str();
     command->add_option("--roster", request.roster, "A CSV file with a student on each line, who is named in the title block")
@@ -460,7 +482,10 @@ void add_cam(CLI::App& program, Action& action) {
             "--at", request.at,
             "The cam's turn at which it is drawn and its mechanism written: 30°, 0.5 rad; without it where the law begins")
         ->type_name("TURN");
-    command->add_option("--steps", request.steps, "Rows over the whole turn")->type_name("N")->capture_default_str();
+    command->add_option("--steps", request.steps, "Rows over the whole turn")
+        ->check(whole_number(0, most_steps))
+        ->type_name("N")
+        ->capture_default_str();
     add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
     add_text(*command, request.live_text);
     add_paper(*command, words->sheet);
@@ -578,7 +603,7 @@ void add_watch(CLI::App& program, Action& action) {
     auto language = std::make_shared<std::string>("en");
     command->add_option("FILE", request->file, "The mechanism file")->required();
     command->add_option("--port", request->port, "The port on 127.0.0.1, 0 to 65535; without it, or 0, any that is free")
-        ->check(CLI::Range(0, 65535))
+        ->check(whole_number(0, 65535))
         ->type_name("N");
     add_language(*command, *language, "The language that is shown first, and that of messages: en or it");
     command

@@ -96,6 +96,32 @@ TEST_F(VariantsCommand, SaysWhatIsWrongInOneLine) {
     wrong("train.json -o /proc/none --count 2", "/proc/none: cannot be written: No such file or directory", 4);
 }
 
+TEST_F(VariantsCommand, TakesWholeNumbersThatCanBeCountedAlone) {
+    const auto before = snapshot();
+    const auto wrong = [&](const std::string& arguments, const std::string& said) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.err.substr(0, outcome.err.find(" (kinegraph")), "kinegraph: " + said) << arguments;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    };
+    for (const std::string seed : {"18446744073709551616", "99999999999999999999999", "-1", "", "0x10", "1.5", "7 "})
+        wrong("variants train.json -o out --count 1 --seed \"" + seed + "\"",
+              "--seed: \"" + seed + "\" is not a whole number from 0 up to 18446744073709551615");
+    wrong("variants train.json -o out --count 1 --seed -1 --lang it",
+          "--seed: \"-1\" non è un numero intero da 0 fino a 18446744073709551615");
+    for (const std::string number : {"18446744073709551617", "4294967297", "-5", "''", "1e3"}) {
+        const std::string shown = number == "''" ? "" : number;
+        wrong("variants train.json -o out --count " + number,
+              "--count: \"" + shown + "\" is not a whole number from 1 up to 1000000");
+        wrong("batch </dev/null --jobs " + number, "--jobs: \"" + shown + "\" is not a whole number from 1 up to 1024");
+        wrong("sweep four_bar.json --steps " + number, "--steps: \"" + shown + "\" is not a whole number from 0 up to 10000000");
+        wrong("sweep four_bar.json --poses " + number, "--poses: \"" + shown + "\" is not a whole number from 0 up to 360");
+        wrong("sweep four_bar.json --branch " + number, "--branch: \"" + shown + "\" is not a whole number from 1 up to 1000");
+    }
+    EXPECT_EQ(changed_since(before), "");
+    EXPECT_EQ(run("variants train.json -o out --count 1 --format svg --seed 18446744073709551615").status, 0);
+}
+
 TEST_F(VariantsCommand, CountsThoseThatTheConditionsLeave) {
     std::string text = contents(folder_ / "train.json");
     text.replace(text.find("\"from\": 20, \"to\": 40"), 20, "\"from\": 30, \"to\": 30");
