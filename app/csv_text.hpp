@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace kinegraph::app {
 
@@ -14,6 +15,12 @@ inline std::string csv_cell(const std::string& text) {
         cell += c;
     }
     return cell + '"';
+}
+
+/// A text of someone else's: what a spreadsheet would take for a formula has an apostrophe before it, as OWASP advises.
+inline std::string csv_cell_of_text(const std::string& text) {
+    const bool looks_like_a_formula = !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
+    return csv_cell(looks_like_a_formula ? "'" + text : text);
 }
 
 }  // namespace kinegraph::app

@@ -86,14 +86,16 @@ std::vector<Packed> package_of(const std::vector<render::QuizItem>& items, const
 /// A line of cells.
 class Line {
 public:
-    Line& operator<<(const std::string& cell) {
-        text_ += (is_first_ ? "" : ",") + csv_cell(cell);
-        is_first_ = false;
-        return *this;
-    }
+    Line& operator<<(const std::string& cell) { return add(csv_cell(cell)); }
+    Line& text_of_others(const std::string& cell) { return add(csv_cell_of_text(cell)); }
     std::string text() && { return std::move(text_) + "\n"; }
 
 private:
+    Line& add(const std::string& cell) {
+        text_ += (is_first_ ? "" : ",") + cell;
+        is_first_ = false;
+        return *this;
+    }
     std::string text_;
     bool is_first_ = true;
 };
@@ -114,7 +116,7 @@ std::string Quizzes::csv() const {
     for (const Row& row : rows_) {
         Line line;
         line << row.number;
-        if (has_owners_) line << row.owner;
+        if (has_owners_) line.text_of_others(row.owner);
         line << seed_;
         for (const std::string& each : row.parameters) line << each;
         for (const render::QuizBlank& each : blanks) {

@@ -4,9 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 
 namespace kinegraph::app {
 namespace {
+
+/// What a title block could print with some goodwill.
+constexpr std::size_t longest_name = 200;
 
 /// How long the character at the beginning is; 0: it is none of UTF-8.
 std::size_t character_length(std::string_view text) {
@@ -81,30 +86,70 @@ Words unreadable(std::string_view line) {
     return {};
 }
 
+std::size_t characters_of(std::string_view text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// The names so far, and what a further line may not be beside them.
+class Names {
+public:
+    /// A line that is not empty; why it cannot be taken, empty where it can.
+    Words add(std::size_t line, std::string_view text) {
+        if (Words why = unreadable(text); !why.empty()) return why;
+        const auto fields = fields_of(text);
+        if (!fields) return {"a quote is not closed", "le virgolette non sono chiuse"};
+        std::string name;
+        for (const std::string& field : *fields)
+            if (!field.empty()) name += (name.empty() ? "" : " ") + field;
+        if (name.empty()) return {};
+        if (std::exchange(is_first_, false) && is_heading(*fields)) {
+            wanted_ = fields->size();
+            return {};
+        }
+        if (wanted_ > 0 && fields->size() != wanted_)
+            return {"fields: {0}, in the heading {1}; one that holds a comma stands in quotes",
+                    "campi: {0}, nell’intestazione {1}; quello che contiene una virgola sta fra virgolette",
+                    std::to_string(fields->size()), std::to_string(wanted_)};
+        return take(line, std::move(name));
+    }
+    std::vector<std::string> all() && { return std::move(names_); }
+
+private:
+    Words take(std::size_t line, std::string name) {
+        if (const std::size_t length = characters_of(name); length > longest_name)
+            return {"a name of {0} characters; {1} at most", "un nome di {0} caratteri; al massimo {1}", std::to_string(length),
+                    std::to_string(longest_name)};
+        const auto [before, is_new] = lines_.try_emplace(name, line);
+        if (!is_new)
+            return {"{0} stands in line {1} already; take one out, or tell them apart, by a number",
+                    "{0} compare già nella riga {1}; toglierne uno, o distinguerli, con un numero", in_quotes(name),
+                    std::to_string(before->second)};
+        names_.push_back(std::move(name));
+        return {};
+    }
+    static std::string in_quotes(const std::string& name) { return '"' + name + '"'; }
+
+    std::vector<std::string> names_;
+    std::unordered_map<std::string, std::size_t> lines_;
+    std::size_t wanted_ = 0;  ///< fields, as many as the heading has; 0: there is none
+    bool is_first_ = true;
+};
+
 }  // namespace
 
 tl::expected<std::vector<std::string>, Words> read_roster(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    std::vector<std::string> names;
-    bool is_first = true;
+    Names found;
     for (std::size_t number = 1, from = 0; from < text.size(); ++number) {
         const std::size_t end = std::min(text.find('\n', from), text.size());
         std::string_view line = text.substr(from, end - from);
         from = end + 1;
         if (line.ends_with('\r')) line.remove_suffix(1);
-        const auto at_line = [&](const Words& why) {
+        if (const Words why = found.add(number, line); !why.empty())
             return tl::unexpected(Words("line {0}: {1}", "riga {0}: {1}", std::to_string(number), why));
-        };
-        if (const Words why = unreadable(line); !why.empty()) return at_line(why);
-        const auto fields = fields_of(line);
-        if (!fields) return at_line({"a quote is not closed", "le virgolette non sono chiuse"});
-        std::string name;
-        for (const std::string& field : *fields)
-            if (!field.empty()) name += (name.empty() ? "" : " ") + field;
-        if (name.empty()) continue;
-        if (!is_first || !is_heading(*fields)) names.push_back(std::move(name));
-        is_first = false;
     }
+    std::vector<std::string> names = std::move(found).all();
     if (names.empty()) return tl::unexpected(Words("there is no name in it", "non contiene nessun nome"));
     return names;
 }

@@ -108,7 +108,7 @@ public:
         csv_ += number;
         if (has_names_) {
             row.push_back(name);
-            csv_ += "," + csv_cell(name);
+            csv_ += "," + csv_cell_of_text(name);
         }
         for (const Setting& each : variant.values) {
             row.push_back(in(printed(each.value), language_));
@@ -316,9 +316,13 @@ private:
     /// Says what could not be written, what there is, and how to go on.
     std::optional<Status> not_put(const NotWritten& failure) const {
         const Status status = fail_to_write(failure, language());
-        line({"{0} of {1} variants are in {2}, each of them whole; their key is missing, --resume writes the rest",
-              "{0} di {1} varianti sono in {2}, ciascuna intera; manca la chiave con le soluzioni, --resume scrive il resto",
-              std::to_string(key_.size()), std::to_string(count_), request_.folder});
+        const bool one = count_ == 1;
+        line(
+            {one ? "{0} of {1} variant is in {2}, whole; its key is missing, --resume writes the rest"
+                 : "{0} of {1} variants are in {2}, each of them whole; their key is missing, --resume writes the rest",
+             one ? "{0} di {1} variante è in {2}, intera; manca la chiave con le soluzioni, --resume scrive il resto"
+                 : "{0} di {1} varianti sono in {2}, ciascuna intera; manca la chiave con le soluzioni, --resume scrive il resto",
+             std::to_string(key_.size()), std::to_string(count_), request_.folder});
         return status;
     }
 
@@ -340,18 +344,31 @@ private:
         return put(outputs);
     }
 
+    static Words variants(std::size_t count) {
+        return {count == 1 ? "1 variant" : "{0} variants", count == 1 ? "1 variante" : "{0} varianti", std::to_string(count)};
+    }
+    Words combinations() const {
+        const std::uint64_t count = variants_.combinations();
+        return {count == 1 ? "1 combination" : "{0} combinations", count == 1 ? "1 combinazione" : "{0} combinazioni",
+                std::to_string(count)};
+    }
+
     Status report() const {
         std::vector<std::string> remarks;
         press_.remark_missing(remarks);
         for (const std::string& each : remarks) line(render::word("a remark", language()) + ": " + each);
-        line({"{0} variants in {1}; {2} of {3} combinations were looked at",
-              "{0} varianti in {1}; sono state esaminate {2} combinazioni su {3}", std::to_string(key_.size()), request_.folder,
-              std::to_string(variants_.looked_at()), std::to_string(variants_.combinations())});
-        if (there_before_ > 0)
+        const bool one = variants_.looked_at() == 1;
+        line({one ? "{0} in {1}; {2} of {3} was looked at" : "{0} in {1}; {2} of {3} were looked at",
+              one ? "{0} in {1}; è stata esaminata {2} di {3}" : "{0} in {1}; sono state esaminate {2} di {3}",
+              variants(key_.size()), request_.folder, std::to_string(variants_.looked_at()), combinations()});
+        if (there_before_ == 1)
+            line({"one of them was there, whole, and stayed", "una di esse c’era già, intera, ed è rimasta"});
+        else if (there_before_ > 0)
             line({"{0} of them were there, whole, and stayed", "{0} di esse c’erano già, intere, e sono rimaste",
                   std::to_string(there_before_)});
         for (const Variants::Rejection& each : variants_.rejections())
-            line({"{0} rejected: {1}", "{0} scartate: {1}", std::to_string(each.count), each.why});
+            line({"{0} rejected: {1}", each.count == 1 ? "{0} scartata: {1}" : "{0} scartate: {1}", std::to_string(each.count),
+                  each.why});
         if (const int signal = Stopping::asked(); signal != 0) {
             line({"stopped: what is there is whole; --resume writes the rest",
                   "interrotto: ciò che c’è è intero; --resume scrive il resto"});
@@ -359,16 +376,15 @@ private:
             std::raise(signal);
         }
         if (key_.size() == count_) return Status::done;
+        const Words wanted(count_ == 1 ? "one was asked for" : "{0} were asked for",
+                           count_ == 1 ? "ne è chiesta una" : "ne sono chieste {0}", std::to_string(count_));
         if (variants_.is_exhausted())
-            line({"the conditions leave {0} of {1} combinations; {2} were asked for",
-                  "le condizioni lasciano {0} combinazioni su {1}; ne sono chieste {2}", std::to_string(key_.size()),
-                  std::to_string(variants_.combinations()), std::to_string(count_)});
+            line({"the conditions leave {0} of {1}; {2}", "le condizioni lasciano {0} su {1}; {2}", std::to_string(key_.size()),
+                  combinations(), wanted});
         else
-            line(
-                {"the conditions leave too few: {0} were found, then {1} combinations one after the other failed; {2} were asked for",
-                 "le condizioni ne lasciano troppo poche: ne sono state trovate {0}, poi {1} combinazioni di fila non le "
-                 "soddisfano; ne sono chieste {2}",
-                 std::to_string(key_.size()), std::to_string(Variants::most_in_a_row), std::to_string(count_)});
+            line({"the conditions leave too few: {0} found, then {1} combinations one after the other failed; {2}",
+                  "le condizioni ne lasciano troppo poche: trovate {0}, poi {1} combinazioni di fila non le soddisfano; {2}",
+                  std::to_string(key_.size()), std::to_string(Variants::most_in_a_row), wanted});
         return Status::unsolved;
     }
 

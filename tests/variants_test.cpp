@@ -91,6 +91,20 @@ TEST_F(VariantsCommand, SaysWhatIsWrongInOneLine) {
     wrong("four_bar.json -o out --count 2", "four_bar.json: nothing varies; add \"vary\" with the values that a parameter takes");
     wrong("four_bar.json -o out --count 2 --lang it",
           "four_bar.json: non varia nulla; aggiungere \"vary\" con i valori che un parametro assume");
+    write("twice.csv", "name,surname\nAnna,Rossi\nBruno,Neri\n\n\"Anna\",Rossi\n");
+    write("more.csv", "name;surname\nAnna;Rossi\nBruno;De;Santis\n");
+    write("fewer.csv", "name,surname\n\"Rossi, Anna\"\n");
+    write("long.csv", "name\n" + std::string(201, 'a') + "\n");
+    wrong("train.json -o out --roster twice.csv",
+          "twice.csv: line 5: \"Anna Rossi\" stands in line 2 already; take one out, or tell them apart, by a number");
+    wrong("train.json -o out --roster twice.csv --lang it",
+          "twice.csv: riga 5: \"Anna Rossi\" compare già nella riga 2; toglierne uno, o distinguerli, con un numero");
+    wrong("train.json -o out --roster more.csv",
+          "more.csv: line 3: fields: 3, in the heading 2; one that holds a comma stands in quotes");
+    wrong("train.json -o out --roster fewer.csv",
+          "fewer.csv: line 2: fields: 1, in the heading 2; one that holds a comma stands in quotes");
+    wrong("train.json -o out --roster long.csv", "long.csv: line 2: a name of 201 characters; 200 at most");
+    for (const std::string name : {"twice.csv", "more.csv", "fewer.csv", "long.csv"}) fs::remove(folder_ / name);
     EXPECT_EQ(changed_since(before), "");
     wrong("train.json -o file --count 2", "file: cannot be written: Not a directory", 4);
     wrong("train.json -o /proc/none --count 2", "/proc/none: cannot be written: No such file or directory", 4);
@@ -120,6 +134,24 @@ TEST_F(VariantsCommand, TakesWholeNumbersThatCanBeCountedAlone) {
     }
     EXPECT_EQ(changed_since(before), "");
     EXPECT_EQ(run("variants train.json -o out --count 1 --format svg --seed 18446744073709551615").status, 0);
+}
+
+TEST_F(VariantsCommand, NamesOfARosterAreNoFormulasInASpreadsheet) {
+    write("students.csv", "name,surname\n=1+1,Rossi\n-Anna,Bianchi\n@SUM(A1),x\n+39,y\nEva,=z\n");
+    const Outcome made = run("variants train.json --roster students.csv -o out --format svg --for csv");
+    ASSERT_EQ(made.status, 0) << made.err;
+    for (const char* file : {"out/key.csv", "out/answers.csv"}) {
+        const auto rows = lines_of(contents(folder_ / file));
+        ASSERT_EQ(rows.size(), 6U) << file;
+        EXPECT_TRUE(rows[1].starts_with("001,'=1+1 Rossi,")) << rows[1];
+        EXPECT_TRUE(rows[2].starts_with("002,'-Anna Bianchi,")) << rows[2];
+        EXPECT_TRUE(rows[3].starts_with("003,'@SUM(A1) x,")) << rows[3];
+        EXPECT_TRUE(rows[4].starts_with("004,'+39 y,")) << rows[4];
+        EXPECT_TRUE(rows[5].starts_with("005,Eva =z,")) << rows[5];
+    }
+    EXPECT_NE(contents(folder_ / "out/key.csv").find(",-"), std::string::npos) << "numbers stay numbers";
+    EXPECT_NE(contents(folder_ / "out/001-question.svg").find("=1+1 Rossi"), std::string::npos);
+    EXPECT_EQ(contents(folder_ / "out/001-question.svg").find("'=1+1 Rossi"), std::string::npos);
 }
 
 TEST_F(VariantsCommand, CountsThoseThatTheConditionsLeave) {
@@ -163,14 +195,14 @@ TEST_F(VariantsCommand, ResumesWhatWasInterrupted) {
     const auto before = fs::last_write_time(folder_ / "out" / "001-question.svg");
     const Outcome resumed = run(arguments + "out --count 3 --resume");
     EXPECT_EQ(resumed.status, 0) << resumed.err;
-    EXPECT_NE(resumed.err.find("1 of them were there, whole, and stayed"), std::string::npos) << resumed.err;
+    EXPECT_NE(resumed.err.find("one of them was there, whole, and stayed"), std::string::npos) << resumed.err;
     EXPECT_EQ(fs::last_write_time(folder_ / "out" / "001-question.svg"), before);
     EXPECT_EQ(files_of("out"), files_of("whole"));
     // What is gone, or cut short, is done again; what is asked otherwise, too.
     fs::remove(folder_ / "out" / "001.json");
     std::ofstream(folder_ / "out" / "003-solution.svg") << "<svg";
     const Outcome mended = run(arguments + "out --count 3 --resume");
-    EXPECT_NE(mended.err.find("1 of them were there"), std::string::npos) << mended.err;
+    EXPECT_NE(mended.err.find("one of them was there"), std::string::npos) << mended.err;
     EXPECT_EQ(files_of("out"), files_of("whole"));
     const Outcome italian = run(arguments + "out --count 1 --resume --lang it");
     EXPECT_EQ(italian.err.find("c’erano già"), std::string::npos) << italian.err;
