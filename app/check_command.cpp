@@ -47,7 +47,7 @@ std::optional<Status> check_exercise(const Mechanism& mechanism, const Words& na
     const auto solution = solve(mechanism);
     if (!solution) return say(name, solution.error(), language);
     const std::vector<NamedResult> results = results_for(*mechanism.exercise, *solution);
-    if (const auto asked = asked_of_results(*solution, results); !asked) return say(name, asked.error(), language);
+    if (const Errors missing = missing_in(*solution, results); !missing.empty()) return say(name, missing, language);
     for (const Condition& each : mechanism.exercise->require) {
         Result<bool> fits = true;
         if (each.kind == Condition::Kind::crank_turns_fully)

@@ -10,6 +10,7 @@
 #include "app/commands.hpp"
 #include "app/driver_choice.hpp"
 #include "app/outputs.hpp"
+#include "constructions/conditions.hpp"
 #include "constructions/moving.hpp"
 #include "constructions/solve.hpp"
 #include "engine/displacements.hpp"
@@ -381,6 +382,22 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
 
 }  // namespace
 
+namespace {
+
+/// A file that asks for what it has not got is refused, as `check` and `variants` do. What has no unique answer here is told with
+/// the solution.
+std::optional<Status> refused_exercise(const std::vector<Solution>& solutions, const SolveRequest& request) {
+    for (const Solution& solution : solutions) {
+        const auto& exercise = solution.mechanism.exercise;
+        if (!exercise || (exercise->ask.empty() && exercise->require.empty()) || !solution.unsolved.empty()) continue;
+        const Errors missing = missing_in(solution, results_for(*exercise, solution));
+        if (!missing.empty()) return say(spoken(request.file), missing, request.language);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
 tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vector<Target>& targets, const render::Theme& theme,
                                     std::optional<Press>& press) {
     const Language language = request.language;
@@ -398,6 +415,7 @@ tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vect
     const bool tells = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
     const auto solutions = solutions_of(request, tells ? Arithmetic::told : Arithmetic::left_out);
     if (!solutions) return tl::unexpected(solutions.error());
+    if (const auto status = refused_exercise(*solutions, request)) return tl::unexpected(*status);
 
     Solved found;
     const auto tell = [&](const Message& message) { return render::tell(message, language); };

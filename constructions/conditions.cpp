@@ -85,6 +85,47 @@ Result<bool> holds(const Condition& condition, const Solution& solution, const s
     return compares(Condition::Relation::at_least, *left, *right) && compares(Condition::Relation::at_most, *left, *upper);
 }
 
+std::optional<Error> missing_polygon(const Solution& solution, const Condition& condition) {
+    const auto moves = [&](auto vector) {
+        return std::any_of(solution.points.begin(), solution.points.end(),
+                           [&](const PointMotion& each) { return (each.*vector).has_value(); });
+    };
+    const auto refused = [&](Words why) { return Error{ErrorCode::bad_input, condition.where, std::move(why)}; };
+    if (condition.kind != Condition::Kind::polygon_readable || !solution.unsolved.empty()) return std::nullopt;
+    switch (condition.polygon) {
+        case Condition::Polygon::velocity:
+            if (moves(&PointMotion::velocity)) return std::nullopt;
+            return refused({"no velocity polygon is drawn of this file; take the condition out, or let it find velocities",
+                            "di questo file non si disegna un poligono delle velocità; togliere la condizione, o far trovare "
+                            "le velocità"});
+        case Condition::Polygon::acceleration:
+            if (moves(&PointMotion::acceleration)) return std::nullopt;
+            return refused({"no acceleration polygon is drawn of this file; take the condition out, or let it find accelerations",
+                            "di questo file non si disegna un poligono delle accelerazioni; togliere la condizione, o far "
+                            "trovare le accelerazioni"});
+        case Condition::Polygon::force:
+            if (!solution.forces.empty()) return std::nullopt;
+            return refused(
+                {"no force polygon is drawn of this file, which has no forces; take the condition out, or add \"loads\"",
+                 "di questo file, che non ha forze, non si disegna un poligono delle forze; togliere la condizione, "
+                 "o aggiungere \"loads\""});
+    }
+    return std::nullopt;
+}
+
+Errors missing_in(const Solution& solution, const std::vector<NamedResult>& results) {
+    const Exercise& exercise = *solution.mechanism.exercise;
+    Errors missing;
+    if (const auto asked = asked_of_results(solution, results); !asked) missing = asked.error();
+    for (const Condition& each : exercise.require) {
+        for (const Operand* side : {&each.left, &each.right, &each.upper})
+            if (!side->result.empty() && result_named(results, side->result) == nullptr)
+                missing.push_back(missing_result(solution, results, side->result, each.where));
+        if (auto error = missing_polygon(solution, each)) missing.push_back(*std::move(error));
+    }
+    return missing;
+}
+
 bool crank_turns_fully(const Mechanism& mechanism, const Pose& pose) {
     if (mechanism.drivers.empty() || !turns(mechanism.drivers.front())) return false;
     const auto positions = Positions::of(mechanism, pose, Course{0});

@@ -78,10 +78,14 @@ Result<std::optional<Variant>> Variants::drawn(std::uint64_t number, const IsRea
     const auto exercise = mechanism->exercise;
     for (const Condition& each : exercise->require)
         if (each.holds && !*each.holds) return rejected(named(each));
+    if (drawn_.contains(exercise->comes_to))
+        return rejected({"the same mechanism as another variant’s", "lo stesso meccanismo di un’altra variante"});
     auto solved = solve(*std::move(mechanism));
     if (!solved) return rejected(of_these_values(solved.error().front()));
     if (!solved->unsolved.empty()) return rejected({"no unique answer", "nessuna risposta unica"});
     std::vector<NamedResult> results = results_for(*exercise, *solved);
+    for (const Condition& each : exercise->require)
+        if (auto missing = missing_polygon(*solved, each)) return tl::unexpected(Errors{*std::move(missing)});
     for (const Condition& each : exercise->require) {
         const bool compares = each.kind == Condition::Kind::compares || each.kind == Condition::Kind::lies_between;
         if (!compares || each.holds) continue;
@@ -97,6 +101,7 @@ Result<std::optional<Variant>> Variants::drawn(std::uint64_t number, const IsRea
     auto asked = asked_of_results(*solved, results);
     if (!asked) return tl::unexpected(std::move(asked.error()));
     if (exercise->ask.empty()) *asked = suited(results);
+    drawn_.insert(exercise->comes_to);
     return std::optional(Variant{std::move(values), *std::move(solved), *std::move(asked)});
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "constructions/conditions.hpp"
@@ -25,7 +26,8 @@ struct Variant {
 using IsReadable = std::function<bool(const Solution&, Condition::Polygon)>;
 
 /// The variants of a file, in the order that a seed gives them: the n-th is the n-th combination of the shuffled lattice whose
-/// conditions hold, whatever number is wanted; so all differ, and each combination is looked at once.
+/// conditions hold, whatever number is wanted, but for those that come to the mechanism of one before; so all differ, and each
+/// combination is looked at once.
 class Variants {
 public:
     /// `text` names `source` in messages; `set`: parameters in place of the file's. Errors: the file's faults; that it varies
@@ -68,6 +70,7 @@ private:
     Mechanism original_;
     std::uint64_t size_, looked_at_ = 0;
     Shuffle order_;
+    std::unordered_set<std::string> drawn_;  ///< what the variants' files come to
     std::vector<Rejection> rejections_;
 };
 

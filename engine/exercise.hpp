@@ -62,6 +62,7 @@ struct Exercise {
     std::vector<AskedResult> ask;  ///< none twice
     std::vector<Variation> vary;   ///< no parameter twice
     std::vector<Condition> require;
+    std::string comes_to{};  ///< the values of the file's formulas: two variants with the same are one mechanism
 };
 
 /// What a mechanism asks for; nothing where its file says nothing of it.

@@ -33,6 +33,9 @@ constexpr std::array signs{Sign{">=", Condition::Relation::at_least}, Sign{"<=",
                            Sign{"≥", Condition::Relation::at_least},  Sign{"≤", Condition::Relation::at_most},
                            Sign{">", Condition::Relation::greater},   Sign{"<", Condition::Relation::less},
                            Sign{"=", Condition::Relation::equal}};
+/// What other languages write, and is no comparison here.
+constexpr std::array<std::string_view, 7> foreign_signs{"!=", "≠", "<>", "==", "=>", "=<", "=!"};
+
 /// The first sign of a text, and where.
 std::optional<std::pair<Sign, std::size_t>> sign_in(std::string_view text, std::size_t from = 0) {
     for (std::size_t at = from; at < text.size(); ++at)
@@ -65,7 +68,12 @@ void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
     // What results go by is known only where all that has them could be read.
     knows_results_ = faults_.empty() && !stands_for_joints(mechanism);
     if (knows_results_) results_ = possible_results(mechanism);
+    // A value in place of a formula cuts off what the formula hangs on.
+    knows_uses_ = faults_.empty() && std::none_of(parameters_.begin(), parameters_.end(), [](const auto& each) {
+                      return !each.second.set.empty() && each.second.at.is_string() && is_formula(each.second.at.text());
+                  });
     Exercise exercise;
+    exercise.comes_to = std::move(comes_to_);
     if (file["ask"]) read_ask(file["ask"], exercise);
     if (file["vary"]) read_vary(file["vary"], exercise);
     if (file["require"]) read_require(file["require"], mechanism, exercise);
@@ -120,12 +128,20 @@ void ExerciseReader::read_vary(JsonValue vary, Exercise& exercise) {
 void ExerciseReader::read_variation(JsonValue member, Exercise& exercise) {
     const auto found = parameters_.find(member.key());
     const Measured* own = nullptr;
+    std::optional<Measured> of_the_file;
     if (found == parameters_.end()) {
         fault(member, {"no parameter is named {0}{1}; what varies stands among the \"parameters\", with a value of its own",
                        "nessun parametro si chiama {0}{1}; ciò che varia sta fra i \"parameters\", con un valore proprio",
                        quoted(member.key()), did_you_mean(speller_.nearest(member.key(), parameter_names_))});
-    } else if (found->second.state == Parameter::State::read) {
-        own = &found->second.value;
+    } else if (knows_uses_ && !is_used(member.key())) {
+        fault(member,
+              {"nothing hangs on {0}: copies that differ in it alone would be the same; write \"= {1}\" where it counts, or "
+               "take it out of \"vary\"",
+               "nulla dipende da {0}: copie che differiscono solo per esso sarebbero uguali; scrivere \"= {1}\" dove conta, o "
+               "toglierlo da \"vary\"",
+               quoted(member.key()), std::string(member.key())});
+    } else {
+        own = own_value(member.key(), found->second, of_the_file);
     }
     const Words wanted("{\"from\": …, \"to\": …, \"step\": …} or {\"choose\": […]}",
                        "{\"from\": …, \"to\": …, \"step\": …} o {\"choose\": […]}");
@@ -151,6 +167,24 @@ void ExerciseReader::read_variation(JsonValue member, Exercise& exercise) {
     if (!Lattice::size(exercise.vary))
         fault(member, {"more combinations than can be counted (2^62); take a larger step",
                        "più combinazioni di quante si possano contare (2^62); prendere un passo più grande"});
+}
+
+const Measured* ExerciseReader::own_value(std::string_view name, const Parameter& parameter,
+                                          std::optional<Measured>& of_the_file) {
+    if (parameter.state != Parameter::State::read) return nullptr;
+    if (parameter.set.empty()) return &parameter.value;
+    auto read = read_measured(parameter.at.text(), [this](std::string_view other) { return look_up_parameter(other); });
+    if (!read) return nullptr;
+    of_the_file = *std::move(read);
+    const Measured& set = parameter.value;
+    if (set.is_bare != of_the_file->is_bare || !(set.dimension == of_the_file->dimension))
+        faults_.emplace_back(
+            0, Error{ErrorCode::bad_input,
+                     {},
+                     {"--set {0}={1} is {2}; the file’s own value, and all that \"vary\" gives it, is {3}: set such a one",
+                      "--set {0}={1} è {2}; il valore proprio del file, e tutti quelli di \"vary\", è {3}: dare uno così",
+                      std::string(name), shown(parameter.set, 40), described(set), described(*of_the_file)}});
+    return &*of_the_file;
 }
 
 std::optional<Measured> ExerciseReader::value_of_parameter(JsonValue value, const Measured* own) {
@@ -287,6 +321,12 @@ std::optional<Condition> ExerciseReader::phrase(JsonValue value, std::string_vie
 std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechanism& mechanism) {
     constexpr std::string_view between_word = " between ", and_word = " and ";
     const std::string_view text = trimmed(value.text());
+    for (const std::string_view foreign : foreign_signs) {
+        if (text.find(foreign) == std::string_view::npos) continue;
+        fault(value, {"{0} is not among the comparisons; they are >, >=, <, <=, =, and \"… between … and …\"",
+                      "{0} non è fra i confronti; sono >, >=, <, <=, =, e \"… between … and …\"", std::string(foreign)});
+        return std::nullopt;
+    }
     const std::size_t between = text.find(between_word);
     const auto sign = between == std::string_view::npos ? sign_in(text) : std::nullopt;
     std::optional<Condition> read = Condition{};
@@ -382,6 +422,32 @@ std::optional<int> ExerciseReader::compared(JsonValue at, const Operand& left, c
 }
 
 void ExerciseReader::match_sides(JsonValue at, Condition& condition) {
+    const bool is_between = condition.kind == Condition::Kind::lies_between;
+    const std::size_t before = faults_.size();
+    hold_sides_together(at, condition);
+    if (!is_between || faults_.size() > before || !never_holds(condition)) return;
+    fault(at, {"never holds, for {0} is more than {1}; exchange the limits",
+               "non vale mai, perché {0} è più di {1}; scambiare i limiti", quoted(condition.right.text),
+               quoted(condition.upper.text)});
+}
+
+bool ExerciseReader::never_holds(const Condition& condition) const {
+    const auto without_parameters = [](const Operand& side) {
+        const auto none_is = [](std::string_view) { return tl::expected<Measured, Words>(tl::make_unexpected(Words())); };
+        return side.result.empty() && evaluate("= " + side.text, none_is).has_value();
+    };
+    if (!without_parameters(condition.right) || !without_parameters(condition.upper)) return false;
+    const Measured &lower = *condition.right.measured, &upper = *condition.upper.measured;
+    const Column* column = condition.left.result.empty() ? nullptr : result_named(condition.left.result);
+    if (column != nullptr) {
+        const auto from = as_quantity(lower, column->unit, bare_unit(column->unit));
+        const auto to = as_quantity(upper, column->unit, bare_unit(column->unit));
+        return from && to && from->in_si() > to->in_si();
+    }
+    return lower.is_bare == upper.is_bare && lower.dimension == upper.dimension && lower.value > upper.value;
+}
+
+void ExerciseReader::hold_sides_together(JsonValue at, Condition& condition) {
     const bool is_between = condition.kind == Condition::Kind::lies_between;
     std::vector<const Operand*> sides{&condition.left, &condition.right};
     if (is_between) sides.push_back(&condition.upper);

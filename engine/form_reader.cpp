@@ -2,6 +2,8 @@
 #include "engine/form_reader.hpp"
 
 #include <algorithm>
+#include <unordered_set>
+#include <utility>
 
 namespace kinegraph {
 
@@ -218,6 +220,7 @@ void FormReader::read_parameters(JsonValue parameters, std::span<const Setting> 
 void FormReader::read_parameter(std::string_view name, Parameter& parameter) {
     parameter.state = Parameter::State::being_read;
     ++parameters_being_read_;
+    Parameter* const outer = std::exchange(being_read_, &parameter);
     const bool of_the_file = parameter.set.empty();
     tl::expected<Measured, Words> value = tl::make_unexpected(Words());
     if (of_the_file && !parameter.at.is_number() && !parameter.at.is_string()) {
@@ -232,6 +235,7 @@ void FormReader::read_parameter(std::string_view name, Parameter& parameter) {
                                           "{0} non ha unità; aggiungerla, o scrivere il numero senza virgolette",
                                           quoted(parameter.at.text())));
     --parameters_being_read_;
+    being_read_ = outer;
     parameter.state = value ? Parameter::State::read : Parameter::State::faulty;
     if (value) parameter.value = std::move(*value);
     if (value || value.error().empty()) return;
@@ -248,6 +252,10 @@ tl::expected<Measured, Words> FormReader::look_up_parameter(std::string_view nam
                                          did_you_mean(speller_.nearest(name, known))));
     }
     Parameter& parameter = found->second;
+    if (being_read_ != nullptr)
+        being_read_->uses.push_back(found->first);
+    else
+        parameter.is_used = true;
     if (parameter.state == Parameter::State::being_read)
         return tl::make_unexpected(Words("the parameter {0} is given by itself; give one of the cycle a value",
                                          "il parametro {0} è dato per mezzo di se stesso; dare un valore a uno del cerchio",
@@ -261,12 +269,37 @@ tl::expected<Measured, Words> FormReader::look_up_parameter(std::string_view nam
     return parameter.value;
 }
 
+bool FormReader::is_used(std::string_view parameter) const {
+    // Backwards from what the file uses: whatever is reached there matters.
+    std::vector<std::string_view> reached;
+    for (const auto& [name, each] : parameters_)
+        if (each.is_used) reached.push_back(name);
+    std::unordered_set<std::string_view> known(reached.begin(), reached.end());
+    while (!reached.empty()) {
+        const Parameter& each = parameters_.at(reached.back());
+        reached.pop_back();
+        for (const std::string_view other : each.uses)
+            if (known.insert(other).second) reached.push_back(other);
+    }
+    return known.contains(parameter);
+}
+
 // ----- numbers
+
+void FormReader::note(const Measured& value) {
+    const Dimension& d = value.dimension;
+    comes_to_ += value.value.rational().get_str(36);
+    for (const int each :
+         {d.length, d.mass, d.time, d.angle, static_cast<int>(value.is_bare) + 2 * static_cast<int>(value.is_in_radians)})
+        comes_to_ += ' ' + std::to_string(each);
+    comes_to_ += '\n';
+}
 
 std::optional<Measured> FormReader::formula(JsonValue value) {
     auto found = evaluate(value.text(), [this](std::string_view name) { return look_up_parameter(name); });
     if (found) {
         is_approximate_ = is_approximate_ || found->is_approximate;
+        note(*found);
         return std::move(*found);
     }
     if (!found.error().empty()) fault(value, std::move(found.error()));

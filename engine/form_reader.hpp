@@ -105,12 +105,16 @@ public:
     void read_parameters(JsonValue parameters, std::span<const Setting> set);
     bool has_parameter(std::string_view name) const { return parameters_.contains(name); }
     const std::vector<std::string_view>& parameter_names() const { return parameter_names_; }
+    /// Whether something of the file beside the parameters hangs on it, directly or by way of another.
+    bool is_used(std::string_view parameter) const;
     /// The value of a formula or a parameter's name; an error without words has been told before.
     tl::expected<Measured, Words> look_up_parameter(std::string_view name);
 
     // ----- numbers
     /// The value of "= …"; whatever its dimension.
     std::optional<Measured> formula(JsonValue value);
+    /// Keeps the value of a formula: where the values of all are the same the file comes to the same.
+    void note(const Measured& value);
     /// A number, or a formula.
     static bool is_numeric(JsonValue value) { return value.is_number() || (value.is_string() && is_formula(value.text())); }
     const KnownUnit& bare_unit(QuantityKind kind) const;
@@ -149,7 +153,9 @@ protected:
     struct Parameter {
         enum class State : std::uint8_t { unread, being_read, read, faulty };
         JsonValue at;
-        std::string_view set;  ///< instead of what the file says; empty: not set
+        std::string_view set;                     ///< instead of what the file says; empty: not set
+        std::vector<std::string_view> uses = {};  ///< parameters that its formula names
+        bool is_used = false;                     ///< by a formula that stands elsewhere than among the parameters
         State state = State::unread;
         Measured value = {};
     };
@@ -157,6 +163,8 @@ protected:
     std::unordered_map<std::string_view, Parameter> parameters_;
     std::vector<std::string_view> parameter_names_;
     int parameters_being_read_ = 0;
+    Parameter* being_read_ = nullptr;               ///< the innermost of them
+    std::string comes_to_;                          ///< the values of all formulas but the parameters' own
     std::vector<PointIndex>* collected_ = nullptr;  ///< where the points that a placement uses are noted
 };
 

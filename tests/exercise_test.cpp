@@ -36,14 +36,16 @@ const std::vector<std::string> names{"four_bar",    "slider_crank", "quick_retur
 std::string example_text(const std::string& name) { return tests::contents(tests::example_file("variants/" + name)); }
 
 /// A crank with some parameters, and members of the file in their place.
-std::string crank(const std::string& more) {
-    return R"({"kinegraph": 1, "parameters": {"r": "40 mm", "phi": "60°", "k": 3}, )" + more +
+std::string crank(const std::string& more, const std::string& parameters = "", const std::string& omega = "k") {
+    return R"({"kinegraph": 1, "parameters": {"r": "40 mm", "phi": "60°", "k": 3)" + parameters + "}, " + more +
            R"(, "points": {"O": [0, 0], "A": {"from": "O", "distance": "= r", "angle": "= phi"}}, "bodies": {"2": ["O", "A"]},
-              "joints": [{"revolute": "O", "bodies": [0, 2]}], "drivers": [{"body": 2, "omega": "= k"}]})";
+              "joints": [{"revolute": "O", "bodies": [0, 2]}], "drivers": [{"body": 2, "omega": "= )" +
+           omega + "\"}]}";
 }
-std::vector<std::string> faults(const std::string& more) {
+std::vector<std::string> faults(const std::string& more, const std::string& parameters = "", const std::string& omega = "k",
+                                const std::vector<Setting>& set = {}) {
     std::vector<std::string> lines;
-    const auto read = read_mechanism(crank(more), "test.json");
+    const auto read = read_mechanism(crank(more, parameters, omega), "test.json", set);
     if (!read)
         for (const Error& each : read.error()) lines.push_back(each.where + ": " + each.message.en);
     return lines;
@@ -106,9 +108,27 @@ TEST(Vary, FaultsNameThePlaceAndTheRemedy) {
               Lines{"/vary/k/step: more than 1000000 values; take a larger step"});
     EXPECT_EQ(faults(R"("vary": {"k": {"from": "= 1", "to": 2, "step": 1}})"),
               Lines{"/vary/k/from: a number or a quantity is wanted here; a formula stands among the \"parameters\""});
+    const std::string same =
+        "/vary/u: nothing hangs on \"u\": copies that differ in it alone would be the same; write \"= u\" "
+        "where it counts, or take it out of \"vary\"";
+    EXPECT_EQ(faults(R"("vary": {"u": {"choose": [1, 2]}}, "require": ["u > 1"])", R"(, "u": 1)"), Lines{same});
+    EXPECT_EQ(faults(R"("vary": {"u": {"choose": [1, 2]}})", R"(, "u": 1, "w": "= 2*u")"), Lines{same}) << "nor on w";
+    EXPECT_EQ(faults(R"("vary": {"u": {"choose": [1, 2]}})", R"(, "u": 1, "w": "= 2*u", "q": "= w")", "q"), Lines{});
     EXPECT_EQ(faults(R"("vary": {"k": {"from": 1, "to": 2}})").size(), 1U);
     EXPECT_EQ(faults(R"("vary": {})").size(), 1U);
     EXPECT_EQ(faults(R"("vary": {"k": {"choose": []}})").size(), 1U);
+}
+
+TEST(Vary, WhatIsSetFromOutsideIsToldAsSuch) {
+    const std::string vary = R"("vary": {"phi": {"choose": ["30°", "60°"]}})";
+    EXPECT_EQ(
+        faults(vary, "", "k", {{"phi", "0"}}),
+        std::vector<std::string>{": --set phi=0 is a bare number; the file’s own value, and all that \"vary\" gives it, is an "
+                                 "angle: set such a one"});
+    EXPECT_EQ(faults(vary, "", "k", {{"phi", "0°"}}), std::vector<std::string>{});
+    // A value in place of a formula cuts off what the formula hangs on.
+    EXPECT_EQ(faults(R"("vary": {"u": {"choose": [1, 2]}})", R"(, "u": 1, "w": "= 2*u")", "w", {{"w", "3"}}),
+              std::vector<std::string>{});
 }
 
 // --- require ------------------------------------------------------------------------------------------------------------------
@@ -156,6 +176,14 @@ TEST(Require, FaultsNameThePlaceAndTheRemedy) {
     EXPECT_NE(first("r > 3").find("the bare number wants a unit"), std::string::npos) << first("r > 3");
     EXPECT_EQ(first("0 < k < 5"), "/require/0: one comparison at a time; write \"… between … and …\", or two conditions");
     EXPECT_EQ(first("k between 1"), "/require/0: \"between\" wants two limits: \"… between … and …\"");
+    EXPECT_EQ(first("omega 2 between 1 rad/s and 5 rpm"),
+              "/require/0: never holds, for \"1 rad/s\" is more than \"5 rpm\"; exchange the limits");
+    EXPECT_EQ(first("k between 2 and 1"), "/require/0: never holds, for \"2\" is more than \"1\"; exchange the limits");
+    EXPECT_EQ(faults(R"("require": ["omega 2 between k and 1", "omega 2 between 1 and 1"])").size(), 0U) << "k may vary";
+    for (const std::string sign : {"!=", "==", "<>", "≠", "=>"})
+        EXPECT_EQ(first("r " + sign + " 35 mm"), "/require/0: " + sign +
+                                                     " is not among the comparisons; they are >, >=, <, <=, =, "
+                                                     "and \"… between … and …\"");
     EXPECT_EQ(first("> 5"), "/require/0: a side of the condition is empty");
     EXPECT_NE(first("crank turn fully").find("(did you mean \"crank turns fully\"?)"), std::string::npos);
     EXPECT_NE(first("k > 1/0").find("divides by zero"), std::string::npos) << first("k > 1/0");

@@ -154,6 +154,48 @@ TEST_F(VariantsCommand, NamesOfARosterAreNoFormulasInASpreadsheet) {
     EXPECT_EQ(contents(folder_ / "out/001-question.svg").find("'=1+1 Rossi"), std::string::npos);
 }
 
+TEST_F(VariantsCommand, LeavesOutWhatComesToAnotherVariantsMechanism) {
+    Json file = Json::parse(contents(folder_ / "train.json"));
+    file["require"] = Json::array();
+    file["vary"] = {{"m", {{"choose", {"1 mm", "2 mm", "3 mm"}}}}};
+    std::string text = file.dump();
+    for (std::size_t at = 0; (at = text.find("m*", at)) != std::string::npos; at += 11) text.replace(at, 2, "max(m, 2 mm)*");
+    write("same.json", text);
+    const Outcome made = run("variants same.json --count 3 -o out --format svg");
+    EXPECT_EQ(made.status, 3) << made.err;
+    EXPECT_EQ(made.err,
+              "same.json: 2 variants in out; 3 of 3 combinations were looked at\n"
+              "same.json: 1 rejected: the same mechanism as another variant’s\n"
+              "same.json: the conditions leave 2 of 3 combinations; 3 were asked for\n");
+    EXPECT_EQ(run("variants same.json --count 1 -o one --format svg").err.substr(0, 35), "same.json: 1 variant in one; 1 of 3");
+    const Outcome italian = run("variants same.json --count 1 -o one --format svg --lang it");
+    EXPECT_NE(italian.err.find("1 variante in one; è stata esaminata 1 di 3 combinazioni"), std::string::npos) << italian.err;
+}
+
+TEST_F(VariantsCommand, WhatIsAskedForAndIsNotThereAllCommandsRefuse) {
+    const Json whole = Json::parse(contents(folder_ / "train.json"));
+    const auto all_say = [&](const char* key, const std::string& entry, const std::string& said) {
+        Json file = whole;
+        file[key] = Json::array({entry});
+        write("wrong.json", file.dump());
+        const auto before = snapshot();
+        for (const std::string command :
+             {"check wrong.json", "solve wrong.json -o wrong.svg", "variants wrong.json --count 1 -o out"}) {
+            const Outcome outcome = run(command);
+            EXPECT_EQ(outcome.status, 2) << command << ": " << outcome.err;
+            EXPECT_EQ(outcome.err, "wrong.json: /" + std::string(key) + "/0: " + said + "\n") << command;
+        }
+        fs::remove_all(folder_ / "out");
+        EXPECT_EQ(changed_since(before), "");
+    };
+    all_say("ask", "s guide", "no result is named \"s guide\"; names are those of the columns of \"sweep\"");
+    all_say("ask", "alpha 3", "there is no result \"alpha 3\"; what is found goes by \"find\"");
+    all_say("require", "force polygon readable",
+            "no force polygon is drawn of this file, which has no forces; take the condition out, or add \"loads\"");
+    all_say("require", "acceleration polygon readable",
+            "no acceleration polygon is drawn of this file; take the condition out, or let it find accelerations");
+}
+
 TEST_F(VariantsCommand, CountsThoseThatTheConditionsLeave) {
     std::string text = contents(folder_ / "train.json");
     text.replace(text.find("\"from\": 20, \"to\": 40"), 20, "\"from\": 30, \"to\": 30");

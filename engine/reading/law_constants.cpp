@@ -86,7 +86,11 @@ tl::expected<Measured, Words> LawConstants::look_up(std::string_view name, std::
         if (!found->second) return tl::make_unexpected(Words());
         return *found->second;
     }
-    if (file_.has_parameter(name)) return file_.look_up_parameter(name);
+    if (file_.has_parameter(name)) {
+        auto value = file_.look_up_parameter(name);
+        if (value) file_.note(*value);
+        return value;
+    }
     std::vector<std::string_view> known(file_.parameter_names());
     for (const auto& each : constants_) known.push_back(each.first);
     known.push_back(variable);
