@@ -387,12 +387,9 @@ namespace {
 /// A file that asks for what it has not got is refused, as `check` and `variants` do. What has no unique answer here is told with
 /// the solution.
 std::optional<Status> refused_exercise(const std::vector<Solution>& solutions, const SolveRequest& request) {
-    for (const Solution& solution : solutions) {
-        const auto& exercise = solution.mechanism.exercise;
-        if (!exercise || (exercise->ask.empty() && exercise->require.empty()) || !solution.unsolved.empty()) continue;
-        const Errors missing = missing_in(solution, results_for(*exercise, solution));
-        if (!missing.empty()) return say(spoken(request.file), missing, request.language);
-    }
+    for (const Solution& solution : solutions)
+        if (const Errors missing = missing_in(solution); !missing.empty())
+            return say(spoken(request.file), missing, request.language);
     return std::nullopt;
 }
 

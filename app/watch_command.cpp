@@ -18,6 +18,7 @@
 #include "app/local_server.hpp"
 #include "app/outputs.hpp"
 #include "app/watched_file.hpp"
+#include "constructions/conditions.hpp"
 #include "constructions/moving.hpp"
 #include "constructions/solve.hpp"
 #include "engine/assert.hpp"
@@ -131,6 +132,7 @@ struct Tools {
         if (!mechanism) return tl::unexpected(mechanism.error());
         const auto solution = solve(*std::move(mechanism));
         if (!solution) return tl::unexpected(solution.error());
+        if (Errors missing = missing_in(*solution); !missing.empty()) return tl::unexpected(std::move(missing));
         const auto ready = Press::prepare(press, targets, request.language);
         KG_ASSERT(ready.has_value(), "the press was opened before");
         const auto moving = moving_of(*solution, rereading_of(text, bare_name(request.file), {}));

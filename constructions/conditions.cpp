@@ -126,6 +126,12 @@ Errors missing_in(const Solution& solution, const std::vector<NamedResult>& resu
     return missing;
 }
 
+Errors missing_in(const Solution& solution) {
+    const auto& exercise = solution.mechanism.exercise;
+    if (!exercise || (exercise->ask.empty() && exercise->require.empty()) || !solution.unsolved.empty()) return {};
+    return missing_in(solution, results_for(*exercise, solution));
+}
+
 bool crank_turns_fully(const Mechanism& mechanism, const Pose& pose) {
     if (mechanism.drivers.empty() || !turns(mechanism.drivers.front())) return false;
     const auto positions = Positions::of(mechanism, pose, Course{0});

@@ -19,6 +19,8 @@ Result<bool> holds(const Condition& condition, const Solution& solution, const s
 /// What an exercise asks for, compares or wants to be readable, and its solution has not got, each at its place: missing_result,
 /// or a polygon that is not drawn. `results`: results_for.
 Errors missing_in(const Solution& solution, const std::vector<NamedResult>& results);
+/// The same of a file that may have no exercise; nothing where not all is found, which the solution tells itself.
+Errors missing_in(const Solution& solution);
 
 /// Of a condition on a polygon: that it is not drawn; nothing where it is, or where not all is found.
 std::optional<Error> missing_polygon(const Solution& solution, const Condition& condition);

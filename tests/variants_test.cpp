@@ -196,6 +196,17 @@ TEST_F(VariantsCommand, WhatIsAskedForAndIsNotThereAllCommandsRefuse) {
             "no acceleration polygon is drawn of this file; take the condition out, or let it find accelerations");
 }
 
+TEST_F(VariantsCommand, WhatIsAskedForAndIsNotThereWatchSaysToo) {
+    Json file = Json::parse(contents(folder_ / "train.json"));
+    file["ask"] = Json::array({"alpha 3"});
+    write("wrong.json", file.dump());
+    write("watch.sh", "'" + program_ +
+                          "' watch wrong.json >said 2>&1 &\nfor i in {1..500}; do grep -q ask/0 said && break; "
+                          "sleep 0.02; done\nkill -TERM $!\nwait $!\ngrep -q '/ask/0: .*there is no result \"alpha 3\"' said\n");
+    EXPECT_EQ(std::system(("cd '" + folder_.string() + "' && bash watch.sh 2>/dev/null").c_str()), 0)
+        << contents(folder_ / "said");
+}
+
 TEST_F(VariantsCommand, CountsThoseThatTheConditionsLeave) {
     std::string text = contents(folder_ / "train.json");
     text.replace(text.find("\"from\": 20, \"to\": 40"), 20, "\"from\": 30, \"to\": 30");
