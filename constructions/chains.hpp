@@ -15,6 +15,7 @@
 #include "constructions/space_diagram.hpp"
 #include "constructions/structure.hpp"
 #include "engine/board.hpp"
+#include "engine/sliding.hpp"
 
 namespace kinegraph {
 

@@ -18,6 +18,7 @@
 #include "engine/moved.hpp"
 #include "engine/replay.hpp"
 #include "engine/result_names.hpp"
+#include "engine/sliding.hpp"
 
 namespace kinegraph {
 namespace {

@@ -1,7 +1,6 @@
 #include "constructions/motion.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "constructions/chains.hpp"
 #include "constructions/recipes/introduction.hpp"
@@ -136,21 +135,6 @@ private:
 
 }  // namespace
 }  // namespace recipes
-
-namespace {
-
-/// A name that is one letter with digits reads well beside another such: BA, O2A.
-bool is_short(const std::string& name) {
-    const auto digit = [](char c) { return c == '*' || std::isdigit(static_cast<unsigned char>(c)) != 0; };
-    return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
-           std::all_of(name.begin() + 1, name.end(), digit);
-}
-
-}  // namespace
-
-std::string relative_name(const std::string& of, const std::string& to) {
-    return is_short(of) && is_short(to) ? of + to : of + "," + to;
-}
 
 LineReason along_guide(const Mechanism& mechanism, JointIndex index, bool perpendicular) {
     const Joint& joint = mechanism.joints[at_index(index)];

@@ -58,8 +58,6 @@ Track<Plane::velocity> draw_response(Structure& structure, Board& board, const P
 /// Whether such velocities break a condition.
 bool is_broken(Structure& structure, Board& board, const Track<Plane::velocity>& response, const Closing& condition);
 
-/// Name of a relative quantity's subscript: of X relative to A → "XA", with a comma where names would run together.
-std::string relative_name(const std::string& of, const std::string& to);
 /// In what words a joint's guide is named: parallel to a segment where the file gives two points, else to the guide of the joint.
 LineReason along_guide(const Mechanism& mechanism, JointIndex joint, bool perpendicular);
 

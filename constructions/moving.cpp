@@ -16,6 +16,7 @@
 #include "engine/moved.hpp"
 #include "engine/problem.hpp"
 #include "engine/replay.hpp"
+#include "engine/sliding.hpp"
 
 namespace kinegraph {
 namespace {

@@ -9,6 +9,7 @@
 #include "engine/displacements.hpp"
 #include "engine/problem.hpp"
 #include "engine/result_names.hpp"
+#include "engine/sliding.hpp"
 #include "engine/spelling.hpp"
 
 namespace kinegraph {
@@ -88,11 +89,7 @@ private:
                 break;
         }
         const auto found = std::find_if(found_.begin(), found_.end(), [&](const FoundValue& each) { return each.quantity == q; });
-        if (column.kind == Column::Kind::along) {
-            const std::size_t joint = at_index(q.joint);
-            return dot(direction_of_sliding(rough(pose.guides[joint]), rough(pose.tangents[joint]), rough(pose.normals[joint])),
-                       found->vector);
-        }
+        if (column.kind == Column::Kind::along) return dot(direction_of_sliding(pose, q.joint), found->vector);
         if (q.component == Quantity::Component::whole) return found->scalar;
         return q.component == Quantity::Component::x ? found->vector.x : found->vector.y;
     }
@@ -189,12 +186,6 @@ std::vector<Column> columns_found(const Solution& solution, bool with_reactions)
     return columns;
 }
 
-Spot direction_of_sliding(const Spot& guide, const Spot& tangent, const Spot& normal) {
-    const auto unit = [](const Spot& a) { return (1 / std::hypot(a.x, a.y)) * a; };
-    if (guide.x != 0 || guide.y != 0) return unit(guide);
-    return unit(tangent.x != 0 || tangent.y != 0 ? tangent : quarter_turn(normal));
-}
-
 std::vector<NamedResult> named_results(const Solution& solution) { return Reading(solution).all(); }
 
 Error missing_result(const Solution& solution, const std::vector<NamedResult>& results, const std::string& name,
@@ -226,12 +217,26 @@ std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& s
     return results;
 }
 
+namespace {
+
+NamedResult as_asked(const Solution& solution, NamedResult result) {
+    const auto quantity = solution.truss ? bar_of(result.column, solution.mechanism) : std::nullopt;
+    if (!quantity) return result;
+    const std::vector<TrussStructure::Bar>& bars = solution.truss->structure.bars;
+    const auto bar = std::find_if(bars.begin(), bars.end(), [&](const auto& each) { return each.body == quantity->body; });
+    result.column.quantity = *quantity;
+    result.value = solution.truss->tension(static_cast<std::size_t>(bar - bars.begin()), solution.pose.points);
+    return result;
+}
+
+}  // namespace
+
 Result<std::vector<NamedResult>> asked_of_results(const Solution& solution, const std::vector<NamedResult>& results) {
     std::vector<NamedResult> asked;
     Errors errors;
     for (const AskedResult& each : asked_of(solution.mechanism)) {
         if (const NamedResult* found = result_named(results, each.name))
-            asked.push_back(*found);
+            asked.push_back(as_asked(solution, *found));
         else
             errors.push_back(missing_result(solution, results, each.name, each.where));
     }

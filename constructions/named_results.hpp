@@ -24,10 +24,6 @@ std::vector<FoundValue> found_values(const Solution& solution, bool with_reactio
 /// The columns that these give rise to, angles, places and slides with them.
 std::vector<Column> columns_found(const Solution& solution, bool with_reactions = false);
 
-/// X of a slide, or the common tangent of a contact or a curved slot, as a unit vector: along it relative velocities are counted.
-VectorOf<double> direction_of_sliding(const VectorOf<double>& guide, const VectorOf<double>& tangent,
-                                      const VectorOf<double>& normal);
-
 struct NamedResult {
     Column column;          ///< its name, and what it is of
     double value = 0;       ///< SI
@@ -39,7 +35,8 @@ std::vector<NamedResult> named_results(const Solution& solution);
 /// The results that an exercise speaks of: all named ones, and the transmission angle where it speaks of it (that takes a whole
 /// cycle) and the mechanism has one.
 std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution);
-/// What the file asks for, in its order, of results_for. Errors, each at its place: missing_result.
+/// What the file asks for, in its order, of results_for; of the bars of a truss the force in them, tension positive. Errors, each
+/// at its place: missing_result.
 Result<std::vector<NamedResult>> asked_of_results(const Solution& solution, const std::vector<NamedResult>& results);
 Result<std::vector<NamedResult>> asked_results(const Solution& solution);
 /// That there is no such result: none of that name, with the nearest (bad input), or none in this position (no unique answer).

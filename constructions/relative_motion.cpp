@@ -7,6 +7,7 @@
 #include "constructions/polygon_pen.hpp"
 #include "constructions/space_diagram.hpp"
 #include "engine/assert.hpp"
+#include "engine/sliding.hpp"
 
 namespace kinegraph {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/exercise.hpp"
+#include "engine/truss.hpp"
 
 namespace kinegraph {
 namespace {
@@ -145,6 +146,34 @@ bool is_modulus(const Column& column) {
            (kind == Kind::velocity || kind == Kind::acceleration || kind == Kind::force);
 }
 
+Symbol symbol_of_action(const Quantity& action, const Mechanism& mechanism) {
+    const Joint& joint = mechanism.joint(action.joint);
+    const std::string& of = action.other == none ? mechanism.point(joint.point).name : mechanism.body(action.other).name;
+    const std::string& on = mechanism.body(action.body).name;
+    Symbol symbol{action.kind == Kind::couple ? Symbol::Letter::M : Symbol::Letter::F, of, ""};
+    symbol.about += (of.size() == 1 && on.size() == 1 ? "" : ",") + on;
+    const auto is_between = [&](const Joint& other) {
+        return !other.has_own_node() && other.connects(action.body) && other.connects(action.other);
+    };
+    if (action.other != none && std::count_if(mechanism.joints.begin(), mechanism.joints.end(), is_between) > 1)
+        symbol.term = joint.name;
+    return symbol;
+}
+
+std::optional<Quantity> bar_of(const Column& column, const Mechanism& mechanism) {
+    const Quantity& q = column.quantity;
+    if (!is_modulus(column) || q.kind != Kind::force || q.other != none) return std::nullopt;
+    const PointIndex pin = mechanism.joint(q.joint).point;
+    for (const Load& load : mechanism.loads)
+        if (const auto* force = std::get_if<ForceLoad>(&load); force != nullptr && force->body == q.body && force->at == pin)
+            return std::nullopt;
+    const auto truss = truss_of(mechanism);
+    if (!truss) return std::nullopt;
+    const auto is_it = [&](const TrussStructure::Bar& bar) { return bar.body == q.body; };
+    if (std::none_of(truss->bars.begin(), truss->bars.end(), is_it)) return std::nullopt;
+    return Quantity{.kind = Kind::bar, .body = q.body};
+}
+
 std::vector<Column> possible_results(const Mechanism& mechanism) { return Possible(mechanism).all(); }
 
 std::vector<Column> asked_columns(const Mechanism& mechanism) {
@@ -155,6 +184,7 @@ std::vector<Column> asked_columns(const Mechanism& mechanism) {
         const auto found =
             std::find_if(possible.begin(), possible.end(), [&](const Column& other) { return other.name == each.name; });
         columns.push_back(found != possible.end() ? *found : Column{Column::Kind::named, {}, each.name, QuantityKind::angle});
+        if (const auto bar = bar_of(columns.back(), mechanism)) columns.back().quantity = *bar;
     }
     return columns;
 }

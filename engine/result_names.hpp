@@ -2,11 +2,13 @@
 // values.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/column.hpp"
 #include "engine/mechanism.hpp"
+#include "engine/statement.hpp"
 
 namespace kinegraph {
 
@@ -19,12 +21,20 @@ void add_columns(const Quantity& quantity, const Mechanism& mechanism, const std
 Column modulus_column(const Quantity& vector, const Mechanism& mechanism, const std::string& subject);
 bool is_modulus(const Column& column);
 
+/// A force or a couple as solutions call it: F_32 of body 3 on body 2, F_A2 of the pin A; with the joint's name where the two
+/// bodies meet at several joints.
+Symbol symbol_of_action(const Quantity& action, const Mechanism& mechanism);
+
 /// All that a solution of this mechanism may hold, under every name that it may have there: of a point that several bodies carry
 /// "vx A" and "vx A on 4". Of a problem in place of joints only the solution tells.
 std::vector<Column> possible_results(const Mechanism& mechanism);
 
-/// What the file asks for, in its order. What has no column in a sweep (a value of a problem, the transmission angle) has its
-/// name alone.
+/// Of a truss: the force in a bar (Quantity::Kind::bar, tension positive), where a column is the length of what a pin exerts on
+/// it and nothing else acts on the bar there.
+std::optional<Quantity> bar_of(const Column& column, const Mechanism& mechanism);
+
+/// What the file asks for, in its order, forces of pins on the bars of a truss as those in the bars. What has no column in a
+/// sweep (a value of a problem, the transmission angle) has its name alone.
 std::vector<Column> asked_columns(const Mechanism& mechanism);
 
 /// The least angle between a coupler and what it drives, over the whole travel of the first driver (Transmission).

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "constructions/named_results.hpp"
 #include "engine/compound_units.hpp"
 #include "engine/result_names.hpp"
 #include "render/sheet/drawn_sheet.hpp"
@@ -199,6 +201,133 @@ TEST(Key, TellsComponentsAndAnglesByTheirValues) {
         if (figure.kind == "velocity") {
             EXPECT_NEAR(*key[1].tolerance, 0.5 * figure.scale, 1e-9);
         }
+}
+
+/// An offset slider-crank under load, at whose pins and guide forces act.
+std::string loaded_slider(const std::string& ask) {
+    return R"({
+      "kinegraph": 1, "units": {"length": "mm", "moment": "N m"}, "frame": 1,
+      "points": {"O": [0, 0], "A": {"from": "O", "distance": 50, "angle": 60},
+                 "B": {"meet": [{"circle": "A", "radius": 200}, {"line": [0, 15], "angle": 0}], "side": "right"}},
+      "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
+      "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+                 {"prismatic": "B", "name": "guide", "bodies": [4, 1], "along": 0}],
+      "drivers": [{"body": 2, "omega": 20}], "loads": [{"force": "P", "body": 4, "at": "B", "value": [-800, 100]}, {"couple": "T", "body": 4, "value": 5}],
+      "effort": {"couple": "M", "body": 2}, "find": ["velocity", "acceleration", "forces"], "ask": )" +
+           ask + "}";
+}
+/// A slider on a link that turns, its guide named by two points.
+std::string inverted_slider(const std::string& ask) {
+    return R"({
+      "kinegraph": 1, "units": {"length": "mm", "velocity": "m/s"}, "frame": 0,
+      "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 60, "angle": 40}, "O4": [-35, -120],
+                 "C": {"from": "O4", "to": "A", "distance": 260}, "D": {"from": "C", "distance": 90, "angle": 10}},
+      "bodies": {"2": ["O2", "A"], "3": ["A"], "4": ["O4", "C", "D"]},
+      "joints": [{"revolute": "O2", "bodies": [0, 2]}, {"revolute": "A", "bodies": [2, 3]},
+                 {"prismatic": "A", "name": "S", "bodies": [3, 4], "along": ["O4", "C"]}, {"revolute": "O4", "bodies": [0, 4]}],
+      "drivers": [{"body": 2, "omega": -24, "alpha": 4}], "find": ["velocity", "acceleration"], "ask": )" +
+           ask + "}";
+}
+/// The results by name with their values, as a program hands them to the key.
+std::vector<AskedValue> values_asked(const Solution& solution) {
+    std::vector<AskedValue> asked;
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts()};
+    const std::vector<NamedResult> results = *asked_results(solution);
+    for (const NamedResult& each : results) {
+        const Unit unit = unit_of(each.column.unit, solution.mechanism.units);
+        asked.push_back({each.column, each.value, unit.symbol, unit.si.to_double(), asked_text(context, each.column).symbol});
+    }
+    return asked;
+}
+std::vector<render::Answer> key_in(const Solution& solution) {
+    const SheetOptions options;
+    const DrawingContext context{solution, options.theme, fonts()};
+    return key_of(context, draw_solution(solution, options, fonts()).figures, values_asked(solution));
+}
+
+/// Each direction by the components of the force on that body.
+TEST(Key, HasTheForceThatIsAskedForAndNotItsReaction) {
+    const Solution solution = tests::solved(loaded_slider(
+        R"(["F A 3 on 2", "F A 2 on 3", "F O 1 on 2", "F O 2 on 1", "F guide 4 on 1", "C guide 1 on 4", "C guide 4 on 1"])"));
+    const std::vector<render::Answer> key = key_in(solution);
+    ASSERT_EQ(key.size(), 7U);
+    std::map<std::string, render::Answer> by_name;
+    for (const render::Answer& each : key) by_name.emplace(name_of(each.symbol), each);
+    ASSERT_EQ(by_name.size(), 7U) << "no row twice";
+    const std::vector<NamedResult> results = named_results(solution);
+    const auto value = [&](const std::string& name) {
+        return std::find_if(results.begin(), results.end(), [&](const NamedResult& each) { return each.column.name == name; })
+            ->value;
+    };
+    for (const auto& [symbol, action] : std::map<std::string, std::string>{
+             {"F_32", "A 3 on 2"}, {"F_23", "A 2 on 3"}, {"F_12", "O 1 on 2"}, {"F_21", "O 2 on 1"}, {"F_41", "guide 4 on 1"}}) {
+        ASSERT_TRUE(by_name.contains(symbol) && by_name.at(symbol).direction) << symbol;
+        const double angle = *by_name.at(symbol).direction * std::numbers::pi / 180, size = by_name.at(symbol).value;
+        EXPECT_NEAR(size * std::cos(angle), value("Fx " + action), 1e-6) << symbol;
+        EXPECT_NEAR(size * std::sin(angle), value("Fy " + action), 1e-6) << symbol;
+    }
+    EXPECT_EQ(by_name.at("M_14").value, value("C guide 1 on 4"));
+    EXPECT_EQ(by_name.at("M_41").value, value("C guide 4 on 1"));
+}
+
+/// A scalar with a sign needs its positive sense, in question and key alike, and the name that the solution gives the vector.
+TEST(Sliding, IsAskedForWithBodiesAndPositiveSense) {
+    const Solution inverted = tests::solved(inverted_slider(R"(["v S", "a S"])"));
+    const Solution slider = tests::solved(loaded_slider(R"(["v guide"])"));
+    const Theme theme;
+    const auto asks = [&](const Solution& solution, Language language) {
+        return plainly(sought_of({solution, theme, fonts(), language}));
+    };
+    EXPECT_TRUE(has(asks(inverted, Language::en), "v_AA* of body 3 relative to body 4 at A, positive from O_4 to C"));
+    EXPECT_TRUE(has(asks(inverted, Language::it), "v_AA* del corpo 3 rispetto al corpo 4 in A, positiva da O_4 verso C"));
+    EXPECT_TRUE(has(asks(slider, Language::en), "v_B of body 4 relative to the frame at B, positive along 0°"));
+    EXPECT_TRUE(has(asks(slider, Language::it), "v_B del corpo 4 rispetto al telaio in B, positiva lungo 0°"));
+    for (const Solution* solution : {&inverted, &slider}) {
+        const std::vector<NamedResult> asked = *asked_results(*solution);
+        const std::vector<render::Answer> key = key_in(*solution);
+        ASSERT_EQ(key.size(), asked.size());
+        EXPECT_LT(key[0].value, 0);
+        EXPECT_EQ(key[0].value, asked[0].value / solution->mechanism.units.velocity.si.to_double());
+        ASSERT_TRUE(key[0].direction);
+    }
+    const Vector guide = inverted.pose.at(PointIndex(3)) - inverted.pose.at(PointIndex(2));
+    EXPECT_NEAR(*key_in(inverted)[0].direction, std::atan2(guide.y.to_double(), guide.x.to_double()) * 180 / std::numbers::pi,
+                1e-9);
+    EXPECT_EQ(*key_in(slider)[0].direction, 0);
+    EXPECT_TRUE(
+        has(plainly(signs_of({inverted, theme, fonts(), Language::en})), "relative to body 4 at A is positive from O_4 to C"));
+}
+
+TEST(Key, HasEachHeadingOnceInTheOrderOfTheSolution) {
+    const Solution solution = tests::solved(inverted_slider(R"(["a S", "v S", "ax D", "angle 4", "vx D", "omega 4"])"));
+    std::vector<Topic> sections;
+    for (const render::Answer& each : key_in(solution))
+        if (sections.empty() || sections.back() != each.section) sections.push_back(each.section);
+    EXPECT_EQ(sections, (std::vector<Topic>{Topic::unnamed, Topic::velocity, Topic::acceleration}));
+}
+
+/// By the names of the solution, tension positive.
+TEST(Bars, AreAskedForAsTheSolutionNamesThem) {
+    const Solution truss = tests::solved(tests::contents(tests::fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "truss.json"));
+    const Theme theme;
+    for (const Language language : {Language::en, Language::it}) {
+        const std::string sought = plainly(sought_of({truss, theme, fonts(), language}));
+        EXPECT_TRUE(has(sought, language == Language::it ? "lo sforzo F_AD nell’asta AD (corpo 5), positivo di trazione"
+                                                         : "the force F_AD in the bar AD (body 5), tension positive"))
+            << sought;
+        EXPECT_TRUE(has(plainly(signs_of({truss, theme, fonts(), language})), language == Language::it ? "trazione" : "tension"));
+    }
+    const std::vector<render::Answer> key = key_in(truss);
+    const std::vector<NamedResult> asked = *asked_results(truss);
+    ASSERT_EQ(key.size(), 3U);
+    for (const NamedResult& each : asked) {
+        const auto row = std::find_if(key.begin(), key.end(),
+                                      [&](const render::Answer& answer) { return answer.quantity == each.column.quantity; });
+        ASSERT_NE(row, key.end()) << each.column.name;
+        EXPECT_NEAR(row->value, each.value / truss.mechanism.units.force.si.to_double(), 1e-9) << "the quiz asks for the same";
+    }
+    EXPECT_LT(asked[0].value, 0) << "the rafter is compressed";
 }
 
 TEST(Scales, AreThoseOfWhatIsSought) {

@@ -11,6 +11,7 @@
 #include "constructions/polygon_pen.hpp"
 #include "constructions/space_diagram.hpp"
 #include "engine/centre_symbol.hpp"
+#include "engine/sliding.hpp"
 
 namespace kinegraph::act {
 

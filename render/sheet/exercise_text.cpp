@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "engine/compound_units.hpp"
 #include "engine/exercise.hpp"
 #include "engine/problem.hpp"
 #include "engine/result_names.hpp"
+#include "engine/sliding.hpp"
 #include "render/figures/caption.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
@@ -46,6 +49,18 @@ public:
         return std::move(rows_);
     }
 
+    /// What the signs of asked results mean.
+    std::vector<RichText> signs() && {
+        bool bars = false;
+        for (const Column& column : asked_columns(mechanism_)) {
+            const Quantity& q = column.quantity;
+            bars = bars || q.kind == Quantity::Kind::bar;
+            if (column.kind == Column::Kind::along) say("sense of sliding", sliding(q.joint, symbol_asked(column)));
+        }
+        if (bars || (solution_.truss && asked_of(mechanism_).empty())) say("sense of bars", {});
+        return std::move(rows_);
+    }
+
     std::vector<RichText> sought() && {
         if (!asked_of(mechanism_).empty()) {
             add_asked();
@@ -80,7 +95,7 @@ public:
 
     AskedText asked(const Column& column) && {
         AskedText text;
-        if (column.kind != Column::Kind::named) text.symbol = typeset(column, mechanism_, language());
+        if (column.kind != Column::Kind::named) text.symbol = symbol_asked(column);
         if (column.name == transmission_angle_name) {
             text.symbol = one_piece("γ", Face::italic);
             text.symbol.back().sub = "min";
@@ -417,6 +432,43 @@ private:
         }
         return text;
     }
+    /// As the solution calls it, where it has the whole of it; its length in italics.
+    RichText symbol_asked(const Column& column) const {
+        const Quantity& q = column.quantity;
+        const auto scalar = [&](const Symbol& of) { return letter(of.letter, of.about, of.term); };
+        if (column.kind == Column::Kind::along) {
+            const auto symbol = symbol_of_sliding(solution_, q.joint, q.kind == Quantity::Kind::sliding_acceleration);
+            if (symbol) return scalar(*symbol);
+        }
+        if (q.kind == Quantity::Kind::bar) return letter(Symbol::Letter::F, bar(q.body));
+        const bool acts = q.kind == Quantity::Kind::force || q.kind == Quantity::Kind::couple;
+        if (acts && q.component == Quantity::Component::whole) return scalar(symbol_of_action(q, mechanism_));
+        return typeset(column, mechanism_, language());
+    }
+    /// Of a truss: by its pins.
+    std::string bar(BodyIndex body) const {
+        if (solution_.truss)
+            for (const TrussStructure::Bar& each : solution_.truss->structure.bars)
+                if (each.body == body) return each.name;
+        return mechanism_.body(body).name;
+    }
+    std::vector<RichText> sliding(JointIndex index, const RichText& symbol) const {
+        const Joint& joint = mechanism_.joint(index);
+        return {symbol, owner(joint.bodies[0]), called(joint.bodies[1], "relative to the frame", "relative to the body"),
+                name(joint.point), positive_sense(index)};
+    }
+    /// Between points that the file names, else by its angle in the drawn position.
+    RichText positive_sense(JointIndex index) const {
+        const Joint& joint = mechanism_.joint(index);
+        if (joint.along)
+            if (const auto* between = std::get_if<Bearing::Between>(&joint.along->form))
+                return filled("positive from", {name(between->from), name(between->to)});
+        const VectorOf<double> way = direction_of_sliding(solution_.pose, index);
+        const double degrees = std::round(std::atan2(way.y, way.x) * 1800 / std::numbers::pi) / 10;
+        RichText angle = number_of(degrees == 0 ? 0 : degrees);
+        append(angle, "°");
+        return filled("positive along", {angle});
+    }
     void say_asked(const Column& column, const RichText& symbol) {
         const Quantity& q = column.quantity;
         switch (column.kind) {
@@ -427,7 +479,7 @@ private:
                 return say("asked place", {symbol, carried(column)});
             case Column::Kind::along:
                 return say(q.kind == Quantity::Kind::sliding_velocity ? "asked sliding velocity" : "asked sliding acceleration",
-                           {symbol, name(mechanism_.joint(q.joint).point)});
+                           sliding(q.joint, symbol));
             case Column::Kind::result:
                 return say_asked_result(column, symbol);
             case Column::Kind::turn:
@@ -458,6 +510,8 @@ private:
                 return say(q.other == none ? "asked couple of pin" : "asked couple", action(q, symbol));
             case Quantity::Kind::effort:
                 return std::visit([&](const auto& effort) { add_effort(effort); }, mechanism_.efforts[at_index(q.given)]);
+            case Quantity::Kind::bar:
+                return say("asked bar", {symbol, plain_words(bar(q.body)), plain_words(mechanism_.body(q.body).name)});
             default:
                 return say("asked by name", {symbol, plain_words(column.name)});
         }
@@ -500,6 +554,7 @@ RichText given_amount(const Exact& si, const Unit& unit, Language language) {
 
 std::vector<RichText> data_of(const DrawingContext& context) { return ExerciseText(context).data(); }
 std::vector<RichText> sought_of(const DrawingContext& context) { return ExerciseText(context).sought(); }
+std::vector<RichText> signs_of(const DrawingContext& context) { return ExerciseText(context).signs(); }
 AskedText asked_text(const DrawingContext& context, const Column& column) { return ExerciseText(context).asked(column); }
 
 std::string heading_of(Topic section, Language language) {
@@ -529,7 +584,8 @@ bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure) {
     const auto needs = [&](const Column& column) {
         const Kind kind = column.quantity.kind;
         const bool is_result = column.kind == Column::Kind::result || column.kind == Column::Kind::along;
-        const bool forces = is_result && (kind == Kind::force || kind == Kind::couple || kind == Kind::effort);
+        const bool forces =
+            is_result && (kind == Kind::force || kind == Kind::couple || kind == Kind::effort || kind == Kind::bar);
         const bool accelerations =
             is_result && (kind == Kind::alpha || kind == Kind::acceleration || kind == Kind::sliding_acceleration);
         const bool velocities = is_result && (kind == Kind::omega || kind == Kind::velocity || kind == Kind::sliding_velocity);

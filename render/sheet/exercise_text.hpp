@@ -16,6 +16,8 @@ namespace kinegraph::render {
 std::vector<RichText> data_of(const DrawingContext& context);
 /// What is asked for: by `ask`, else what the file states in `find`, else all that its data allow.
 std::vector<RichText> sought_of(const DrawingContext& context);
+/// For the key: in which sense what slides is positive, and the forces in bars; a paragraph each.
+std::vector<RichText> signs_of(const DrawingContext& context);
 /// A result as an exercise asks for it: ω_3, "the angular velocity ω_3 of body 3".
 struct AskedText {
     RichText symbol;

@@ -164,7 +164,8 @@ private:
         }
         close();
         add_equations(passages);
-        std::vector<RichText> remarks{one_piece(word("tolerances", context_.language))};
+        std::vector<RichText> remarks = signs_of(context_);
+        remarks.push_back(one_piece(word("tolerances", context_.language)));
         if (auto remark = remark_on_unreadable(context_, answers)) {
             remarks_.push_back(*remark);
             remarks.push_back(*std::move(remark));

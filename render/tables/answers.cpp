@@ -9,6 +9,7 @@
 #include "engine/centre_symbol.hpp"
 #include "engine/displacements.hpp"
 #include "engine/result_names.hpp"
+#include "engine/sliding.hpp"
 #include "engine/units.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/force_tables.hpp"
@@ -19,9 +20,10 @@ namespace {
 
 using Kind = Quantity::Kind;
 
+/// From 0 to 360.
+double whole_turn(double degrees) { return degrees < 0 ? degrees + 360 : degrees; }
 double degrees_of(const Vector& vector) {
-    const double angle = std::atan2(vector.y.to_double(), vector.x.to_double()) * 180 / std::numbers::pi;
-    return angle < 0 ? angle + 360 : angle;
+    return whole_turn(std::atan2(vector.y.to_double(), vector.x.to_double()) * 180 / std::numbers::pi);
 }
 
 /// What the file's drivers give.
@@ -178,6 +180,7 @@ private:
         Answer answer{row.symbol, Topic::forces, row.drawing, row.unit};
         answer.quantity = row.quantity;
         if (row.group.couples) {
+            if (kind == Kind::force) answer.quantity.kind = Kind::couple;
             read_couple(row, answer);
         } else {
             read_vector(row, answer);
@@ -340,22 +343,15 @@ private:
     std::vector<Cells> lines_;
 };
 
-/// Whether the motion of a point is that of a slide on the frame, whose first body carries it.
-bool is_slide_of(const Quantity& own, const Quantity& wanted, const Mechanism& mechanism) {
-    const bool velocity = own.kind == Kind::velocity && wanted.kind == Kind::sliding_velocity;
-    const bool acceleration = own.kind == Kind::acceleration && wanted.kind == Kind::sliding_acceleration;
-    if (!(velocity || acceleration) || own.part != Quantity::Part::whole) return false;
-    const Joint& joint = mechanism.joint(wanted.joint);
-    return joint.bodies[1] == frame && joint.pair().has_guide() && joint.point == own.point;
-}
-
 /// Whether an answer is the result, or the vector of which it is a component; action and reaction are one.
 bool is_of(const Answer& answer, const Column& column, const Mechanism& mechanism) {
     if (column.kind != Column::Kind::result && column.kind != Column::Kind::along) return false;
     const Quantity wanted = column.quantity.along(Quantity::Component::whole);
     Quantity own = answer.quantity;
     if (own == wanted) return true;
-    if (own.kind != wanted.kind) return is_slide_of(own, wanted, mechanism);
+    if (wanted.kind == Kind::sliding_velocity || wanted.kind == Kind::sliding_acceleration)
+        return is_of_sliding(own, wanted.joint, wanted.kind == Kind::sliding_acceleration, mechanism);
+    if (own.kind != wanted.kind) return false;
     if (own.kind == Kind::velocity || own.kind == Kind::acceleration) {
         own.body = wanted.body;  // whichever body carries the point, as long as only one vector has its name
         return own == wanted;
@@ -412,7 +408,46 @@ Answer told_by_name(const DrawingContext& context, const std::vector<Answer>& an
     if (!(*answer.tolerance > 0)) answer.tolerance.reset();
     answer.quantity = asked.column.quantity;
     answer.words = asked.symbol;
+    if (asked.column.kind == Column::Kind::along) {
+        const VectorOf<double> positive = direction_of_sliding(context.solution.pose, asked.column.quantity.joint);
+        answer.direction = whole_turn(std::atan2(positive.y, positive.x) * 180 / std::numbers::pi);
+    }
     return answer;
+}
+
+/// A force or a couple as it acts on the body for which it is asked; any other answer as it is.
+Answer as_asked(Answer answer, const Column& column, const Solution& solution) {
+    const Quantity& wanted = column.quantity;
+    if (wanted.kind != Kind::force && wanted.kind != Kind::couple) return answer;
+    for (const JointForce& each : solution.forces) {
+        if (each.joint != wanted.joint || each.on != wanted.body || each.from != wanted.other) continue;
+        answer.quantity = wanted;
+        answer.symbol = symbol_of_action(wanted, solution.mechanism);
+        if (wanted.kind == Kind::couple && each.couple) answer.value = std::copysign(answer.value, each.couple->to_double());
+        if (answer.direction && each.force) answer.direction = degrees_of(*each.force);
+    }
+    return answer;
+}
+
+/// Where a section stands among those of a solution; what is of none comes first.
+int order_of(Topic section) {
+    switch (section) {
+        case Topic::unnamed:
+            return 0;
+        case Topic::centres:
+            return 1;
+        case Topic::velocity:
+            return 2;
+        case Topic::acceleration:
+            return 3;
+        case Topic::relative_motion:
+            return 4;
+        case Topic::curvature:
+            return 5;
+        case Topic::forces:
+            break;
+    }
+    return 6;
 }
 
 }  // namespace
@@ -455,18 +490,23 @@ std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figu
         std::erase_if(answers, [&](const Answer& each) { return is_on_the_way(mechanism.find, each.section); });
         return answers;
     }
-    // A component follows its vector; what belongs to none stands before all.
-    std::vector<std::pair<std::ptrdiff_t, Answer>> placed;
+    // Section by section; in each a component follows its vector, and what belongs to none stands first.
+    std::vector<std::pair<std::pair<int, std::ptrdiff_t>, Answer>> placed;
+    const auto put = [&](std::ptrdiff_t place, Answer answer) {
+        const int section = order_of(answer.section);
+        placed.emplace_back(std::pair(section, place), std::move(answer));
+    };
     for (const Column& column : columns) {
         const auto of =
             std::find_if(answers.begin(), answers.end(), [&](const Answer& each) { return is_of(each, column, mechanism); });
         const std::ptrdiff_t place = of == answers.end() ? -1 : of - answers.begin();
         const auto has_name = [&](const AskedValue& each) { return each.column.name == column.name; };
         const auto value = std::find_if(asked.begin(), asked.end(), has_name);
-        if (place >= 0 && column.quantity.component == Quantity::Component::whole)
-            placed.emplace_back(place, *of);
+        const bool is_whole = column.kind == Column::Kind::result && column.quantity.component == Quantity::Component::whole;
+        if (place >= 0 && is_whole)
+            put(place, as_asked(*of, column, context.solution));
         else if (value != asked.end())
-            placed.emplace_back(place, told_by_name(context, answers, drawn, *value));
+            put(place, told_by_name(context, answers, drawn, *value));
     }
     std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Answer> key;

@@ -23,7 +23,8 @@ struct Answer {
     double value = 0;  ///< in `unit`; of a vector its length, of what turns counter-clockwise positive
     std::string unit;
     std::optional<double> tolerance{};          ///< in `unit`; none: no figure says how large it is drawn
-    std::optional<double> direction{};          ///< of a vector, degrees counter-clockwise from +x
+    std::optional<double> direction{};          ///< of a vector, degrees counter-clockwise from +x; of what slides that in which
+                                                ///< its value is positive
     std::optional<std::array<double, 2>> at{};  ///< of an instant centre, in `unit`; at infinity it has a direction only
     Quantity quantity{};                        ///< none of an instant centre
     std::optional<Symbol> read_off{};           ///< the vector that tells its length, or the quotient or product that it is
@@ -47,7 +48,7 @@ std::vector<Answer> answers_of(const DrawingContext& context, const std::vector<
 /// Of these what the file asks for by name, or what that is a component of; all where it asks for nothing by name.
 std::vector<Answer> answers_sought(const Mechanism& mechanism, std::vector<Answer> answers);
 /// The key: answers_of without what is found on the way to what `find` states; where the file asks for results by name those
-/// alone, in the order of the solution. `asked`: their values;
+/// alone, section by section in the order of the solution, actions and reactions as they are asked for. `asked`: their values;
 /// what no vector of the solution holds whole (components, places, angles) is told from these.
 std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figure>& drawn, const std::vector<AskedValue>& asked);
 /// Those of which a reading says nothing: it may be off by as much as they are large.
