@@ -124,6 +124,75 @@ double fill_of(const Page& page, const SheetFormat& format, bool first) {
     return static_cast<double>(std::count(taken.begin(), taken.end(), true)) / static_cast<double>(taken.size());
 }
 
+/// The statements told with a number, in the order of their numbers.
+std::vector<StatementIndex> in_order_of_numbers(const std::vector<Page>& pages) {
+    std::map<int, StatementIndex> told;
+    for (const Page& page : pages) {
+        int depth = 0, figure = 0;  // numbers in figures are those of lines
+        for (const Mark& mark : page.marks) {
+            if (const auto* group = std::get_if<GroupBegin>(&mark); group && (++depth, figure == 0) && group->cls == "figure")
+                figure = depth;
+            const auto* text = std::get_if<TextMark>(&mark);
+            if (text && figure == 0 && text->statement != none && is_number(text->words))
+                told.emplace(std::stoi(text->words), text->statement);
+            if (std::holds_alternative<GroupEnd>(mark) && depth-- == figure) figure = 0;
+        }
+    }
+    std::vector<StatementIndex> order;
+    for (const auto& [number, statement] : told)
+        if (std::find(order.begin(), order.end(), statement) == order.end()) order.push_back(statement);
+    return order;
+}
+
+/// By its name, with the statement that finds it; what is given has none.
+std::map<std::string, StatementIndex> found_by(const Solution& solution) {
+    std::map<std::string, StatementIndex> found;
+    for (const FreeBody& body : solution.free_bodies)
+        for (const AppliedForce& applied : body.forces)
+            if (!body.in_parts && applied.force_statement != none)
+                found.emplace(name_of(applied.symbol), applied.force_statement);
+    return found;
+}
+
+/// Of the forces that a statement closes a polygon with, those that others find.
+std::map<std::string, StatementIndex> used_by(const Solution& solution, StatementIndex statement) {
+    std::map<std::string, StatementIndex> used;
+    for (const FreeBody& body : solution.free_bodies)
+        if (body.statement == statement && !body.in_parts)
+            for (const AppliedForce& applied : body.forces)
+                if (applied.force_statement != none && applied.force_statement != statement)
+                    used.emplace(name_of(applied.symbol), applied.force_statement);
+    const Message& said = solution.protocol.statements[at_index(statement)].message;
+    const auto found = found_by(solution);
+    if (said.sentence == Sentence::known_resultant)
+        for (const Symbol& symbol : std::get<Symbols>(said.arguments[1]))
+            if (const auto finding = found.find(name_of(symbol)); finding != found.end()) used.insert(*finding);
+    return used;
+}
+
+TEST(Bands, UseNoForceBeforeTheSentenceThatFindsIt) {
+    for (const std::string& name : example_names()) {
+        const Solution solution = example(name);
+        if (solution.free_bodies.empty()) continue;
+        for (const SolutionDetail detail : {SolutionDetail::full, SolutionDetail::brief})
+            for (const Language language : {Language::en, Language::it}) {
+                SheetOptions options;
+                options.detail = detail;
+                options.language = language;
+                std::set<StatementIndex> told;
+                const std::vector<StatementIndex> order = in_order_of_numbers(lay_out(solution, options, fonts()));
+                for (const StatementIndex statement : order) {
+                    for (const auto& [force, finding] : used_by(solution, statement)) {
+                        const bool is_told = std::find(order.begin(), order.end(), finding) != order.end();
+                        EXPECT_TRUE(!is_told || told.contains(finding))
+                            << name << ": " << force << " by " << statement.number() << ", found by " << finding.number();
+                    }
+                    told.insert(statement);
+                }
+            }
+    }
+}
+
 // Aimed at are 0.70 on average and 0.50 at least; this is what is reached.
 TEST(Bands, FillTheirPages) {
     const SheetFormat format = format_of(Paper::a4, Orientation::landscape);

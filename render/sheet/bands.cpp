@@ -303,6 +303,17 @@ bool may_be_merged(const Message& message) {
     }
 }
 
+/// Whether a polygon is closed with a force that the body's own sentence finds, or that follows from one it finds.
+bool leads_to_polygon(const Solution& solution, const FreeBody& body) {
+    if (body.statement == none || body.in_parts) return false;
+    return std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& other) {
+        const bool reads = body.statement < other.statement &&
+                           std::any_of(other.forces.begin(), other.forces.end(),
+                                       [&](const AppliedForce& applied) { return applied.force_statement == body.statement; });
+        return reads && (has_force_polygon(solution, other) || leads_to_polygon(solution, other));
+    });
+}
+
 /// What is between two polygons of relative motion of one point as one observer sees it.
 bool of_one_motion(const Polygon& a, const Polygon& b) {
     return a.point == b.point && a.observer == b.observer && a.translating == b.translating;
@@ -596,10 +607,11 @@ void Bands::collect_bodies() {
         };
         return rank(*a) < rank(*b);
     });
-    // Bars in one row, once it is known what they carry.
+    // Bars in one row, once it is known what they carry; one whose sentence finds what a polygon needs stands before that.
     if (detail_ == SolutionDetail::brief)
-        std::stable_partition(order.begin(), order.end(),
-                              [&](const FreeBody* body) { return has_force_polygon(solution_, *body); });
+        std::stable_partition(order.begin(), order.end(), [&](const FreeBody* body) {
+            return has_force_polygon(solution_, *body) || leads_to_polygon(solution_, *body);
+        });
     bool of_two_forces = false;
     for (const FreeBody* body : order) {
         const std::string name = render::name_of(solution_, *body);
