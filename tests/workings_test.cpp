@@ -40,9 +40,55 @@ TEST(Workings, ComeOutInEveryExample) {
                 double product = 1;
                 for (const auto& [value, squared] : working.factors) product *= squared ? value * value : value;
                 if (working.divisor) product /= *working.divisor;
+                if (!working.summands.empty()) product = 0;
+                for (std::size_t i = 0; i < working.summands.size(); ++i)
+                    product += working.factors[i].value * working.summands[i];
                 EXPECT_NEAR(product, working.result.value, 1e-9 * std::abs(product)) << name << ' ' << name_of(working.of);
             }
     }
+}
+
+/// An inertia in kg mm² is told in kg m², so that no power of ten divides; an angular velocity in the file's unit as well.
+TEST(Workings, UnitsOfTheFileAreBridged) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1,
+        "units": {"length": "mm", "moment": "N m", "inertia": "kg mm²", "angular velocity": "rpm"},
+        "points": {"O": [0, 0], "A": [30, 40], "B": [230, 40]},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+                   {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 0}],
+        "frame": 1, "drivers": [{"body": 2, "omega": "300 rpm"}],
+        "masses": {"3": {"mass": "1 kg", "centre": "A", "inertia": "4000 kg mm²"}}, "inertia forces": true,
+        "effort": {"couple": "M", "body": 2}, "find": ["velocity", "acceleration", "forces"]})");
+    const std::string couple = said(solution, Sentence::inertia_couple), turning = said(solution, Sentence::omega_from_pair);
+    EXPECT_TRUE(has(couple, "M_i~=~−0.004~·~")) << couple;
+    EXPECT_TRUE(has(said(solution, Sentence::crank_velocity), "ω_2~=~300~rpm =~31.4~rad/s")) << turning;
+    EXPECT_TRUE(has(turning, "rad/s =~−45.0~rpm")) << turning;
+}
+
+/// M = ΣF·b in the units of the file's forces and lengths, and F = M/b of the same number; across parallel bars F alone.
+TEST(Workings, MomentsOfCutsAreSumsOfForcesTimesArms) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "units": {"length": "m", "force": "kN"},
+        "points": {"A": [0, 0], "B": [3, 0], "C": [6, 0], "D": [3, 4], "E": [6, 4], "F": [9, 0]},
+        "bodies": {"1": ["A", "B"], "2": ["B", "C"], "3": ["C", "F"], "4": ["A", "D"], "5": ["D", "B"], "6": ["D", "C"],
+                   "7": ["D", "E"], "8": ["E", "C"], "9": ["E", "F"]},
+        "joints": [{"revolute": "A", "bodies": [0, 1, 4]}, {"revolute": "B", "bodies": [1, 2, 5]},
+                   {"revolute": "C", "bodies": [2, 3, 6, 8]}, {"revolute": "D", "bodies": [4, 5, 6, 7]},
+                   {"revolute": "E", "bodies": [7, 8, 9]}, {"revolute": "F", "bodies": [3, 9]},
+                   {"contact": "F", "name": "roller", "bodies": [9, 0], "tangent": 0}],
+        "loads": [{"force": "P", "pin": "B", "magnitude": "30 kN", "along": -90},
+                  {"force": "Q", "pin": "E", "magnitude": "20 kN", "along": 0}],
+        "find": ["forces", {"cut": ["DE", "CD", "BC"]}]})");
+    const std::string about = said(solution, Sentence::truss_cut_moment), across = said(solution, Sentence::truss_cut_across);
+    EXPECT_TRUE(has(about, "M_C~=~−20~·~4 +~18.89~·~3 =~−23.3~kN~m; F_DE~=~23.33/4 =~5.83~kN.")) << about;
+    EXPECT_TRUE(has(about, "M_D~=~18.89~·~6 =~113~kN~m; F_BC~=~113.3/4 =~28.3~kN.")) << about;
+    EXPECT_TRUE(has(across, "F_CD~=~−18.89/0.8 =~−23.6~kN.")) << across;
+}
+
+/// Neither is a divisor written with a power of ten parted from it, nor a product with one broken over a line.
+TEST(Workings, APowerOfTenIsReadWithItsNumber) {
+    const Message message{Sentence::no_force, {}, {{{Symbol::Letter::M, "C", {}}, {{3}}, 2e6, {1.5e-6, "N m"}}}};
+    const std::string words = plain(say(message, render::Language::en));
+    EXPECT_TRUE(has(words, "M_C~=~3/(2~×~10^6) =~1.50~×~10^−6~N~m")) << words;
 }
 
 /// What is said to be turned, and with which ω, gives the term: 2 ω × v_rel.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/shifts.hpp"
 #include "engine/spring_force.hpp"
 
 namespace kinegraph::workings {
@@ -59,9 +60,13 @@ void OfForces::moved_aside(StatementIndex statement, const FreeBody& body, const
     Symbol of = applied.symbol;
     of.letter = Symbol::Letter::M;
     telling_.tell(statement, std::move(of), {}, std::nullopt, in(couple, units_.moment), units_.moment);
-    const double arm = std::abs(couple) / force;
-    telling_.tell(statement, {Symbol::Letter::length, "d", {}}, {{in(arm, units_.length) * in(force, units_.force)}},
-                  in(force, units_.force), in(arm, units_.length), units_.length);
+    tell_aside(statement, std::abs(couple) / force, force);
+}
+
+/// d = M/F, in units that make up that of d.
+void OfForces::tell_aside(StatementIndex statement, double arm, double force) {
+    const double aside = in(arm, units_.length), size = in(force, units_.force);
+    telling_.tell(statement, {Symbol::Letter::length, "d", {}}, {{aside * size}}, size, aside, units_.length);
 }
 
 bool OfForces::is_by_virtual_work(StatementIndex statement) {
@@ -70,12 +75,17 @@ bool OfForces::is_by_virtual_work(StatementIndex statement) {
 }
 
 /// Where the factors' units make another unit than the result's, what makes the one of the other is told with them: 1000 for kN,
-/// 386.1 for pounds and inches.
+/// 386.1 for pounds and inches. What is only written with a power of ten is taken into the first factor instead: kg mm² as kg m².
 void OfForces::product(StatementIndex statement, const Symbol& of, Factors factors, const Exact& made, double value,
                        const Unit& unit) {
     const double ratio = (unit.si / made).to_double();
     constexpr double rounding = 1e-12;
+    constexpr double plain = 1e4;
     std::optional<double> divisor;
+    if (ratio > plain || ratio < 1 / plain) {
+        factors.front().value /= ratio;
+        return telling_.tell(statement, of, std::move(factors), divisor, in(value, unit), unit);
+    }
     if (ratio > 1 + rounding) divisor = ratio;
     if (ratio < 1 - rounding) factors.push_back({1 / ratio});
     telling_.tell(statement, of, std::move(factors), divisor, in(value, unit), unit);
@@ -161,15 +171,44 @@ void OfForces::left_over(const Resultant& resultant) {
 
 void OfForces::by_ritter(const Truss::Cut& cut) {
     const Message& said = telling_.message(cut.statement);
-    if (said.sentence != Sentence::truss_cut_moment || !solution_.truss->bars[at_index(cut.found)].force) return;
-    const double moment = cut.moment->to_double();
+    if (!solution_.truss->bars[at_index(cut.found)].force) return;
+    const double force = in(solution_.truss->tension(at_index(cut.found), solution_.pose.points), units_.force);
     const double arm = solution_.truss->numbers_of(cut, solution_.pose.points).arm;
-    const double force = solution_.truss->tension(at_index(cut.found), solution_.pose.points);
     const Symbol of = std::get<Symbol>(said.arguments[1]);
-    telling_.tell(cut.statement, {Symbol::Letter::M, cut.pivot_name, {}}, {}, std::nullopt, in(moment, units_.moment),
-                  units_.moment);
-    telling_.tell(cut.statement, of, {{in(force, units_.force) * in(arm, units_.length)}}, in(arm, units_.length),
-                  in(force, units_.force), units_.force);
+    if (!cut.pivot) return telling_.tell(cut.statement, of, {{force * arm}}, arm, force, units_.force);
+    // In the unit that the force has times the arm's, so that the one follows from the other as it is read.
+    Unit unit{units_.force.symbol + " " + units_.length.symbol, units_.force.si * units_.length.si};
+    if (unit.si == units_.moment.si) unit = units_.moment;
+    const double b = in(arm, units_.length);
+    telling_.tell_sum(cut.statement, {Symbol::Letter::M, cut.pivot_name, {}}, moments_on_side(cut),
+                      in(cut.moment->to_double(), unit), unit);
+    telling_.tell(cut.statement, of, {{force * b}}, b, force, units_.force);
+}
+
+/// F·b of each force on one side of a cut but those of the bars that it looks for.
+std::vector<Telling::Product> OfForces::moments_on_side(const Truss::Cut& cut) const {
+    const Truss& truss = *solution_.truss;
+    std::vector<Telling::Product> moments;
+    const auto add = [&](const Vector& force, int pin) {
+        const Vector from = solution_.pose.at(truss.structure.pins[at_index(pin)].point) - *cut.pivot;
+        const double moment = cross(from, force).to_double(), size = length(force);
+        constexpr double through = 1e-9;
+        if (std::abs(moment) <= through * size * solution_.pose.size.to_double()) return;
+        moments.push_back({std::copysign(in(size, units_.force), moment), in(std::abs(moment) / size, units_.length)});
+    };
+    const auto among = [](const std::vector<int>& some, int one) {
+        return std::find(some.begin(), some.end(), one) != some.end();
+    };
+    for (const int pin : cut.side) {
+        for (const Truss::External& external : truss.externals)
+            if (external.pin == pin && external.force) add(*external.force, pin);
+        for (const int bar : truss.structure.pins[at_index(pin)].bars) {
+            const Recorded<Vector>& pull = truss.bars[at_index(bar)].force;
+            if (!pull || among(cut.bars, bar) || among(cut.side, truss.structure.other_end(bar, pin))) continue;
+            add(truss.structure.bars[at_index(bar)].pins[0] == pin ? *pull : -*pull, pin);
+        }
+    }
+    return moments;
 }
 
 void OfForces::resultant_found(const AppliedForce& sum) {
@@ -188,15 +227,17 @@ void OfForces::added_up(const FreeBody& body) {
         resultant_found(sum);
         for (const FreeBody::Arm& arm : body.arms)
             if (arm.is_shift && (arm.statement == sum.force_statement || moves(arm.statement, sum.symbol))) {
-                const double aside = in(distance(arm.about, arm.foot), units_.length),
-                             force = in(length(sum.force), units_.force);
-                telling_.tell(arm.statement, {Symbol::Letter::length, "d", {}}, {{aside * force}}, force, aside, units_.length);
+                tell_aside(arm.statement, distance(arm.about, arm.foot), length(sum.force));
             }
     }
 }
 
 void OfForces::added_up(const TakenTogether& together) {
-    for (const AppliedForce& sum : together.sums) resultant_found(sum);
+    for (const AppliedForce& sum : together.sums) {
+        resultant_found(sum);
+        for (const StatementIndex each : indices_of(protocol_.statements))
+            if (const auto arm = shift_of(solution_, each, sum)) tell_aside(each, length(*arm), length(sum.force));
+    }
 }
 
 void OfForces::superposed(const Superposition& superposition) {

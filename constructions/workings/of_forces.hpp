@@ -29,7 +29,7 @@ public:
     void distributed(StatementIndex statement);
     /// A force by its magnitude, a couple with its sign.
     void left_over(const Resultant& resultant);
-    /// Of a cut: the moment of what acts on one side, and F = M/b.
+    /// Of a cut: the moment of what acts on one side as ΣF·b, and F = M/b; across parallel bars F = the component/the sine.
     void by_ritter(const Truss::Cut& cut);
     /// Resultants, and by how much an inertia force is moved aside: d = M/F.
     void added_up(const FreeBody& body);
@@ -42,6 +42,8 @@ public:
 private:
     Factors force_times_arm(StatementIndex statement, const FreeBody& body, double couple) const;
     void moved_aside(StatementIndex statement, const FreeBody& body, const AppliedForce& applied);
+    void tell_aside(StatementIndex statement, double arm, double force);
+    std::vector<Telling::Product> moments_on_side(const Truss::Cut& cut) const;
     bool is_by_virtual_work(StatementIndex statement);
     void product(StatementIndex statement, const Symbol& of, Factors factors, const Exact& made, double value, const Unit& unit);
     void resultant_found(const AppliedForce& sum);

@@ -53,6 +53,9 @@ void OfMotion::drawn(const DrawnVector& vector) {
     Factors factors = known ? factors_of(vector, si) : Factors{};
     // A term of an equation that was known already needs no value where nothing is worked out.
     if (known && factors.empty() && protocol_.statements[at_index(vector.statement)].equation) return;
+    if (said.sentence == Sentence::crank_velocity && !factors.empty())
+        telling_.tell_given_turning(vector.statement, std::get<Symbol>(said.arguments[4]),
+                                    telling_.spin(vector.body, Symbol::Letter::omega));
     telling_.tell(vector.statement, vector.symbol, std::move(factors), std::nullopt, value, unit);
     if (vector.role == Role::coriolis) tell_direction(vector);
 }
@@ -116,10 +119,15 @@ void OfMotion::turning_found(StatementIndex statement, const Quantity& quantity,
     const bool omega = letter == Symbol::Letter::omega;
     const double value = telling_.spin(quantity.body, letter);
     const Symbol of{letter, solution_.mechanism.bodies[at_index(quantity.body)].name, ""};
-    static const Unit per_second{"rad/s", 1}, per_second_squared{"rad/s²", 1};
-    const Unit& unit = omega ? per_second : per_second_squared;
+    static const Unit per_second_squared{"rad/s²", 1};
+    const auto tell = [&](Factors factors, std::optional<double> divisor, double result) {
+        if (omega)
+            telling_.tell_turning(statement, of, std::move(factors), divisor, result);
+        else
+            telling_.tell(statement, of, std::move(factors), divisor, result, per_second_squared);
+    };
     if (said.sentence == Sentence::omega_by_fixed_guide || said.sentence == Sentence::alpha_by_fixed_guide) return;
-    if (magnitudes_.is_noise(quantity, value)) return telling_.tell(statement, of, {}, std::nullopt, 0, unit);
+    if (magnitudes_.is_noise(quantity, value)) return tell({}, std::nullopt, 0);
     Factors factors;
     std::optional<double> divisor;
     if (said.sentence == Sentence::omega_from_pair || said.sentence == Sentence::alpha_from_pair)
@@ -128,7 +136,7 @@ void OfMotion::turning_found(StatementIndex statement, const Quantity& quantity,
             factors = {{in(value * *lever, linear)}};
             divisor = in(*lever, linear);
         }
-    telling_.tell(statement, of, std::move(factors), divisor, value, unit);
+    tell(std::move(factors), divisor, value);
 }
 
 /// Of places that the file names; a star tells apart whom a place belongs to, not where it is.
@@ -154,7 +162,7 @@ void OfMotion::carried_over(const SecondWay& way) {
         const double value = way.omega->to_double(), far = in(distance(*own, *common), units_.length);
         double near = in(distance(*from, *common), units_.length);
         if (dot(*common - *from, *common - *own) < Exact(0)) near = -near;  // between the pivots: the senses differ
-        telling_.tell(statement, of, {{telling_.spin(driver, Symbol::Letter::omega)}, {near}}, far, value, {"rad/s", 1});
+        telling_.tell_turning(statement, of, {{telling_.spin(driver, Symbol::Letter::omega)}, {near}}, far, value);
         return;
     }
 }

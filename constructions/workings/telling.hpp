@@ -23,10 +23,21 @@ public:
     /// A working is said once, and only where it comes out.
     void tell(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor, double value,
               const Unit& unit);
+    /// Of a sum of products.
+    struct Product {
+        double one = 0, other = 0;
+    };
+    void tell_sum(StatementIndex statement, Symbol of, const std::vector<Product>& products, double value, const Unit& unit);
+    /// Of a ω, in rad/s, as sentences reckon with it; where the file has another unit, a second working of it has that one.
+    void tell_turning(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor, double value);
+    /// A ω that is given, in the file's unit and in rad/s; nothing is said where these are one.
+    void tell_given_turning(StatementIndex statement, Symbol of, double value);
     /// ω or α of a body; 0 of none.
     double spin(BodyIndex body, Symbol::Letter letter) const;
 
 private:
+    bool is_told(StatementIndex statement, const Symbol& of);
+
     Solution& solution_;
     Magnitudes magnitudes_;
 };

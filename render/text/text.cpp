@@ -463,6 +463,18 @@ bool has_raised_digits(std::string_view text) {
     return false;
 }
 
+/// A number with a power of ten is one word: no line breaks at its × sign.
+std::string with_whole_powers_of_ten(std::string text) {
+    constexpr std::string_view times = " × 10", unbroken = "\u00A0×\u00A010";
+    for (std::size_t i = text.find(times); i != std::string::npos; i = text.find(times, i + times.size())) {
+        const std::string_view rest = std::string_view(text).substr(i + times.size());
+        const bool raised = std::any_of(raised_characters.begin(), raised_characters.end(),
+                                        [&](const auto& each) { return rest.starts_with(each.first); });
+        if (raised) text.replace(i, times.size(), unbroken);
+    }
+    return text;
+}
+
 /// The same text with raised digits as superscripts, the words with such in pieces of their own; `text` itself where it has none.
 const RichText& with_raised_digits(const RichText& text, RichText& changed) {
     const auto concerns = [](const Piece& piece) { return !has_scripts(piece) && has_raised_digits(piece.text); };
@@ -472,7 +484,7 @@ const RichText& with_raised_digits(const RichText& text, RichText& changed) {
             changed.push_back(piece);
             continue;
         }
-        const std::string& words = piece.text;
+        const std::string words = with_whole_powers_of_ten(piece.text);
         for (std::size_t at = 0; at < words.size();) {
             const std::size_t blank = words.find(' ', at), end = blank == std::string::npos ? words.size() : blank + 1;
             for (Piece& part : with_powers(words.substr(at, end - at))) {
@@ -489,7 +501,8 @@ const RichText& with_raised_digits(const RichText& text, RichText& changed) {
 
 }  // namespace
 
-RichText with_powers(const std::string& text) {
+RichText with_powers(const std::string& given) {
+    const std::string text = with_whole_powers_of_ten(given);
     constexpr auto& powers = raised_characters;
     RichText rich{Piece{}};
     for (std::size_t i = 0; i < text.size();) {

@@ -1546,11 +1546,53 @@ std::string dressed(std::string_view decimal, Language language) {
 std::string factor(double value, Language language) {
     constexpr int digits = 4;
     std::string text = number(value, digits, Language::en);
-    if (text.find('.') != std::string::npos && text.find(' ') == std::string::npos) {
-        text.erase(text.find_last_not_of('0') + 1);
-        if (text.ends_with('.')) text.pop_back();
+    const std::size_t power = std::min(text.find(' '), text.size());
+    std::string digits_alone = text.substr(0, power);
+    if (digits_alone.find('.') != std::string::npos) {
+        digits_alone.erase(digits_alone.find_last_not_of('0') + 1);
+        if (digits_alone.ends_with('.')) digits_alone.pop_back();
     }
-    return dressed(text, language);
+    return dressed(digits_alone + text.substr(power), language);
+}
+
+/// With brackets where a power of ten would be read with what stands beside it: (1.2 × 10⁵)², 3/(1.2 × 10⁵).
+std::string bracketed(double value, Language language) {
+    const std::string text = factor(value, language);
+    return text.find(' ') == std::string::npos ? text : "(" + text + ")";
+}
+
+/// "−4 · 0.5²": the sign stands before all, its factors are moduli.
+std::string product_of(const std::vector<Working::Factor>& factors, Language language) {
+    double sense = 1;
+    for (const Working::Factor& each : factors) sense *= each.value < 0 && !each.squared ? -1 : 1;
+    std::string product = sense < 0 ? "−" : "";
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        const double size = std::abs(factors[i].value);
+        product += (i > 0 ? std::string(unbroken_blank) + "·" + unbroken_blank : "") +
+                   (factors[i].squared ? bracketed(size, language) + "²" : factor(size, language));
+    }
+    return product;
+}
+
+/// "18.89 · 3 − 20 · 4" of forces and arms, "12 − 3.5" of summands alone; a long sum parts before a sign.
+std::string sum_of(const Working& working, Language language) {
+    std::string sum;
+    for (std::size_t i = 0; i < working.summands.size(); ++i) {
+        const double one = i < working.factors.size() ? working.factors[i].value : working.summands[i];
+        const char* sign = one < 0 ? "−" : i > 0 ? "+" : "";
+        sum += i > 0 ? std::string(" ") + sign + unbroken_blank : std::string(sign);
+        sum += factor(std::abs(one), language);
+        if (i < working.factors.size())
+            sum += std::string(unbroken_blank) + "·" + unbroken_blank + factor(working.summands[i], language);
+    }
+    return sum;
+}
+
+std::string result_of(const Working& working, Language language) {
+    constexpr int digits = 3;
+    std::string result = number(working.result.value, digits, language);
+    if (working.result.value != 0) result += unbroken_blank + unbroken(working.result.unit);
+    return result;
 }
 
 /// "ω_3 = −0.1963/0.15 = −1.31 rad/s": the sign stands before all, its factors are moduli.
@@ -1559,24 +1601,9 @@ RichText worked_out(const Working& working, Language language) {
     for (Piece& each : text)
         if (each.face == Face::bold_italic) each.face = Face::italic;  // of a vector its modulus
     const std::string equals = std::string(unbroken_blank) + "=" + unbroken_blank;
-    double sense = 1;
-    for (const Working::Factor& each : working.factors) sense *= each.value < 0 && !each.squared ? -1 : 1;
-    std::string product = sense < 0 ? "−" : "";
-    for (std::size_t i = 0; i < working.factors.size(); ++i) {
-        const Working::Factor& each = working.factors[i];
-        product += (i > 0 ? std::string(unbroken_blank) + "·" + unbroken_blank : "") + factor(std::abs(each.value), language) +
-                   (each.squared ? "²" : "");
-    }
-    for (std::size_t i = 0; i < working.summands.size(); ++i) {
-        const double value = working.summands[i];
-        const char* sign = value < 0 ? "−" : i > 0 ? "+" : "";
-        product += i > 0 ? std::string(" ") + sign + unbroken_blank : std::string(sign);  // a long sum parts before a sign
-        product += factor(std::abs(value), language);
-    }
-    if (working.divisor) product += "/" + factor(*working.divisor, language);
-    constexpr int digits = 3;
-    std::string result = number(working.result.value, digits, language);
-    if (working.result.value != 0) result += unbroken_blank + unbroken(working.result.unit);
+    std::string product = working.summands.empty() ? product_of(working.factors, language) : sum_of(working, language);
+    if (working.divisor) product += "/" + bracketed(*working.divisor, language);
+    const std::string result = result_of(working, language);
     append(text, with_powers(equals + (product.empty() ? "" : product + " =" + unbroken_blank) + result));
     if (working.turned) {
         append(text, {piece(", ")});
@@ -1585,6 +1612,17 @@ RichText worked_out(const Working& working, Language language) {
         append(text, typeset(working.turned->with, language));
     }
     return text;
+}
+
+/// One after the other; of the same quantity in another unit "… = −19.8 rad/s = −189 rpm".
+std::vector<RichText> worked_out(const std::vector<Working>& workings, Language language) {
+    std::vector<RichText> all;
+    for (std::size_t i = 0; i < workings.size(); ++i)
+        if (i > 0 && workings[i].of == workings[i - 1].of)
+            append(all.back(), with_powers(" =" + std::string(unbroken_blank) + result_of(workings[i], language)));
+        else
+            all.push_back(worked_out(workings[i], language));
+    return all;
 }
 
 bool is_all_zero(std::string_view decimal) {
@@ -1597,9 +1635,10 @@ RichText say(const Message& message, Language language) { return say(message, la
 RichText say(const Message& message, Language language, const BeforeLine& before_line) {
     RichText text;
     fill(pattern_of(message, language), message.arguments, language, Setting::typeset, text, before_line);
-    for (std::size_t i = 0; i < message.workings.size(); ++i) {
+    const std::vector<RichText> workings = worked_out(message.workings, language);
+    for (std::size_t i = 0; i < workings.size(); ++i) {
         text.push_back(piece(i == 0 ? " " : "; "));
-        append(text, worked_out(message.workings[i], language));
+        append(text, workings[i]);
     }
     if (!message.workings.empty()) text.push_back(piece("."));
     return text;
@@ -1613,7 +1652,7 @@ RichText say_likewise(const std::vector<const Message*>& messages, Language lang
             if (!std::exchange(first, false)) text.push_back(piece("; "));
             append(text, said);
         };
-        for (const Working& working : message->workings) part(worked_out(working, language));
+        for (const RichText& working : worked_out(message->workings, language)) part(working);
         if (!message->workings.empty()) continue;
         // The body, and what it hangs on.
         RichText said = {piece(word("body", language) + unbroken_blank)};
