@@ -336,11 +336,27 @@ private:
         belong(sketch_.construction, first, cut.statement);
         const Unit& unit = sketch_.mechanism.units.length;
         const double arm = truss_.numbers_of(cut, solution_.pose.points).arm / unit.si.to_double();
-        RichText text = one_piece("b", Face::italic);
+        // Between the same parallel bars the arms are one.
+        const Spot across = foot - pivot;
+        for (const Spot other : arms_)
+            if (length(other - across) < 0.05 || length(other + across) < 0.05) return name_pivot(cut, pivot);
+        arms_.push_back(across);
+        RichText text = one_piece(letter_of_arms(), Face::italic);
         append(text, one_piece(" = " + number(arm, 4, sketch_.context.language) + " " + unit.symbol));
         LabelRequest& label = sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (pivot + foot), 1, cut.statement);
         label.toward = foot;
         label.size = sketch_.theme.small;
+        name_pivot(cut, pivot);
+    }
+    /// One that no space has.
+    std::string letter_of_arms() const {
+        for (const char* letter : {"b", "h", "r"})
+            if (std::none_of(truss_.spaces.begin(), truss_.spaces.end(),
+                             [&](const Truss::Space& space) { return space.letter == letter; }))
+                return letter;
+        return "β";
+    }
+    void name_pivot(const Truss::Cut& cut, Spot pivot) {
         const bool is_pin = std::any_of(truss_.structure.pins.begin(), truss_.structure.pins.end(),
                                         [&](const auto& pin) { return length(sketch_.spot(pin.point) - pivot) < 0.05; });
         if (is_pin || std::find(named_.begin(), named_.end(), cut.pivot_name) != named_.end()) return;
@@ -358,6 +374,7 @@ private:
     const Truss& truss_;
     std::map<int, std::vector<Spot>> rays_;  // of forces drawn, by pin
     std::vector<std::string> named_;         // pivots
+    std::vector<Spot> arms_;                 // dimensioned
 };
 
 // --- the plan ----------------------------------------------------------------------------------------------------------------

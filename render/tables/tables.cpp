@@ -583,6 +583,27 @@ std::vector<const Joint*> two_hinges_of(BodyIndex body, const Mechanism& mechani
 }
 BodyIndex other_of(const Joint& joint, BodyIndex body) { return joint.bodies[joint.bodies[0] == body ? 1 : 0]; }
 
+/// Hinged on the frame, and on a wheel that rolls or meshes on another: nothing but the wheel turns it, all the way round.
+bool carries_wheel(BodyIndex body, const Solution& solution) {
+    const std::vector<Joint>& joints = solution.mechanism.joints;
+    const auto rolls = [&](BodyIndex wheel) {
+        return std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
+            return (joint.kind == JointKind::rolling || joint.kind == JointKind::gear) && joint.connects(wheel);
+        });
+    };
+    bool on_frame = false, on_wheel = false, on_other = false;
+    for (const Joint& joint : joints) {
+        if (!joint.connects(body)) continue;
+        for (const BodyIndex other : joint.bodies) {
+            if (other == body) continue;
+            if (other == frame) on_frame = true;
+            if (joint.connects(frame)) continue;
+            (solution.mechanism.body(other).circle && rolls(other) ? on_wheel : on_other) = true;
+        }
+    }
+    return on_frame && on_wheel && !on_other;
+}
+
 /// The follower of a four-bar linkage, hinged on the frame, that goes round with its crank (Grashof): of the four lengths the
 /// shortest and the longest are together no longer than the others, and the frame's or its own is the shortest.
 bool goes_round(BodyIndex follower, const Solution& solution) {
@@ -644,6 +665,7 @@ RichText describe(BodyIndex index, const Solution& solution, Language language) 
                            : slides                          ? "sleeve"
                            : on_frame && driven              ? "crank"
                            : goes_round(index, solution)     ? "crank"
+                           : carries_wheel(index, solution)  ? "arm"
                            : on_frame && hinges.size() == 2  ? "rocker"
                            : !on_frame && hinges.size() == 2 ? "coupler"
                                                              : "link";
