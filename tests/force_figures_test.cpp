@@ -9,6 +9,7 @@
 #include <set>
 
 #include "render/page/shapes.hpp"
+#include "render/scene/sentences.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/tables/force_tables.hpp"
 #include "tests/pages.hpp"
@@ -264,6 +265,62 @@ TEST(ForceSheet, PointsToAConcurrencyOutsideOfTheDrawing) {
     const DrawingContext context{solution, theme, fonts(), Language::en};
     for (const Figure& figure : {mechanism_with_forces(context, 180, 130), free_body_figure(context, 0, 120, 90)})
         EXPECT_TRUE(says(figure, "H  (AH = 11.5")) << figure.id << words_of(figure);
+}
+
+/// A slider-crank under gas and inertia forces: both are on one line at the slider, oppositely; what is known on rod and slider
+/// has a couple, too, and meets the guide's force some eight cranks' lengths away.
+Solution engine() {
+    return solved(R"({"kinegraph": 1,
+        "units": {"length": "mm", "moment": "N m", "force": "N", "inertia": "kg mm²", "angular velocity": "rpm"}, "frame": 1,
+        "points": {"O": [0, 0], "A": {"from": "O", "distance": "50 mm", "angle": "60°"},
+                   "B": {"meet": [{"circle": "A", "radius": "200 mm"}, {"line": [0, 15], "angle": 0}], "side": "right"},
+                   "G": {"from": "A", "to": "B", "ratio": 0.3333}},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B", "G"], "4": ["B"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+                   {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "name": "guide", "bodies": [4, 1], "along": 0}],
+        "drivers": [{"body": 2, "omega": "1500 rpm"}],
+        "masses": {"3": {"mass": "1.2 kg", "centre": "G", "inertia": "4000 kg mm²"}, "4": {"mass": "0.9 kg", "centre": "B"}},
+        "inertia forces": true, "loads": [{"force": "F_gas", "body": 4, "at": "B", "magnitude": "1131 N", "along": 180}],
+        "effort": {"couple": "M", "body": 2}, "find": ["velocity", "acceleration", "forces"]})");
+}
+
+TEST(ForceSheet, OppositeForcesOnOneLineAreNoDoubleArrow) {
+    const Solution solution = engine();
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    for (std::size_t body = 0; body < solution.free_bodies.size(); ++body) {
+        const auto vectors = vectors_of(free_body_figure(context, body, 160, 120).marks);
+        for (const Drawn& one : vectors)
+            for (const Drawn& other : vectors) {
+                const Spot along = one.axis.tip - one.axis.tail, against = other.axis.tip - other.axis.tail;
+                const bool opposite = dot(along, against) < 0 && std::abs(cross(along, against)) < 0.05 * length(along);
+                EXPECT_FALSE(opposite && length(one.axis.tail - other.axis.tail) < 1.5) << one.name << ' ' << other.name;
+            }
+    }
+}
+
+TEST(ForceSheet, ShowsByHowMuchAResultantIsMovedAside) {
+    const Solution solution = engine();
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    EXPECT_TRUE(says(mechanism_with_forces(context, 180, 130), "d = 24.9"));
+    const std::vector<Statement>& statements = solution.protocol.statements;
+    int resultants = 0, moved = 0;
+    for (std::size_t i = 0; i < statements.size(); ++i) {
+        const Message& said = statements[i].message;
+        if (said.sentence == Sentence::known_resultant) {
+            ++resultants;
+            EXPECT_FALSE(is_incidental(statements, i)) << "the next sentence moves it";
+        }
+        if (said.sentence == Sentence::inertia_moved && statements[i].bodies.size() > 1) {
+            ++moved;
+            EXPECT_EQ(name_of(said.workings.front().of), "d");
+            EXPECT_NEAR(said.workings.front().result.value, 24.9, 0.05);
+        }
+        EXPECT_NE(said.sentence, Sentence::triangle_at) << "a meet that no sheet has";
+    }
+    EXPECT_EQ(resultants, 1);
+    EXPECT_EQ(moved, 1);
 }
 
 TEST(ForceSheet, SaysTheSizeOfAForceTooSmallToDraw) {

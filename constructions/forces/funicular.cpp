@@ -47,7 +47,8 @@ std::pair<Force, Force> FunicularPolygons::by_strings(Strings found, int line, i
 
 bool FunicularPolygons::is_far(const Group& group, PlaceOnDrawing met, PlaceOnDrawing place, PlaceOnDrawing one,
                                PlaceOnDrawing two) {
-    const int times = known_.is_whole(group) ? 1 : 12;
+    // Lines that meet beyond that meet on no sheet that has the bodies in a readable size.
+    const int times = known_.is_whole(group) ? 1 : 4;
     std::vector<PlaceOnDrawing> near{one, two};
     if (known_.is_whole(group))
         for (const int b : model_.outer_bonds(group)) near.push_back(model_.bonds()[at(b)].place);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/held.hpp"
+#include "engine/shifts.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/strings.hpp"
 #include "render/mechanism/clutter.hpp"
@@ -194,9 +195,9 @@ public:
     }
 
     /// The line of a force as far as to the strings that end on it.
-    void add_to_strings(const FreeBody& body, const AppliedForce& applied, const Meets& meets,
+    void add_to_strings(const AppliedForce& applied, const std::string& held, const Meets& meets,
                         const FreeBody::Funicular& funicular) {
-        ActionLine action = line_of(applied, meets, held_force(load_, body, applied));
+        ActionLine action = line_of(applied, meets, held);
         for (std::size_t i = 0; i < funicular.vertices.size(); ++i)
             if (const Spot at = sketch_.spot(*funicular.vertices[i]); std::abs(cross(action.along, at - action.at)) < 0.05)
                 action.reach(at, held_string(load_, funicular, i));
@@ -329,6 +330,25 @@ void draw_arm(Sketch& sketch, const FreeBody& body, std::size_t index, const std
     label.holds.unit = unit.si.to_double();
 }
 
+constexpr double beside_an_arrow = 2.2;  // of another on the same line, mm
+
+/// Whether two arrows lie on one line and cover each other, or leave one place oppositely: they are read as one then.
+bool reads_as_one(const Bar& one, const Bar& other) {
+    const double size = length(one.to - one.from);
+    if (!(size > 0)) return false;
+    const Spot along = (1 / size) * (one.to - one.from);
+    constexpr double on_line = 1.5, least = 0.5, apart = 1;
+    for (const Spot end : {other.from, other.to})
+        if (std::abs(cross(along, end - one.from)) > on_line) return false;
+    const double from = dot(other.from - one.from, along), to = dot(other.to - one.from, along);
+    if (to < from && std::abs(from) < apart) return true;
+    return std::min(size, std::max(from, to)) - std::max(0.0, std::min(from, to)) > least;
+}
+bool reads_as_one(const Bar& arrow, const std::vector<Bar>& others) {
+    return std::any_of(others.begin(), others.end(), [&](const Bar& other) { return reads_as_one(arrow, other); });
+}
+Bar moved(const Bar& arrow, Spot by) { return {arrow.from + by, arrow.to + by}; }
+
 /// A resultant acts on nothing: its shaft is broken.
 const std::vector<double>& shaft_of(const AppliedForce& applied, const BodyColour& colour) {
     return applied.kind == AppliedForce::Kind::resultant ? dashes() : colour.dashes;
@@ -437,6 +457,10 @@ private:
                     tried = {tried.from + shift, tried.to + shift};
                 }
                 best.offer(price + 3 * overlaps(tried, at, along), tried);
+                if (slid || pulls != outwards || !reads_as_one(tried, standing_)) continue;
+                for (const double side : {beside_an_arrow, -beside_an_arrow})
+                    if (const Bar beside = moved(tried, side * turned(along)); !reads_as_one(beside, standing_))
+                        best.offer(price + 0.3, beside);
             }
         return best.choice;
     }
@@ -461,7 +485,9 @@ private:
         };
         int count = 0;
         for (const Bar& other : standing_on(at, along))
-            if (std::min(run(other).to, run(tried).to) - std::max(run(other).from, run(tried).from) > 0.5) ++count;
+            if (std::min(run(other).to, run(tried).to) - std::max(run(other).from, run(tried).from) > 0.5 ||
+                reads_as_one(tried, other))
+                ++count;
         return count;
     }
 
@@ -524,7 +550,7 @@ private:
     void draw_strings_of_body(const FreeBody::Funicular& funicular) {
         draw_strings(sketch_, funicular, load_);
         for (const AppliedForce& applied : body_.forces)
-            if (!applied.force.is_zero()) lines_.add_to_strings(body_, applied, meets_, funicular);
+            if (!applied.force.is_zero()) lines_.add_to_strings(applied, held_force(load_, body_, applied), meets_, funicular);
     }
 
     /// Force and couple at the pair's own point, thin, and how far aside they are the one force: d = M/F.
@@ -621,7 +647,7 @@ bool is_shown_on_mechanism(const FreeBody& body, const AppliedForce& applied, bo
 }
 
 /// An arrow of one length that stands off its place, pulling or pushing, where the least is in the way.
-Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at) {
+Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, const std::vector<Bar>& standing) {
     constexpr double whole = 20;
     const Spot along = paper_direction(applied.force);
     const bool at_centre = acts_at_centre(applied);
@@ -633,20 +659,25 @@ Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at) {
             double price = clutter.along(arrow.from, arrow.to) + 0.03 * stand_off;
             if (at_centre && !pulls) price += 0.6;
             if (applied.kind == AppliedForce::Kind::reaction && pulls) price += 0.15;
-            best.offer(price, arrow);
+            for (const double side : {0.0, beside_an_arrow, -beside_an_arrow}) {
+                const Bar tried = moved(arrow, side * turned(along));
+                const bool is_free = side == 0 || reads_as_one(arrow, standing);
+                if (is_free) best.offer(price + (side == 0 ? 0 : 0.3) + (reads_as_one(tried, standing) ? 3 : 0), tried);
+            }
         }
     return best.choice;
 }
 
-/// Its sense only.
+/// Its sense only; `standing`: the arrows that are drawn.
 void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& colour, StatementIndex statement,
-                const std::string& held) {
+                const std::string& held, std::vector<Bar>& standing) {
     const Spot at = sketch.spot(applied.at);
     if (!applied.couple.is_zero())
         draw_couple(sketch, clutter, typeset(couple_symbol(applied), sketch.context.language), at, applied.couple.sign() > 0,
                     colour, statement, {couple_of(held), couple_of(held)}, 0);
     if (applied.force.is_zero()) return;
-    const Bar arrow = free_arrow(clutter, applied, at);
+    const Bar arrow = free_arrow(clutter, applied, at, standing);
+    standing.push_back(arrow);
     const std::size_t first = sketch.arrows.size();
     draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line, shaft_of(applied, colour));
     belong(sketch.arrows, first, statement);
@@ -667,6 +698,33 @@ bool acts_from_outside(const AppliedForce& applied, const TakenTogether& togethe
            std::find(strings.known.begin(), strings.known.end(), applied.symbol) != strings.known.end();
 }
 
+/// Of a sum that was moved aside for a couple: its line before, thin, the place on it where lines of what is added meet, and how
+/// far the sum was moved, where it is to be seen.
+void draw_shift(Sketch& sketch, const AppliedForce& sum, const Box& view) {
+    const Solution& solution = sketch.subject.solution;
+    for (const StatementIndex statement : indices_of(solution.protocol.statements)) {
+        const auto shift = shift_of(solution, statement, sum);
+        if (!shift) continue;
+        const Spot to = sketch.spot(sum.at), from = sketch.spot(sum.at - *shift), along = paper_direction(sum.force);
+        constexpr double least = 2;
+        if (length(to - from) < least) continue;
+        const Interval seen = within(view, from, along);
+        if (!(seen.to - seen.from > line_overshoot)) continue;
+        const std::size_t first = sketch.construction.size();
+        sketch.construction.emplace_back(line(from + seen.from * along, from + seen.to * along, sketch.thin()));
+        // Beside the mechanism, where both lines are free.
+        const double at = seen.from + 0.12 * (seen.to - seen.from);
+        const Spot one = from + at * along, other = one + (to - from);
+        sketch.construction.emplace_back(line(one, other, sketch.thin()));
+        for (std::size_t i = first; i < sketch.construction.size(); ++i) belong(sketch.construction, i, statement);
+        const Unit& unit = sketch.mechanism.units.length;
+        RichText text = one_piece("d", Face::italic);
+        append(text, with_powers(" = " + number(kinegraph::length(*shift) / unit.si.to_double(), 4, sketch.context.language) +
+                                 " " + unit.symbol));
+        sketch.add_label(std::move(text), sketch.theme.secondary, 0.5 * (one + other), 1.0, statement).size = sketch.theme.small;
+    }
+}
+
 void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, const std::string& load) {
     const Solution& solution = sketch.subject.solution;
     ActionLines lines(sketch, view, load);
@@ -683,13 +741,19 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, cons
         for (const AppliedForce& sum : body.sums) add_sum(sum, held_sum(load, body, sum));
     for (std::size_t i = 0; i < solution.taken_together.size(); ++i) {
         const TakenTogether& together = solution.taken_together[i];
-        for (const AppliedForce& sum : together.sums) add_sum(sum, held_sum(load, i, sum));
+        for (const AppliedForce& sum : together.sums) {
+            add_sum(sum, held_sum(load, i, sum));
+            draw_shift(sketch, sum, view);
+        }
         if (!together.funicular) continue;
         draw_strings(sketch, *together.funicular, load);
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
                 if (!applied.force.is_zero() && acts_from_outside(applied, together))
-                    lines.add_to_strings(body, applied, shown_meets(solution, body), *together.funicular);
+                    lines.add_to_strings(applied, held_force(load, body, applied), shown_meets(solution, body),
+                                         *together.funicular);
+        for (const AppliedForce& sum : together.sums)
+            if (acts_from_outside(sum, together)) lines.add_to_strings(sum, held_sum(load, i, sum), meets, *together.funicular);
     }
     lines.draw_meets(meets);
     lines.draw(sketch.construction);
@@ -783,14 +847,16 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         clutter.add(sketch.ground);
         const Box drawn{(1 / trial.scale) * extent.min, (1 / trial.scale) * extent.max};
         draw_action_lines(sketch, meets, grown(drawn, line_overshoot + 4), load);
+        std::vector<Bar> standing;
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
                 if (is_shown_on_mechanism(body, applied, !load.empty()))
                     draw_sense(sketch, clutter, applied, context.theme.colour_of(body.body), applied.force_statement,
-                               held_force(load, body, applied));
+                               held_force(load, body, applied), standing);
         for (std::size_t i = 0; i < solution.taken_together.size(); ++i)
             for (const AppliedForce& sum : solution.taken_together[i].sums)
-                draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement, held_sum(load, i, sum));
+                draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement, held_sum(load, i, sum),
+                           standing);
         std::vector<Bar> arms;
         for (const FreeBody& body : solution.free_bodies)
             for (std::size_t i = 0; i < body.arms.size(); ++i)

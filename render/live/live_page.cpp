@@ -423,7 +423,7 @@ private:
         const std::vector<Statement>& statements = solution_.protocol.statements;
         for (std::size_t i = 0; i < statements.size(); ++i) {
             const Statement& statement = statements[i];
-            if (options_.detail == SolutionDetail::brief && is_incidental(statement.message.sentence)) continue;
+            if (options_.detail == SolutionDetail::brief && is_incidental(statements, i)) continue;
             if (topic != statement.section) {
                 topic = statement.section;
                 if (is_open) out += "</ol>\n";

@@ -16,7 +16,9 @@ bool told_by_list(Sentence sentence) {
            sentence == Sentence::kennedy_two_normals;
 }
 
-bool is_incidental(Sentence sentence) {
+namespace {
+
+bool carries_on(Sentence sentence) {
     switch (sentence) {
         case Sentence::image_velocity:
         case Sentence::image_acceleration:
@@ -42,6 +44,27 @@ bool is_incidental(Sentence sentence) {
         default:
             return false;
     }
+}
+
+/// Whether another sentence speaks of the resultant that this one adds up.
+bool is_spoken_of(const std::vector<Statement>& statements, std::size_t which) {
+    if (statements[which].message.sentence != Sentence::known_resultant) return false;
+    const Symbol& sum = std::get<Symbol>(statements[which].message.arguments[2]);
+    return std::any_of(statements.begin(), statements.end(), [&](const Statement& other) {
+        return &other != &statements[which] && other.message.sentence != Sentence::known_resultant &&
+               std::any_of(other.message.arguments.begin(), other.message.arguments.end(), [&](const Argument& argument) {
+                   const auto* symbol = std::get_if<Symbol>(&argument);
+                   const auto* symbols = std::get_if<Symbols>(&argument);
+                   return (symbol != nullptr && *symbol == sum) ||
+                          (symbols != nullptr && std::find(symbols->begin(), symbols->end(), sum) != symbols->end());
+               });
+    });
+}
+
+}  // namespace
+
+bool is_incidental(const std::vector<Statement>& statements, std::size_t which) {
+    return carries_on(statements[which].message.sentence) && !is_spoken_of(statements, which);
 }
 
 }  // namespace kinegraph::render

@@ -1,7 +1,9 @@
 // Sentences by kind: which of a solution the list of centres says as well. Says nothing in words and computes nothing.
 #pragma once
 
-#include "engine/statement.hpp"
+#include <vector>
+
+#include "engine/board.hpp"
 
 namespace kinegraph::render {
 
@@ -10,7 +12,8 @@ bool names_a_pair(Sentence sentence);
 /// The list of centres says it as well.
 bool told_by_list(Sentence sentence);
 
-/// Whether it only carries on what another has decided (images, equal turnings), so that a brief solution does without it.
-bool is_incidental(Sentence sentence);
+/// Whether a sentence only carries on what another has decided (images, equal turnings), so that a brief solution does without
+/// it; not one that gives a name which another uses.
+bool is_incidental(const std::vector<Statement>& statements, std::size_t which);
 
 }  // namespace kinegraph::render

@@ -395,7 +395,7 @@ void Bands::add_step(Band& band, std::size_t statement) {
     const Statement& added = solution_.protocol.statements[statement];
     if (told_by_list(added.message.sentence)) return;
     if (!added.equation) {
-        if (detail_ == SolutionDetail::brief && is_incidental(added.message.sentence)) return;
+        if (detail_ == SolutionDetail::brief && is_incidental(solution_.protocol.statements, statement)) return;
         // A sentence that repeats another of its band is told with it.
         if (const auto other = same_before(band, added)) {
             likewise_[*other].push_back(statement);
