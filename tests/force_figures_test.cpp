@@ -323,6 +323,25 @@ TEST(ForceSheet, ShowsByHowMuchAResultantIsMovedAside) {
     EXPECT_EQ(moved, 1);
 }
 
+/// It goes round, and no bar swings.
+TEST(ForceSheet, CallsWhatCarriesAPlanetAnArm) {
+    const Solution solution = solved(R"({"kinegraph": 1, "units": {"length": "mm"},
+        "points": {"O": [0, 0], "S": [30, 0], "P": [50, 0], "R": [70, 0]},
+        "bodies": {"2": {"points": ["O"], "circle": {"centre": "O", "radius": 30}},
+                   "3": {"points": ["P"], "circle": {"centre": "P", "radius": 20}}, "4": ["O", "P"],
+                   "5": {"points": ["O"], "circle": {"centre": "O", "radius": 70}}},
+        "joints": [{"revolute": "O", "bodies": [0, 2, 4, 5]}, {"revolute": "P", "bodies": [3, 4]},
+                   {"rolling": "S", "bodies": [2, 3]},
+                   {"rolling": "R", "bodies": [3, 5], "profiles": {"3": {"circle": "P"}, "5": {"circle": "O"}}}],
+        "drivers": [{"body": 2, "omega": 10}, {"body": 5, "omega": 0}], "find": ["velocity"]})");
+    std::string words;
+    for (const Page& page : lay_out(solution, {}, fonts()))
+        for (const Mark& mark : page.marks)
+            if (const auto* text = std::get_if<TextMark>(&mark)) words += text->words + "\n";
+    EXPECT_NE(words.find("arm OP"), std::string::npos) << words;
+    EXPECT_EQ(words.find("rocker"), std::string::npos) << words;
+}
+
 TEST(ForceSheet, SaysTheSizeOfAForceTooSmallToDraw) {
     const Solution solution = example("pliers");
     const Theme theme;
