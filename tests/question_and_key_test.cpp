@@ -228,6 +228,13 @@ std::string inverted_slider(const std::string& ask) {
       "drivers": [{"body": 2, "omega": -24, "alpha": 4}], "find": ["velocity", "acceleration"], "ask": )" +
            ask + "}";
 }
+/// With blanks that do not break a line as blanks.
+std::string plain_of(std::string words) {
+    for (const std::string blank : {"\u00A0", "\u202F", "\u2060"})
+        for (std::size_t at = words.find(blank); at != std::string::npos; at = words.find(blank))
+            words.replace(at, blank.size(), blank == "\u2060" ? "" : " ");
+    return words;
+}
 /// The results by name with their values, as a program hands them to the key.
 std::vector<AskedValue> values_asked(const Solution& solution) {
     std::vector<AskedValue> asked;
@@ -365,6 +372,70 @@ TEST(Scales, OfATrussSayOfWhichDiagramTheyAre) {
         EXPECT_TRUE(has(scales, word("force polygon", language) + ": ")) << scales;
         EXPECT_FALSE(has(scales, word("sought forces scale", language) + ": ")) << scales;
     }
+}
+
+/// Every length, angle and radius that has room, and none twice.
+TEST(Question, HasItsDataAsDimensions) {
+    const auto expect = [](const Solution& solution, const std::vector<std::string>& dimensions) {
+        for (const Language language : {Language::en, Language::it}) {
+            const Page page = lay_out(solution, of_kind(SheetKind::question, language), fonts()).front();
+            for (const std::string& each : dimensions) {
+                const auto texts = texts_of(page);
+                EXPECT_EQ(std::count_if(texts.begin(), texts.end(),
+                                        [&](const TextMark* text) { return plain_of(text->words) == each; }),
+                          1)
+                    << each;
+            }
+        }
+    };
+    expect(tests::solved(inverted_slider(R"(["omega 4"])")), {"60 mm", "90 mm", "260 mm", "35 mm", "120 mm", "10°"});
+    expect(tests::solved(R"({
+      "kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
+      "points": {"O": [0, 0], "S": [30, 0], "P": [50, 0], "R": [70, 0]},
+      "bodies": {"2": {"points": ["O", "S"], "circle": {"centre": "O", "radius": 30}},
+                 "3": {"points": ["P", "S"], "circle": {"centre": "P", "radius": 20}}, "4": ["O", "P"],
+                 "5": {"points": ["O", "R"], "circle": {"centre": "O", "radius": 70}}},
+      "joints": [{"revolute": "O", "bodies": [1, 2, 4, 5]}, {"revolute": "P", "bodies": [3, 4]},
+                 {"rolling": "S", "bodies": [2, 3]}, {"rolling": "R", "bodies": [3, 5]}],
+      "drivers": [{"body": 2, "omega": 10}, {"body": 5, "omega": 0}]})"),
+           {"R 20 mm", "R 30 mm", "R 70 mm"});
+}
+
+/// A short offset has its arrows and its text outside.
+TEST(Question, HasAShortOffsetAsADimension) {
+    const Page page = lay_out(tests::solved(loaded_slider(R"(["omega 3"])")), of_kind(SheetKind::question), fonts()).front();
+    const auto texts = texts_of(page);
+    for (const std::string each : {"15 mm", "50 mm", "200 mm", "60°"})
+        EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [&](const TextMark* text) { return plain_of(text->words) == each; }))
+            << each;
+}
+
+TEST(Question, KeepsItsListsWhole) {
+    std::string text = loaded_slider(R"(["v guide", "a B", "alpha 3", "F A 3 on 2", "F guide 4 on 1", "effort M"])");
+    const std::string first = "\"kinegraph\": 1,";
+    text.replace(text.find(first), first.size(), R"("kinegraph": 1, "scales": {"mechanism": "1:1"},)");
+    const std::vector<Page> pages = lay_out(tests::solved(text), of_kind(SheetKind::question), fonts());
+    ASSERT_EQ(pages.size(), 1U);
+    const auto place_of = [&](const std::string& words) {
+        for (const TextMark* each : texts_of(pages.front()))
+            if (each->words.find(words) != std::string::npos) return each->glyphs.front().origin.x;
+        return -1.0;
+    };
+    EXPECT_GT(place_of("Velocity polygon:"), 0);
+    EXPECT_NEAR(place_of("Mechanism:"), place_of("Velocity polygon:"), 0.1) << "in one column";
+    EXPECT_NEAR(place_of("the acceleration"), place_of("the couple"), 0.1) << "in one column";
+}
+
+TEST(Data, TellsAShortFractionAsSuch) {
+    std::string text = loaded_slider(R"(["omega 3"])");
+    const std::string bodies = "},\n      \"bodies\": {\"2\": [\"O\", \"A\"], \"3\": [\"A\", \"B\"]";
+    ASSERT_NE(text.find(bodies), std::string::npos);
+    text.replace(text.find(bodies), bodies.size(),
+                 R"(, "G": {"from": "A", "to": "B", "ratio": "= 1/3"}, "H": {"from": "A", "to": "B", "ratio": "= 1/2"}},
+      "bodies": {"2": ["O", "A"], "3": ["A", "B", "G", "H"])");
+    const std::string data = data_in(tests::solved(text), Language::en);
+    EXPECT_TRUE(has(data, "AG = 1/3 AB")) << data;
+    EXPECT_TRUE(has(data, "AH = 0.5 AB")) << data;
 }
 
 TEST(Question, OfATrussHasNoBrokenBar) {

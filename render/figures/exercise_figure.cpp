@@ -178,11 +178,15 @@ bool holds(const Box& outer, const Box& inner) {
     return contains(air, inner.min) && contains(air, inner.max);
 }
 
-Figure drawn(const DrawingContext& context, const Subject& subject, const Ground& ground, const DimensionWish& wish) {
+/// Dimensions that are drawn before there are names, and those that find no place then, about the names as they stand.
+struct Dimensioning {
+    DimensionWish first, last;
+};
+Figure drawn(const DrawingContext& context, const Subject& subject, const Ground& ground, const Dimensioning& wish) {
     Sketch sketch(subject, context, ground.scale, "");
     ExerciseDrawing drawing(sketch, ground.within);
     drawing.draw();
-    if (wish.most > 0) draw_dimensions(sketch, ground.room, wish);
+    if (wish.first.most > 0) draw_dimensions(sketch, ground.room, wish.first);
     name_points(sketch);
     drawing.say_masses();
     Figure figure = sketch.finish("mechanism", "mechanism", "m");
@@ -195,6 +199,11 @@ Figure drawn(const DrawingContext& context, const Subject& subject, const Ground
         room = {figure.box.width(), figure.box.height() + under_all};
     }
     sketch.close(figure, room, true, ground.scale, subject.mechanism.units.length, ground.strict);
+    if (wish.last.most > 0) {
+        DimensionWish missing = wish.last;
+        missing.left_out.merge(dimensions_of(figure));
+        add_dimensions(sketch, figure, ground.room, missing);
+    }
     if (ground.within) figure.box = box_of(figure.marks);
     return figure;
 }
@@ -222,21 +231,26 @@ Theme theme_of(const DrawingContext& context) {
 }
 
 Figure fitted(const DrawingContext& of, const Ground& ground) {
-    constexpr int most_rounds = 5;
+    constexpr int most_rounds = 8;
     const Theme theme = theme_of(of);
     const DrawingContext context{of.solution, theme, of.fonts, of.language, of.dimensions};
     const Subject subject(context.solution);
-    if (context.dimensions == Dimensions::off) return drawn(context, subject, ground, {.most = 0});
-    DimensionWish wish{.most = most_dimensions};
+    const Dimensioning none{{.most = 0}, {.most = 0}};
+    if (context.dimensions == Dimensions::off) return drawn(context, subject, ground, none);
+    const DimensionWish all{.most = most_dimensions, .left_out = {}, .sought_far = true, .within = ground.within};
+    Dimensioning wish{all, all};
     for (int round = 0; round < most_rounds; ++round) {
         Figure figure = drawn(context, subject, ground, wish);
         std::set<std::string> covered = covered_dimensions(figure, context.fonts);
         covered.merge(dimensions_outside(figure, ground.within));
-        if (covered.empty() && figure.box.width() <= ground.room.x && figure.box.height() <= ground.room.y) return figure;
+        const bool fits = figure.box.width() <= ground.room.x && figure.box.height() <= ground.room.y;
+        if (covered.empty() && (fits || ground.within)) return figure;
         if (covered.empty()) break;
-        wish.left_out.merge(covered);
+        // What a name got in the way of has a second chance about the names.
+        for (const std::string& each : covered)
+            if (!wish.first.left_out.insert(each).second) wish.last.left_out.insert(each);
     }
-    return drawn(context, subject, ground, {.most = 0});
+    return drawn(context, subject, ground, none);
 }
 
 }  // namespace

@@ -64,6 +64,15 @@ public:
         const auto [all, most] = std::pair(wish_.all, wish_.most);
         if (!all && lengths_.size() + angles_.size() + radii_.size() > 2 * most) return;
         std::size_t count = 0;
+        // Angles and radii have fewer places than lengths; shorter lengths stand within longer ones.
+        if (wish_.sought_far) {
+            std::stable_sort(lengths_.begin(), lengths_.end(),
+                             [](const Length& a, const Length& b) { return a.value < b.value; });
+            for (const AngleOf& angle : angles_) count += count < most ? draw(angle, all) : 0;
+            for (const Radius& radius : radii_) count += count < most ? draw(radius, all) : 0;
+            for (const Length& length : lengths_) count += count < most ? draw(length, all) : 0;
+            return;
+        }
         for (const Length& length : lengths_) count += all || count < most ? draw(length, all) : 0;
         for (const Radius& radius : radii_) count += all || count < most ? draw(radius, all) : 0;
         for (const AngleOf& angle : angles_) count += all || count < most ? draw(angle, all) : 0;
@@ -113,8 +122,7 @@ private:
 
     /// A mark in the way: links, pins, ground and arrows always, construction lines for the figures.
     void keep_off(const DrawnLayers& layers) {
-        constexpr std::size_t most_beside_a_solution = 8;
-        const bool through_ground = wish_.all || wish_.most > most_beside_a_solution;
+        const bool through_ground = wish_.all || wish_.sought_far;
         for (const std::span<const Mark> layer : {layers.bodies, layers.pins, layers.arrows, layers.centres}) add(layer, heavy_);
         // What leads from a point of the frame to its dimension may pass through the ground there where all data are wanted.
         crossed_ = heavy_;
@@ -356,7 +364,9 @@ private:
         return a;
     }
     static constexpr std::array<Spot, 2> nowhere{{{1e9, 1e9}, {1e9, 1e9}}};
-    static constexpr double cap_height = 2.1, text_gap = 1.0;
+    static constexpr double cap_height = 2.1, text_gap = 1.0, air_at_edge = 0.5;
+    static constexpr double leaves_its_paper = 1000;
+    static constexpr double arrow_outside = 6.0, head_room = 3.2;  // of a run too short for arrows between its ends
 
     /// The text's outline as bars about its middle.
     static std::array<Bar, 3> frame_of(Spot baseline_middle, double angle, double width) {
@@ -392,22 +402,52 @@ private:
     /// Nothing is taken off a price: from `enough` on it is no longer added to.
     double price_of(const Trial& trial, const Text& text, const std::array<Spot, 2>& ends, double enough) const {
         double price = trial.price;
+        const double on_text = wish_.sought_far ? 12 : 4;
         for (const Bar& stroke : trial.strokes)
-            if (price < enough) price += toll(stroke, {3, 1.2}, {0.6, 0.3}, {3, 1.0}, ends);
+            if (price < enough)
+                price += toll(stroke, {3, 1.2}, {0.6, 0.3}, {3, 1.0}, ends) + on_text * count_near(stroke, words_, 0.4, nowhere) +
+                         1.2 * count_near(stroke, led_, 0.4, nowhere);
         for (const Bar& extension : trial.extensions)
-            if (price < enough) price += toll(extension, crossed_, {1.5, 0.4}, {0.3, 0.2}, {1.5, 0.4}, ends);
+            if (price < enough)
+                price += toll(extension, crossed_, {1.5, 0.4}, {0.3, 0.2}, {1.5, 0.4}, ends) +
+                         on_text * count_near(extension, words_, 0.4, nowhere) + 0.6 * count_near(extension, led_, 0.2, ends);
         for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width()))
-            if (price < enough) price += toll(bar, {4, 1.5}, {4, 0.6}, {4, 0.6}, nowhere);
+            if (price < enough)
+                price += toll(bar, {on_text, 1.5}, {on_text, 0.6}, {on_text, 0.6}, nowhere) +
+                         on_text * count_near(bar, led_, 0.6, nowhere);
         if (price >= enough) return price;
+        if (wish_.within) return price + (stays_within(trial, text) ? 0 : leaves_its_paper);
         const Box box = with(box_, trial, text.width());
         if (box.width() > std::max(room_.x, box_.width()) || box.height() > std::max(room_.y, box_.height())) price += 10;
         return price;
     }
 
+    bool stays_within(const Trial& trial, const Text& text) const {
+        Box box = grown(box_of_frame(trial, text.width()), air_at_edge);
+        for (const std::vector<Bar>* bars : {&trial.strokes, &trial.extensions})
+            for (const Bar& bar : *bars) box.include(bar.from), box.include(bar.to);
+        return contains(*wish_.within, box.min) && contains(*wish_.within, box.max);
+    }
+    static Box box_of_frame(const Trial& trial, double width) {
+        const std::array<Bar, 3> frame = frame_of(trial.text_at, trial.text_angle, width);
+        Box box{frame[0].from, frame[0].from};
+        for (const Bar& bar : frame) box.include(bar.from), box.include(bar.to);
+        return box;
+    }
+
+    /// The same whether it is drawn before there are names or after.
+    std::string id_of(const std::string& name) {
+        std::string id = legal_id("dimension-" + name);
+        while (!ids_.insert(id).second) id += "_";
+        return id;
+    }
+
     /// Draws the best of the trials where it is free enough.
     bool draw_best(std::vector<Trial>& trials, const Text& text, const std::array<Spot, 2>& ends, const std::string& name,
                    const std::string& title, bool all) {
-        constexpr double free_enough = 2.2;
+        std::string group = wish_.sought_far ? id_of(name) : "";
+        if (wish_.left_out.contains(group)) return false;
+        const double free_enough = wish_.sought_far ? 10 : 2.2;
         Trial* best = nullptr;
         // What costs more than this is not drawn.
         double least = all ? 1e300 : free_enough + 1;
@@ -417,8 +457,7 @@ private:
                 best = &trial;
             }
         if (!best || (!all && least > free_enough)) return false;
-        std::string group = sketch_.id("dimension", name);
-        if (wish_.left_out.contains(group)) return false;
+        if (group.empty()) group = sketch_.id("dimension", name);
         std::vector<Mark>& marks = sketch_.dimensions;
         marks.emplace_back(GroupBegin{"dimension", std::move(group), title, {}});
         for (const Bar& extension : best->extensions) marks.emplace_back(line(extension.from, extension.to, thin()));
@@ -432,8 +471,11 @@ private:
             }
         marks.emplace_back(GroupEnd{});
         for (const Bar& bar : best->strokes) taken_.push_back({bar});
-        for (const Bar& bar : best->extensions) taken_.push_back({bar});
-        for (const Bar& bar : frame_of(best->text_at, best->text_angle, text.width())) taken_.push_back({bar});
+        for (const Bar& bar : best->extensions) (wish_.sought_far ? led_ : taken_).push_back({bar});
+        for (const Bar& bar : frame_of(best->text_at, best->text_angle, text.width())) {
+            taken_.push_back({bar});
+            if (wish_.sought_far) words_.push_back({bar});
+        }
         box_ = with(box_, *best, text.width());
         return true;
     }
@@ -443,68 +485,160 @@ private:
         return given_number(metres / unit_of_length.si.to_double(), sketch_.context.language) + " " + unit_of_length.symbol;
     }
 
+    /// A trial of a length with its dimension line: arrows and text between its ends.
+    Trial between_ends(Trial trial, const Bar& run) const {
+        const Spot a = run.from, b = run.to;
+        trial.draw = [this, a, b](std::vector<Mark>& marks) {
+            draw_arrow(marks, 0.5 * (a + b), b, sketch_.theme.thin, sketch_.theme.text);
+            draw_arrow(marks, 0.5 * (a + b), a, sketch_.theme.thin, sketch_.theme.text);
+        };
+        trial.strokes = {run};
+        put_text(trial, 0.5 * (a + b), b - a);
+        return trial;
+    }
+    /// The same of a short one: arrows from outside, the text on the line that goes on beyond its second end.
+    Trial outside_of_end(Trial trial, const Bar& run, double width) const {
+        const Spot along = unit(run.to - run.from);
+        const Spot a = run.from, b = run.to, before = a - arrow_outside * along;
+        const Spot shelf = b + head_room * along, beyond = shelf + (width + 0.8) * along;
+        trial.draw = [this, a, b, before, beyond](std::vector<Mark>& marks) {
+            draw_arrow(marks, before, a, sketch_.theme.thin, sketch_.theme.text);
+            draw_arrow(marks, beyond, b, sketch_.theme.thin, sketch_.theme.text);
+            marks.emplace_back(line(a, b, thin()));
+        };
+        trial.strokes = {{before, beyond}};
+        put_text(trial, 0.5 * (shelf + beyond), along);
+        trial.price += 0.1;
+        return trial;
+    }
+    void put_text(Trial& trial, Spot middle, Spot along) const {
+        trial.text_angle = readable(angle_of(along));
+        trial.text_at = middle + text_gap * Spot{std::sin(trial.text_angle), -std::cos(trial.text_angle)};
+    }
+
+    /// A level of a dimension line across the run, and what it costs to be so far from the mechanism.
+    struct Level {
+        double at, side, reach;
+    };
+    /// Beyond both ends; of ends that lie far from each other across the run also between them, near the one or the other.
+    std::vector<Level> levels_of(double rise) const {
+        const double near = std::min(0.0, rise), far = std::max(0.0, rise);
+        std::vector<Level> levels;
+        for (const double reach : {8.5, 12.0, 15.5, 19.0, 23.0, 27.0, 32.0, 38.0}) {
+            if (reach > 19 && !wish_.sought_far) break;
+            levels.push_back({far + reach, 1, reach});
+            levels.push_back({near - reach, -1, reach});
+        }
+        if (wish_.sought_far)
+            for (const double reach : {3.0, 6.0, 8.5, 12.0, 15.5, 19.0}) {
+                if (far - near < reach + 12) break;
+                levels.push_back({far - reach, -1, reach + 5});
+                levels.push_back({near + reach, 1, reach + 5});
+            }
+        return levels;
+    }
+
     bool draw(const Length& datum, bool all) {
         const std::string words = with_unit(datum.value);
         const Text text = text_of(words);
         const Spot along = datum.along, across = turned(along);
         const double run = dot(datum.to - datum.from, along), rise = dot(datum.to - datum.from, across);
-        if (run < std::max(text.width() + 3, 9.0)) return false;
+        const bool has_text_between = run >= std::max(text.width() + 3, 9.0);
+        if (!has_text_between && !(wish_.sought_far && run > 1)) return false;
         std::vector<Trial> trials;
-        const double near = std::min(0.0, rise), far = std::max(0.0, rise);
-        for (const double reach : {8.5, 12.0, 15.5, 19.0})
-            for (const double side : {1.0, -1.0}) {
-                const double level = side > 0 ? far + reach : near - reach;
-                Trial trial;
-                const Spot a = datum.from + level * across, b = a + run * along;
-                trial.draw = [this, a, b](std::vector<Mark>& marks) {
-                    draw_arrow(marks, 0.5 * (a + b), b, sketch_.theme.thin, sketch_.theme.text);
-                    draw_arrow(marks, 0.5 * (a + b), a, sketch_.theme.thin, sketch_.theme.text);
-                };
-                trial.strokes = {{a, b}};
-                const double clear = sketch_.measures.pin_radius + 0.7;
-                for (const auto& [point, foot] : {std::pair{datum.from, a}, std::pair{datum.to, b}}) {
-                    const Spot out = unit(foot - point);
-                    if (length(foot - point) > clear) trial.extensions.push_back({point + clear * out, foot + 1.4 * out});
-                }
-                trial.text_angle = readable(angle_of(along));
-                trial.text_at = 0.5 * (a + b) + text_gap * Spot{std::sin(trial.text_angle), -std::cos(trial.text_angle)};
-                // Nearer is better, outside of the mechanism, too.
-                const bool inside = dot(0.5 * (a + b) - sketch_.mechanism_box().middle(), side * across) < 0;
-                trial.price = 0.06 * reach + (inside ? 0.35 : 0);
-                trials.push_back(std::move(trial));
+        for (const Level& level : levels_of(rise)) {
+            Trial trial;
+            const Spot a = datum.from + level.at * across, b = a + run * along;
+            const double clear = sketch_.measures.pin_radius + 0.7;
+            for (const auto& [point, foot] : {std::pair{datum.from, a}, std::pair{datum.to, b}}) {
+                const Spot out = unit(foot - point);
+                if (length(foot - point) > clear) trial.extensions.push_back({point + clear * out, foot + 1.4 * out});
             }
+            // Nearer is better, outside of the mechanism, too.
+            const bool inside = dot(0.5 * (a + b) - sketch_.mechanism_box().middle(), level.side * across) < 0;
+            trial.price = 0.06 * level.reach + (inside ? 0.35 : 0);
+            if (has_text_between) {
+                trials.push_back(between_ends(trial, {a, b}));
+            } else {
+                trials.push_back(outside_of_end(trial, {a, b}, text.width()));
+                trials.push_back(outside_of_end(trial, {b, a}, text.width()));
+            }
+        }
         return draw_best(trials, text, {datum.from, datum.to}, datum.name, words, all);
+    }
+
+    static double leader_angle(double step) { return -pi_number / 4 + pi_number / 6 * step + 0.05; }
+    /// From outside onto the rim, the figure beyond on a shelf.
+    Trial from_outside(const Radius& datum, double angle, double length, double width, double price) const {
+        const Spot out = polar_spot(angle);
+        const Spot rim = datum.centre + datum.radius * out, knee = rim + length * out;
+        const Spot shelf{out.x >= 0 ? 1.0 : -1.0, 0};
+        const Spot end = knee + (width + 0.8) * shelf;
+        Trial trial;
+        trial.draw = [this, knee, rim, end](std::vector<Mark>& marks) {
+            draw_arrow(marks, knee, rim, sketch_.theme.thin, sketch_.theme.text);
+            marks.emplace_back(line(knee, end, thin()));
+        };
+        trial.strokes = {{rim + 1.6 * out, knee}, {knee, end}};
+        trial.text_at = 0.5 * (knee + end) + Spot{0, -text_gap};
+        trial.price = price;
+        return trial;
+    }
+    /// From the centre to the rim, the text along it.
+    Trial from_centre(const Radius& datum, double angle, double price) const {
+        const Spot out = polar_spot(angle);
+        const Spot rim = datum.centre + datum.radius * out, foot = datum.centre + (sketch_.measures.pin_radius + 0.7) * out;
+        Trial trial;
+        trial.draw = [this, foot, rim](std::vector<Mark>& marks) {
+            draw_arrow(marks, foot, rim, sketch_.theme.thin, sketch_.theme.text);
+        };
+        trial.strokes = {{foot, rim - 1.6 * out}};
+        put_text(trial, 0.5 * (foot + rim), out);
+        trial.price = price;
+        return trial;
     }
 
     bool draw(const Radius& datum, bool all) {
         const std::string words = "R " + with_unit(datum.value);
         const Text text = text_of(words);
-        if (datum.radius < 5) return false;
+        if (datum.radius < (wish_.sought_far ? 2 : 5)) return false;
         std::vector<Trial> trials;
-        for (int i = 0; i < 12; ++i) {
-            const Spot out = polar_spot(-pi_number / 4 + pi_number / 6 * i + 0.05);
-            Trial trial;
-            // From outside onto the rim, the figure beyond on a shelf.
-            const Spot rim = datum.centre + datum.radius * out, knee = rim + 6.5 * out;
-            const Spot shelf{out.x >= 0 ? 1.0 : -1.0, 0};
-            const Spot end = knee + (text.width() + 0.8) * shelf;
-            trial.draw = [this, knee, rim, end](std::vector<Mark>& marks) {
-                draw_arrow(marks, knee, rim, sketch_.theme.thin, sketch_.theme.text);
-                marks.emplace_back(line(knee, end, thin()));
-            };
-            trial.strokes = {{rim + 1.6 * out, knee}, {knee, end}};
-            trial.text_at = 0.5 * (knee + end) + Spot{0, -text_gap};
-            trial.price = 0.02 * i;
-            trials.push_back(std::move(trial));
-        }
+        for (int i = 0; i < 12; ++i) trials.push_back(from_outside(datum, leader_angle(i), 6.5, text.width(), 0.02 * i));
+        if (wish_.sought_far)
+            for (const double half : {0.0, 0.5})
+                for (int i = 0; i < 12; ++i) {
+                    for (const double length : {6.5, 11.0, 16.0, 22.0})
+                        trials.push_back(
+                            from_outside(datum, leader_angle(i + half), length, text.width(), 0.02 * i + 0.06 * length));
+                    if (datum.radius > text.width() + 8)
+                        trials.push_back(from_centre(datum, leader_angle(i + half), 0.6 + 0.02 * i));
+                }
         return draw_best(trials, text, {datum.centre, datum.centre}, datum.name, words, all);
+    }
+
+    /// A trial of a narrow angle with its arc, which begins before the line that it is counted from, and its text there.
+    Trial beside_base(Trial trial, const AngleOf& datum, double radius, double width) const {
+        const double turn = datum.sweep > 0 ? 1 : -1;
+        const auto at = [&](double angle) { return datum.vertex + radius * polar_spot(datum.from + angle); };
+        const Spot tangent = turned(polar_spot(datum.from));
+        const double half = std::abs(tangent.x) * width / 2 + std::abs(tangent.y) * cap_height / 2;
+        const double begin = -turn * 4 / radius, middle = begin - turn * (half + 1) / radius;
+        trial.draw = [this, &datum, radius, begin](std::vector<Mark>& marks) {
+            draw_arc_arrow(marks, datum.vertex, radius, datum.from + begin, datum.from + datum.sweep, sketch_.theme.thin,
+                           sketch_.theme.text);
+        };
+        trial.strokes.push_back({at(begin), at(0)});
+        trial.text_at = at(middle) + Spot{0, cap_height / 2};
+        trial.price = 0.05 * radius + 0.6;
+        return trial;
     }
 
     bool draw(const AngleOf& datum, bool all) {
         const Text text = text_of(datum.text);
         std::vector<Trial> trials;
-        for (const double radius : {9.0, 12.0, 15.0, 18.5, 22.0}) {
-            if (std::abs(datum.sweep) * radius < 4) continue;
+        for (const double radius : {9.0, 12.0, 15.0, 18.5, 22.0, 26.0, 31.0}) {
+            const double arc = std::abs(datum.sweep) * radius;
+            if (arc < (wish_.sought_far ? 2.2 : 4) || (radius > 22 && !wish_.sought_far)) continue;
             Trial trial;
             trial.draw = [this, &datum, radius](std::vector<Mark>& marks) {
                 draw_arc_arrow(marks, datum.vertex, radius, datum.from, datum.from + datum.sweep, sketch_.theme.thin,
@@ -521,6 +655,7 @@ private:
             trial.extensions = {
                 {datum.vertex + (sketch_.measures.pin_radius + 0.7) * base, datum.vertex + (radius + 2.5) * base}};
             for (const double share : {0.5, 0.35, 0.65}) {
+                if (arc < 4) break;
                 Trial one = trial;
                 const double middle = datum.from + share * datum.sweep;
                 const Spot out = polar_spot(middle);
@@ -529,6 +664,7 @@ private:
                 one.price = 0.05 * radius + std::abs(share - 0.5);
                 trials.push_back(std::move(one));
             }
+            if (wish_.sought_far) trials.push_back(beside_base(trial, datum, radius, text.width()));
         }
         return draw_best(trials, text, {datum.vertex, datum.vertex}, "angle." + datum.name, datum.text, all);
     }
@@ -544,6 +680,9 @@ private:
     std::vector<Length> lengths_;
     std::vector<Radius> radii_;
     std::vector<AngleOf> angles_;
+    std::vector<Obstacle> words_;  // texts of dimensions that are sought far
+    std::vector<Obstacle> led_;    // their extension lines, which other lines may cross
+    std::set<std::string> ids_;
 };
 
 struct DimensionText {
@@ -559,8 +698,8 @@ struct DimensionPath {
 
 void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish) { DimensionsDrawing(sketch, room, wish).draw(); }
 
-void add_dimensions(Sketch& sketch, Figure& figure, Spot room) {
-    DimensionsDrawing(sketch, figure, room, {}).draw();
+void add_dimensions(Sketch& sketch, Figure& figure, Spot room, const DimensionWish& wish) {
+    DimensionsDrawing(sketch, figure, room, wish).draw();
     std::vector<Mark>& drawn = sketch.dimensions;
     if (drawn.empty()) return;
     move(drawn, figure.origin.x, figure.origin.y);
@@ -572,6 +711,14 @@ void add_dimensions(Sketch& sketch, Figure& figure, Spot room) {
                         std::make_move_iterator(drawn.begin()), std::make_move_iterator(drawn.end()));
     drawn.clear();
     figure.move(-figure.box.min.x, -figure.box.min.y);
+}
+
+std::set<std::string> dimensions_of(const Figure& figure) {
+    std::set<std::string> ids;
+    for (const Mark& mark : figure.marks)
+        if (const auto* group = std::get_if<GroupBegin>(&mark); group != nullptr && group->cls == "dimension")
+            ids.insert(group->id);
+    return ids;
 }
 
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts) {

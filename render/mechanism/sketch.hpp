@@ -94,11 +94,15 @@ struct DimensionWish {
     bool all = false;                  ///< even where no place is free
     std::size_t most = 8;              ///< where not all are drawn
     std::set<std::string> left_out{};  ///< ids of groups
+    bool sought_far = false;           ///< further out, across links and with the text outside rather than not at all
+    std::optional<Box> within{};       ///< which part of the paper they have, mm about the origin of coordinates
 };
 /// What the file gives, as dimensions, each where it is free; within a room (mm) for all that is drawn.
 void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish);
 /// The same beside all that the sketch's closed figure has, its names among it: where nothing is in the way, and within the room.
-void add_dimensions(Sketch& sketch, Figure& figure, Spot room);
+void add_dimensions(Sketch& sketch, Figure& figure, Spot room, const DimensionWish& wish = {});
+/// Ids of the dimensions of a finished figure.
+std::set<std::string> dimensions_of(const Figure& figure);
 /// Ids of the dimensions of a finished figure whose text lies on a line that is not their own: on a leader, say, that a name got
 /// later. Of two dimensions in each other's way one is named.
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts);

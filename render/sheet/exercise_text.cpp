@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "engine/compound_units.hpp"
@@ -144,6 +145,20 @@ private:
         return typeset(Symbol{Symbol::Letter::point, mechanism_.point(point).name, ""}, language());
     }
     RichText number_of(double value) const { return with_powers(drawing::given_number(value, language())); }
+    /// A short fraction as such, where its decimals go on and on: 1/3.
+    RichText ratio(const Exact& value) const {
+        constexpr int longest = 30;
+        for (int below = 3; below <= longest; ++below) {
+            int rest = below;
+            while (rest % 2 == 0) rest /= 2;
+            while (rest % 5 == 0) rest /= 5;
+            const double above = value.to_double() * below;
+            const bool is_lowest = std::gcd(std::lround(above), static_cast<long>(below)) == 1;
+            if (rest == 1 || !is_lowest || std::abs(above) > 100 || !(value == Exact::ratio(std::lround(above), below))) continue;
+            return one_piece((above < 0 ? "−" : "") + std::to_string(std::lround(std::abs(above))) + "/" + std::to_string(below));
+        }
+        return number_of(value.to_double());
+    }
     RichText amount(const Exact& si, const Unit& unit) const { return given_amount(si, unit, language()); }
     RichText angle(const Angle& angle) const {
         RichText text = number_of(angle.value.to_double());
@@ -209,7 +224,7 @@ private:
             else
                 say("data polar", {name(polar->from), name(index), distance, turn});
         } else if (const auto* on = std::get_if<Along>(&point.placement)) {
-            const RichText share = on->is_ratio ? number_of(on->amount.to_double()) : amount(on->amount, units_.length);
+            const RichText share = on->is_ratio ? ratio(on->amount) : amount(on->amount, units_.length);
             say(on->is_ratio ? "data ratio" : "data along", {name(on->from), name(index), name(on->to), share});
         } else if (const auto* meet = std::get_if<Meet>(&point.placement)) {
             say("data meet", {name(index), curve(meet->first, index), curve(meet->second, index), which_of(*meet)});

@@ -233,6 +233,13 @@ private:
         };
         for (Passage& passage : passages) {
             for (SharedBlock* block : {&passage.heading, &passage.heading_again, &passage.head}) *block = reduced(*block);
+            double whole = passage.heading.height() + passage.head.height() + passage_gap;
+            for (const SharedBlock& row : passage.rows) whole += reduced(row).height();
+            // What fits a column as a whole is not torn.
+            if (const Stretch& here = free[now]; y > here.top && y + whole > here.bottom) {
+                const bool fits_next = now + 1 < free.size() && whole <= free[now + 1].bottom - free[now + 1].top;
+                if (fits_next) next();
+            }
             for (std::size_t i = 0; i < passage.rows.size(); ++i) {
                 const SharedBlock row = reduced(passage.rows[i]);
                 const double above = i == 0 ? passage.heading.height() + passage.head.height() : 0;
