@@ -426,6 +426,20 @@ TEST(Question, KeepsItsListsWhole) {
     EXPECT_NEAR(place_of("the acceleration"), place_of("the couple"), 0.1) << "in one column";
 }
 
+TEST(Question, NamesEachRoomByWhatIsDrawnInIt) {
+    const Solution solution = tests::solved(loaded_slider(R"(["F A 3 on 2", "F guide 4 on 1"])"));
+    for (const Language language : {Language::en, Language::it}) {
+        SheetOptions options = of_kind(SheetKind::question, language);
+        options.grid = true;
+        std::multiset<std::string> rooms;
+        for (const Page& page : lay_out(solution, options, fonts()))
+            for (const Mark& mark : page.marks)
+                if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "room") rooms.insert(group->title);
+        EXPECT_GT(rooms.size(), 1U);
+        for (const std::string& each : rooms) EXPECT_EQ(rooms.count(each), 1U) << each;
+    }
+}
+
 TEST(Data, TellsAShortFractionAsSuch) {
     std::string text = loaded_slider(R"(["omega 3"])");
     const std::string bodies = "},\n      \"bodies\": {\"2\": [\"O\", \"A\"], \"3\": [\"A\", \"B\"]";

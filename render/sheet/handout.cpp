@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -11,11 +12,13 @@
 #include "render/figures/caption.hpp"
 #include "render/figures/exercise_figure.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/loads_alone.hpp"
 #include "render/sheet/bands.hpp"
 #include "render/sheet/drawn_sheet.hpp"
 #include "render/sheet/exercise_text.hpp"
 #include "render/sheet/page_plan.hpp"
 #include "render/sheet/title_block.hpp"
+#include "render/sheet/wanted_figures.hpp"
 #include "render/tables/answers.hpp"
 #include "render/tables/equation_block.hpp"
 #include "render/tables/prose.hpp"
@@ -278,19 +281,46 @@ private:
         RichText name;
         Spot size, pole;
         bool has_pole = false;
+        bool has_letter = false;  ///< the pole
     };
+    /// What is to be drawn in it: "Force triangle, body 3", "Closed polygon of the external forces".
+    RichText name_of_room(const Figure& figure) const {
+        if (figure.kind != "forces") return figure.caption;
+        const Solution& solution = context_.solution;
+        RichText name = figure.caption;
+        std::set<std::string> polygons;
+        for (const Mark& mark : figure.marks)
+            if (const auto* group = std::get_if<GroupBegin>(&mark); group != nullptr && group->cls == "figure")
+                polygons.insert(group->id);
+        const auto add = [&](const char* what, const std::string& whom) {
+            append(name, one_piece(", " + word(what, context_.language) + " " + whom));
+        };
+        for (const FreeBody& body : solution.free_bodies) {
+            const std::string whom = name_of(solution, body), own = whom.substr(whom.find('-') + 1);
+            if (polygons.contains(legal_id("forces-" + own))) add(body.body != none ? "body" : "pin", own);
+        }
+        for (const TakenTogether& together : solution.taken_together)
+            if (polygons.contains(legal_id(name_of(solution, together))))
+                add("bodies together", names_of(solution.mechanism, together));
+        return name;
+    }
     /// As large as the polygon at its scale with what is drawn round it, in whole squares.
     Room room_of(const Figure& figure) const {
         constexpr double air = 8;
         const auto squares = [](double length) { return square * std::ceil(length / square); };
         Room room;
-        room.name = name_of_scale(context_, figure, drawn_.figures);
+        room.name = name_of_room(figure);
         append(room.name, one_piece("   "));
         append(room.name, scale_words(context_, figure));
-        room.has_pole = figure.kind == "velocity" || figure.kind == "acceleration";
-        const Spot pole = figure.origin - figure.box.min;
+        const bool is_of_motion = figure.kind == "velocity" || figure.kind == "acceleration";
+        // A polygon of forces begins at the tail of its first side.
+        const bool has_start = !is_of_motion && !figure.axes.empty() && figure.axes.front().detail.empty();
+        room.has_pole = is_of_motion || has_start;
+        room.has_letter = is_of_motion;
+        const Spot pole = (has_start ? figure.axes.front().tail : figure.origin) - figure.box.min;
         room.pole = {squares(pole.x + air), squares(pole.y + air)};
-        room.size = {std::max(squares(figure.box.width() + 2 * air), room.pole.x + square),
+        const double words = context_.fonts.shape(room.name, context_.theme.body_text).width;
+        room.size = {std::max({squares(figure.box.width() + 2 * air), room.pole.x + square, squares(words)}),
                      std::max(squares(figure.box.height() + 2 * air), room.pole.y + square)};
         return room;
     }
@@ -333,6 +363,7 @@ private:
         const Spot pole = corner + room.pole;
         if (room.has_pole && room.pole.x < room.size.x && room.pole.y < room.size.y) {
             marks.emplace_back(ring(pole, 1.0, theme.paper, {theme.outline, theme.text, {}, false}));
+            if (!room.has_letter) return marks.emplace_back(GroupEnd{}), void();
             const ShapedLine name =
                 context_.fonts.shape(typeset(Symbol{Symbol::Letter::pole, "", ""}, context_.language), theme.body_text);
             // In the middle of a square.
