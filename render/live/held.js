@@ -205,7 +205,7 @@ class HeldMarks {
         });
     }
     /**
-     * An arrow to scale: it stands as far from its place as it did, before or behind it.
+     * An arrow to scale: it stands as far from its place as it did, before, behind or beside it.
      * @param {Element} node
      * @param {string[]} on
      */
@@ -215,10 +215,11 @@ class HeldMarks {
         const length = this.sizeOf(on) / this.drawnScale;
         const [tail, tip] = axis ? endsOf(axis) : [known.at, along(known.at, length, known.e)];
         const [begins, ends] = [tail, tip].map((at) => dot(minus(at, known.at), known.e)), pulls = Math.abs(begins) <= Math.abs(ends);
+        const aside = dot(minus(tail, known.at), known.n);
         const now = () => {
             const here = this.axes(on), size = this.sizeOf(on) / this.scale;
             if (!here || size < leastVector) return null;
-            const from = along(here.at, pulls ? begins : ends - size, here.e);
+            const from = along(along(here.at, pulls ? begins : ends - size, here.e), aside, here.n);
             return /** @type {[Spot, Spot]} */ ([from, along(from, size, here.e)]);
         };
         const whole = /** @type {[Spot, Spot]} */ ([tail, tip]);

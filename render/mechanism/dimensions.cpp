@@ -141,7 +141,7 @@ private:
             if (std::span<const Mark>* layer = group ? layer_of(layers, group->cls) : nullptr)
                 *layer = own;
             else
-                add(own, taken_);
+                keep_off_beside_layers(own);
         }
         keep_off(layers);
         for (const Mark& mark : marks)
@@ -150,6 +150,15 @@ private:
                     ink->centre = ink->centre - origin_;
                     letters_.push_back(*ink);
                 }
+    }
+    /// Leaders and bars; of the number of a link the whole circle.
+    void keep_off_beside_layers(std::span<const Mark> marks) {
+        add(marks, taken_);
+        for (const Mark& mark : marks)
+            if (const auto* path = std::get_if<Path>(&mark))
+                for (const Segment& segment : path->segments)
+                    if (const auto* arc = std::get_if<ArcTo>(&segment))
+                        letters_.push_back({arc->centre - origin_, {arc->radius, arc->radius}});
     }
     static std::span<const Mark>* layer_of(DrawnLayers& layers, std::string_view role) {
         if (role == "construction" && layers.construction.empty()) return &layers.construction;
@@ -334,7 +343,7 @@ private:
         return count;
     }
     int count_letters_near(const Bar& bar) const {
-        constexpr double near = 0.6;
+        constexpr double near = 0.9;  // a little more than two labels keep
         const InkBox own{middle(bar), {length(bar) / 2, 0}, length(bar) > 0 ? unit(bar.to - bar.from) : Spot{1, 0}};
         return static_cast<int>(std::count_if(letters_.begin(), letters_.end(), [&](const InkBox& letters) {
             return lettering::gap_between(own, letters, near) < near;
@@ -413,7 +422,7 @@ private:
                          on_text * count_near(extension, words_, 0.4, nowhere) + 0.6 * count_near(extension, led_, 0.2, ends);
         for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width()))
             if (price < enough)
-                price += toll(bar, {on_text, 1.5}, {on_text, 0.6}, {on_text, 0.6}, nowhere) +
+                price += toll(bar, {on_text, 1.5}, {on_text, 0.6}, {on_text, 0.9}, nowhere) +
                          on_text * count_near(bar, led_, 0.6, nowhere);
         if (price >= enough) return price;
         if (wish_.within) return price + (stays_within(trial, text) ? 0 : leaves_its_paper);

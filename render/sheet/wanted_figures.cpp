@@ -459,6 +459,10 @@ void WantedFigures::add_mechanism() {
         // The scale that the file asks for is too large for the paper: ours, then.
         return draw(unscaled(), x, y);
     };
+    if (!s.act_of_motion && !wanted.asked)
+        wanted.draw_or_refuse = [this, centres](Spot room, double coarsest) {
+            return mechanism_figure(context_, room.x, room.y, centres, coarsest);
+        };
     if (!s.act_of_motion && detail_ == SolutionDetail::full)
         wanted.enrich = [this, centres](const Figure& plain, Spot room) {
             return mechanism_with_found_turnings(context_, plain, room, centres);

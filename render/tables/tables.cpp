@@ -588,7 +588,7 @@ bool carries_wheel(BodyIndex body, const Solution& solution) {
     const std::vector<Joint>& joints = solution.mechanism.joints;
     const auto rolls = [&](BodyIndex wheel) {
         return std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
-            return (joint.kind == JointKind::rolling || joint.kind == JointKind::gear) && joint.connects(wheel);
+            return (joint.pair().rolls() || joint.pair().meshes()) && joint.connects(wheel);
         });
     };
     bool on_frame = false, on_wheel = false, on_other = false;

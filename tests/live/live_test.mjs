@@ -544,7 +544,9 @@ for (const [name, figures, at] of [
                         const [a, b] = endsOf(axis), {motion} = view, element = motion.held(on[1])[1], replay = motion.replays[motion.plan];
                         const along = {x: (b.x - a.x) * held.scale - replay.x(element), y: (a.y - b.y) * held.scale - replay.y(element)};
                         told(on[1], Math.hypot(along.x, along.y) / held.scale);
-                        told('on its line', Math.abs(dot(minus(a, held.place(on[0])), quarterTurn(held.direction([on[1]])))));
+                        // Where another stands on the same line it is 2.2 mm beside it.
+                        const off = Math.abs(dot(minus(a, held.place(on[0])), quarterTurn(held.direction([on[1]]))));
+                        told('on its line', Math.min(off, Math.abs(off - 2.2)));
                     }
                     if (form !== 'line' || !seen(node)) continue;
                     const spots = spotsOf(parsePath(node.getAttribute('d')));
