@@ -105,8 +105,8 @@ private:
         double price = 0;
     };
 
-    static constexpr double price_of_letters = 4;  ///< nothing may run over them
-    static constexpr Spot for_names{10, 18};       ///< they need a rim, the scale bar its place below
+    double price_of_letters() const { return wish_.sought_far ? 12 : 4; }  ///< nothing may run over them
+    static constexpr Spot for_names{10, 18};                               ///< they need a rim, the scale bar its place below
 
     Pen thin() const { return {sketch_.theme.thin, sketch_.theme.text, {}, false}; }
 
@@ -404,14 +404,14 @@ private:
     }
     double toll(const Bar& bar, const std::vector<Obstacle>& heavy_bars, Rate heavy, Rate light, Rate taken,
                 const std::array<Spot, 2>& ends) const {
-        return price_of_letters * count_letters_near(bar) + heavy.price * count_near(bar, heavy_bars, heavy.distance, ends) +
+        return price_of_letters() * count_letters_near(bar) + heavy.price * count_near(bar, heavy_bars, heavy.distance, ends) +
                light.price * count_near(bar, light_, light.distance, ends) +
                taken.price * count_near(bar, taken_, taken.distance, nowhere);
     }
     /// Nothing is taken off a price: from `enough` on it is no longer added to.
     double price_of(const Trial& trial, const Text& text, const std::array<Spot, 2>& ends, double enough) const {
         double price = trial.price;
-        const double on_text = wish_.sought_far ? 12 : 4;
+        const double on_text = price_of_letters();
         for (const Bar& stroke : trial.strokes)
             if (price < enough)
                 price += toll(stroke, {3, 1.2}, {0.6, 0.3}, {3, 1.0}, ends) + on_text * count_near(stroke, words_, 0.4, nowhere) +
