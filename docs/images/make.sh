@@ -28,8 +28,8 @@ plot() {
 
 draw four_bar four_bar 1 --dpi 95
 draw sluice_gate sluice_gate 1 --dpi 110
-draw whitworth whitworth 1 --dpi 95
-draw watt_six_bar watt_six_bar 1 --dpi 95 --lang it
+draw whitworth whitworth 1 --dpi 92
+draw watt_six_bar watt_six_bar 1 --dpi 92 --lang it
 draw gas_force gas_force 2 --dpi 110
 draw toggle_clamp toggle_clamp 1 --dpi 110
 draw double_butterfly double_butterfly 1 --dpi 85
