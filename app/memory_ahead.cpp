@@ -1,8 +1,9 @@
 // Memory ahead: by glibc and Linux 5.14; elsewhere memory comes as it is touched.
 #include "app/memory_ahead.hpp"
 
-#include <cstdint>
+#include <cstddef>
 #include <cstdlib>
+#include <memory>
 #if __has_include(<malloc.h>) && __has_include(<sys/mman.h>)
 #include <malloc.h>
 #include <sys/mman.h>
@@ -13,14 +14,15 @@ namespace kinegraph::app {
 void take_memory_ahead() {
 #if defined(M_MMAP_THRESHOLD) && defined(MADV_POPULATE_WRITE)
     constexpr int taken = 3 << 20, kept = 64 << 20;
-    constexpr std::uintptr_t page = 4096;
+    constexpr std::size_t page = 4096;
     // What is given back now must stay the process's.
     mallopt(M_MMAP_THRESHOLD, kept);
     mallopt(M_TRIM_THRESHOLD, kept);
     void* block = std::malloc(taken);
     if (block == nullptr) return;
-    const std::uintptr_t first = (reinterpret_cast<std::uintptr_t>(block) + page - 1) / page * page;
-    madvise(reinterpret_cast<void*>(first), taken - page, MADV_POPULATE_WRITE);
+    void* first = block;
+    std::size_t space = taken;
+    if (std::align(page, taken - page, first, space) != nullptr) madvise(first, taken - page, MADV_POPULATE_WRITE);
     std::free(block);
 #endif
 }

@@ -43,8 +43,7 @@ bool FigureNeeds::may_refuse(const Wanted& wanted) const {
 void FigureNeeds::learn_from(const DrawnFigure& drawn) {
     Wanted& wanted = wanted_.list[drawn.wanted];
     if (!wanted.tells_its_extents() || wanted.asked) return;
-    const Spot taken{with_air(drawn.size.x, drawn.room.width()),
-                     with_air(drawn.height(), drawn.room.height()) - caption_line};
+    const Spot taken{with_air(drawn.size.x, drawn.room.width()), with_air(drawn.height(), drawn.room.height()) - caption_line};
     const Spot guess = wanted.strokes_at(drawn.figure.scale) + Spot{wanted.rim_x, wanted.rim_y};
     const auto [known, fresh] = wanted.taken.try_emplace(drawn.figure.scale, taken);
     if (fresh) spared_ = std::max({spared_, guess.x - taken.x, guess.y - taken.y});
