@@ -352,7 +352,8 @@ struct Working {
     std::vector<Factor> factors;  ///< none: it is read off the drawing
     std::optional<double> divisor;
     Amount result;
-    std::vector<double> summands = {};  ///< in place of factors: it is their sum
+    /// In place of factors: it is their sum; beside factors, what each of these is multiplied by: ΣF·b.
+    std::vector<double> summands = {};
     /// A Coriolis term has the direction of the relative velocity turned a quarter turn with ω.
     struct Turned {
         Symbol velocity, with;
