@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "render/page/label_prices.hpp"
@@ -279,9 +278,9 @@ void LabelPlaces::Queue::wait(Ranked place) {
 /// What stands about a place is looked at only when it is its turn; it then makes room for those that now cost less.
 bool LabelPlaces::is_met(Batch& batch, Queue& queue, std::size_t rank, double least) {
     while (queue.met.size() <= rank) {
-        constexpr double none = std::numeric_limits<double>::infinity();
-        const double first = queue.waiting.empty() ? none : queue.waiting.front().price;
-        const double bound = batch.has_seeds() ? batch.bound() : none;
+        if (queue.waiting.empty() && !batch.has_seeds()) return false;
+        const double first = queue.waiting.empty() ? unlimited : queue.waiting.front().price;
+        const double bound = batch.has_seeds() ? batch.bound() : unlimited;
         if (std::min(first, bound) >= least) return false;
         if (bound <= first) {
             place_next(batch);
