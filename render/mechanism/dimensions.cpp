@@ -32,10 +32,12 @@ std::size_t end_of_mark(std::span<const Mark> marks, std::size_t first) {
 std::size_t end_of_layers(std::span<const Mark> marks) {
     constexpr std::array<std::string_view, 8> layers{"tint",   "construction", "ground",  "links",
                                                      "joints", "arrows",       "centres", "dimensions"};
+    const auto is_layer = [&](const Mark& mark) {
+        const auto* group = std::get_if<GroupBegin>(&mark);
+        return group != nullptr && std::find(layers.begin(), layers.end(), group->cls) != layers.end();
+    };
     std::size_t end = 1;
-    for (const GroupBegin* group = nullptr; end < marks.size() && (group = std::get_if<GroupBegin>(&marks[end])) != nullptr &&
-                                            std::find(layers.begin(), layers.end(), group->cls) != layers.end();)
-        end = end_of_mark(marks, end);
+    while (end < marks.size() && is_layer(marks[end])) end = end_of_mark(marks, end);
     return end;
 }
 
