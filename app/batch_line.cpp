@@ -42,8 +42,13 @@ public:
 
 private:
     template <class Value>
-    using Choices = std::initializer_list<std::pair<std::string_view, Value>>;
+    using Choices = std::vector<std::pair<std::string_view, Value>>;
 
+    static Choices<render::Language> languages_by_code() {
+        Choices<render::Language> all;
+        for (const render::Language language : render::languages) all.emplace_back(render::notation(language).code, language);
+        return all;
+    }
     void fault(JsonValue at, Words message) { line_.errors.push_back({ErrorCode::bad_input, at.pointer(), std::move(message)}); }
     void wrong(JsonValue at, const Words& wanted) {
         fault(at, {"{0} is wanted here, not {1}", "qui ci vuole {0}, non {1}", wanted, described(at)});
@@ -67,7 +72,7 @@ private:
         for (const JsonValue each : value) text(each, into.emplace_back());
     }
     template <class Value>
-    void choice(JsonValue value, Choices<Value> choices, Value& into) {
+    void choice(JsonValue value, const Choices<Value>& choices, Value& into) {
         std::vector<std::string_view> names;
         for (const auto& [name, meant] : choices) {
             names.push_back(name);
@@ -111,7 +116,7 @@ private:
         const std::string_view key = value.key();
         SolveRequest& request = line_.request;
         if (key == "lang")
-            choice<Language>(value, {{"en", Language::en}, {"it", Language::it}}, request.language);
+            choice<Language>(value, languages_by_code(), request.language);
         else if (key == "paper")
             choice<Paper>(value, {{"A4", Paper::a4}, {"A3", Paper::a3}, {"letter", Paper::letter}}, request.paper);
         else if (key == "orientation")

@@ -112,21 +112,21 @@ void add_choice(CLI::App& command, const char* name, std::string& chosen, const 
         ->capture_default_str();
 }
 
-Language language_named(const std::string& word) { return word == "it" || word == "IT" ? Language::it : Language::en; }
-
 /// The language asked for, also by a command line that is wrong.
-Language language_of(int count, char** arguments) {
+Language language_asked_for(int count, char** arguments) {
     std::string word;
     for (int i = 1; i < count; ++i) {
         const std::string argument = arguments[i];
         if (argument.starts_with("--lang=")) word = argument.substr(7);
         if (argument == "--lang" && i + 1 < count) word = arguments[i + 1];
     }
-    return language_named(word);
+    return render::language_of(word);
 }
 
 void add_language(CLI::App& command, std::string& chosen, const char* help) {
-    add_choice(command, "--lang", chosen, help, {"en", "it"}, "LANG");
+    std::vector<std::string> codes;
+    for (const Language language : render::languages) codes.push_back(render::code_of(language));
+    add_choice(command, "--lang", chosen, help, std::move(codes), "LANG");
 }
 
 /// Parameters of the file that are to have another value.
@@ -157,7 +157,7 @@ struct SolveWords {
 
     SolveRequest meant() const {
         SolveRequest full = request;
-        full.language = language_named(language);
+        full.language = render::language_of(language);
         if (paper == "A3") full.paper = render::Paper::a3;
         if (paper == "letter") full.paper = render::Paper::letter;
         if (dimensions == "on") full.dimensions = render::Dimensions::on;
@@ -500,7 +500,7 @@ void add_check(CLI::App& program, Action& action) {
     add_settings(*command, request->set);
     add_language(*command, *language, "Language of messages: en or it");
     command->callback([&action, request, language] {
-        request->language = language_named(*language);
+        request->language = render::language_of(*language);
         action = [request] { return check_command(*request); };
     });
 }
@@ -541,7 +541,7 @@ void add_diff(CLI::App& program, Action& action) {
     auto language = std::make_shared<std::string>("en");
     add_language(*command, *language, "Language of messages: en or it");
     command->callback([&action, request, language] {
-        request->language = language_named(*language);
+        request->language = render::language_of(*language);
         action = [request] { return diff_command(*request); };
     });
 }
@@ -591,7 +591,7 @@ void add_equations(CLI::App& program, Action& action) {
     add_choice(*command, "--format", request->format, "text, latex (a document) or json (matrices and unknowns by name)",
                {"text", "latex", "json"}, "FORMAT");
     command->callback([&action, request, language] {
-        request->language = language_named(*language);
+        request->language = render::language_of(*language);
         action = [request] { return equations_command(*request); };
     });
 }
@@ -612,7 +612,7 @@ void add_watch(CLI::App& program, Action& action) {
         ->type_name("THEME")
         ->capture_default_str();
     command->callback([&action, request, language] {
-        request->language = language_named(*language);
+        request->language = render::language_of(*language);
         action = [request] { return watch_command(*request); };
     });
 }
@@ -704,7 +704,7 @@ int main(int count, char** arguments) {
     // A reader that is gone and a file that may not grow are failures to write, told as such.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    const Language language = language_of(count, arguments);
+    const Language language = language_asked_for(count, arguments);
     kinegraph::take_algebra_from(loaded_algebra);
     const kinegraph::Words ours("this is a fault of ours", "questo è un errore nostro");
     try {

@@ -117,7 +117,8 @@ tl::expected<std::vector<Asked>, Words> positions_asked(const SolveRequest& requ
 void name_position(Mechanism& mechanism, const std::string& driver, const Words& turn) {
     Words& title = mechanism.title;
     if (title.empty()) title = mechanism.source;
-    title = Words(in(title, Language::en), in(title, Language::it)) + Words(" ({0}: {1})", " ({0}: {1})", driver, turn);
+    title = render::in_all([&](Language language) { return in(title, language); }) +
+            Words(" ({0}: {1})", " ({0}: {1})", driver, turn);
 }
 
 /// The mechanism solved in the positions asked for; else it has been said what is wrong.

@@ -361,8 +361,7 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
         case Kind::omega:
             return symbol("ω", body(q.body), Face::regular);
         case Kind::alpha:
-            return language == Language::it ? symbol("ω", body(q.body), Face::regular, 1)
-                                            : symbol("α", body(q.body), Face::regular);
+            return symbol(notation(language).alpha, body(q.body), Face::regular, notation(language).alpha_dots);
         case Kind::velocity:
             return symbol("v", along(mechanism.point(q.point).name), Face::italic);
         case Kind::acceleration:

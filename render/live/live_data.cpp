@@ -433,8 +433,8 @@ std::string words_json() {
                                                                   "live none"});
     Json json;
     json.open('{');
-    for (const Language language : {Language::en, Language::it}) {
-        json.key(language == Language::en ? "en" : "it").open('{');
+    for (const Language language : languages) {
+        json.key(code_of(language)).open('{');
         for (const std::string_view key : keys) json.key(key.substr(5)).text(word(key, language));
         json.close('}');
     }

@@ -296,12 +296,10 @@ std::string style_of(const Theme& theme, const std::optional<Theme>& dark) {
     return css + without_comments(live_style, false);
 }
 
-std::string code(Language language) { return language == Language::en ? "en" : "it"; }
-
 /// The whole file around `body`. A page that is served may ask where it came from, and nobody else.
 std::string document(const std::string& title, Language language, const std::string& style, const std::string& script,
                      const std::string& data, bool served, const std::string& body) {
-    std::string page = "<!DOCTYPE html>\n<html lang=\"" + code(language) + "\">\n<head>\n<meta charset=\"utf-8\">\n";
+    std::string page = "<!DOCTYPE html>\n<html lang=\"" + code_of(language) + "\">\n<head>\n<meta charset=\"utf-8\">\n";
     page += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-" +
             sha256_base64(script) + "'; style-src 'sha256-" + sha256_base64(style) + "'; " +
             (served ? "connect-src 'self'; " : "") + "base-uri 'none'; form-action 'none'\">\n";
@@ -324,11 +322,12 @@ public:
 
     std::string write(const std::optional<Theme>& dark, int served) {
         std::string sheets, figures;
-        const Language first = options_.language, second = first == Language::en ? Language::it : Language::en;
-        for (const Language language : {first, second}) {
+        const Language first = options_.language;
+        auto all = languages;
+        std::stable_partition(all.begin(), all.end(), [&](Language language) { return language == first; });
+        for (const Language language : all) {
             sheets += sheet(language);
-            figures += (figures.empty() ? "" : ",") + std::string(language == Language::en ? "\"en\":[" : "\"it\":[") +
-                       figures_json_ + "]";
+            figures += (figures.empty() ? "" : ",") + std::string("\"") + code_of(language) + "\":[" + figures_json_ + "]";
         }
         std::string data = "{\"words\":" + words_json() + ",\"figures\":{" + figures + "}";
         if (served > 0) data += ",\"served\":" + std::to_string(served);
@@ -394,7 +393,7 @@ private:
         out += element("div", "class=\"figures\"", figures(language));
         out += element("div", "class=\"text\"", steps(language) + equations(language) + values(language) + results(language));
         const bool first = language == options_.language;
-        return element("main", "lang=\"" + code(language) + "\"" + (first ? "" : " hidden"), out);
+        return element("main", "lang=\"" + code_of(language) + "\"" + (first ? "" : " hidden"), out);
     }
 
     std::string figures(Language language) {
@@ -514,7 +513,7 @@ std::string live_page(const Solution& solution, const std::optional<Moving>& mov
 std::string waiting_page(const std::string& name, const SheetOptions& options, const std::optional<Theme>& dark) {
     const std::string data = "{\"words\":" + words_json() + ",\"served\":0}";
     return document(name, options.language, style_of(options.theme, dark), without_comments(live_watch_script, true), data, true,
-                    element("main", "lang=\"" + code(options.language) + "\"", element("h1", "", escaped(name))));
+                    element("main", "lang=\"" + code_of(options.language) + "\"", element("h1", "", escaped(name))));
 }
 
 }  // namespace kinegraph::render

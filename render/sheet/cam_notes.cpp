@@ -87,7 +87,7 @@ private:
         RichText line = one_piece(in_words(is_left ? "rise is counter-clockwise" : "rise is clockwise") + " ");
         append(line, symbol("ω", name));
         append(line, std::string(is_left ? " = " : " = −") + in_words("rise angle rate") + ", ");
-        append(line, language_ == Language::it ? symbol("ω", name, 1) : symbol("α", name));
+        append(line, symbol(notation(language_).alpha, name, notation(language_).alpha_dots));
         append(line, std::string(is_left ? " = " : " = −"));
         append(line, with_powers(in_words("rise angle acceleration")));
         return line;

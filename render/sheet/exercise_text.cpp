@@ -168,7 +168,7 @@ private:
     RichText pair(double x, double y) const {
         RichText text = one_piece("(");
         append(text, number_of(x));
-        append(text, between_numbers(language()));
+        append(text, notation(language()).between_numbers);
         append(text, number_of(y));
         append(text, ")");
         return text;

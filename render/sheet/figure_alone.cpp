@@ -47,7 +47,7 @@ AloneFigure cut_to(const DrawingContext& context, Figure figure) {
     page.height = box.height() + 2 * margin;
     page.paper = context.theme.paper;
     page.title = title_of(context.solution, context.language) + ": " + plain(figure.caption);
-    page.language = context.language == Language::it ? "it" : "en";
+    page.language = code_of(context.language);
     page.marks = std::move(figure.marks);
     return {std::move(page), {}, std::move(figure.caption), {}, figure.origin, figure.places};
 }

@@ -93,7 +93,7 @@ private:
         page.height = format_.height;
         page.paper = theme.paper;
         page.title = table_.title;
-        page.language = options_.language == Language::it ? "it" : "en";
+        page.language = code_of(options_.language);
         page.marks.emplace_back(polyline({inner.min, {inner.max.x, inner.min.y}, inner.max, {inner.min.x, inner.max.y}},
                                          {theme.outline, theme.text, {}, false}, true));
         std::string origin;

@@ -140,8 +140,8 @@ private:
             card.lines.push_back(fact(say({"closure", "accoppiamento"}), say(closure_of(pair))));
             section.cards.push_back(std::move(card));
         }
-        section.closing = {word("axes of pairs", Language::en) + " A couple is a vector with two heads.",
-                           word("axes of pairs", Language::it) + " Una coppia è un vettore con due punte."};
+        section.closing = in_all([](Language language) { return word("axes of pairs", language); }) +
+                          Words(" A couple is a vector with two heads.", " Una coppia è un vettore con due punte.");
         return section;
     }
 
@@ -315,7 +315,7 @@ private:
 
 std::vector<Page> lay_out_catalogue(const SheetOptions& options, const Fonts& fonts) {
     Solution solution;
-    solution.mechanism.title = {word("catalogue of pairs", Language::en), word("catalogue of pairs", Language::it)};
+    solution.mechanism.title = in_all([](Language language) { return word("catalogue of pairs", language); });
     const DrawingContext context{solution, options.theme, fonts, options.language, Dimensions::off};
     const CatalogueText text(context);
     return CatalogueSheet(context, options).pages(text.sections());

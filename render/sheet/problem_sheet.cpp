@@ -102,7 +102,7 @@ public:
         given.sentences.resize(given.sentences.size() - given.found);
         for (ProblemFigure& figure : given.figures)
             if (figure.as_question) figure.draw = figure.as_question;
-        ProblemSection sought{"sought", {word("sought", Language::en), word("sought", Language::it)}, {}, {}};
+        ProblemSection sought{"sought", in_all([](Language language) { return word("sought", language); }), {}, {}};
         for (const ProblemValue& each : context_.solution.problem->values) {
             if (!is_sought(each)) continue;
             const std::string symbol = "{" + each.symbol + "}";

@@ -57,7 +57,7 @@ public:
 
     QuizItem item(const std::vector<AskedValue>& asked) {
         item_.title = title_of(solution_, language());
-        item_.language = language() == Language::it ? "it" : "en";
+        item_.language = code_of(language());
         item_.blanks_heading = word("sought", language());
         if (is_problem_)
             tell_problem();

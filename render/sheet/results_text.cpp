@@ -95,7 +95,7 @@ private:
 
     std::string bodies() const {
         const Units& units = solution_.mechanism.units;
-        const std::string alpha = language_ == Language::it ? "ω̇" : "α";
+        const std::string alpha = plain(typeset(Symbol{Symbol::Letter::alpha, "", ""}, language_));
         const bool has_alpha = std::any_of(solution_.bodies.begin(), solution_.bodies.end(),
                                            [](const BodyMotion& b) { return b.alpha.has_value(); });
         std::vector<Cells> rows{{word("body", language_), "ω [" + units.angular_velocity.symbol + "]"}};

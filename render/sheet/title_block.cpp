@@ -183,7 +183,7 @@ Page framed_page(const DrawingContext& context, const SheetFormat& format, const
     page.height = format.height;
     page.paper = theme.paper;
     page.title = title_of(context.solution, context.language);
-    page.language = context.language == Language::it ? "it" : "en";
+    page.language = code_of(context.language);
     const Pen pen{theme.outline, theme.text, {}, false};
     page.marks.emplace_back(polyline(
         {format.inner.min, {format.inner.max.x, format.inner.min.y}, format.inner.max, {format.inner.min.x, format.inner.max.y}},

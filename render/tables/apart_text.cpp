@@ -32,7 +32,7 @@ private:
     const std::string& body() const { return mechanism_.body(motion_.query.observer).name; }
     const std::string& point() const { return mechanism_.point(motion_.query.point).name; }
     const std::string& origin() const { return mechanism_.point(apart_.origin).name; }
-    std::string wedge() const { return language_ == Language::it ? " ∧ " : " × "; }
+    std::string wedge() const { return std::string(" ") + notation(language_).cross_product + " "; }
     /// "AB", "O_2 A" as a vector from the one to the other.
     Formula reach() const { return Formula::fenced(named(point()) + Formula::sign("−") + named(origin())); }
     static Formula named(const std::string& name) {
@@ -42,7 +42,7 @@ private:
     }
     Formula omega() const { return Formula::letter("omega", body()); }
     Formula alpha() const {
-        return language_ == Language::it ? Formula::letter("omega", body(), 1) : Formula::letter("alpha", body());
+        return Formula::letter(letter_spelt(notation(language_).alpha), body(), notation(language_).alpha_dots);
     }
     static Formula upright(const std::string& text) { return Formula::upright(text); }
     std::string amount_of(double si, QuantityKind kind) const { return amount(si, kind, mechanism_.units, language_); }

@@ -90,7 +90,7 @@ Formula RateText::matrix(const Equations::Block& block, bool symbols) const {
             entries.push_back(symbols ? joined(pen_.terms(e_.f_y[row][col]))
                                       : pen_.value(rounded(in_units(row, each, e_.jacobian[row][col]))));
         }
-    return Formula::matrix(std::move(entries), block.unknowns.size(), between_numbers(pen_.language()));
+    return Formula::matrix(std::move(entries), block.unknowns.size(), notation(pen_.language()).between_numbers);
 }
 
 double RateText::rounded(double entry) const {
@@ -210,7 +210,7 @@ void RateText::write_in_parts(const Equations::Block& block) {
         list_.set(equal(names.back(), matrix(part, true)));
     }
     const std::size_t count = names.size();
-    list_.set(equal(Formula::letter("J"), Formula::matrix(std::move(names), count, between_numbers(pen_.language()))));
+    list_.set(equal(Formula::letter("J"), Formula::matrix(std::move(names), count, notation(pen_.language()).between_numbers)));
 }
 
 void RateText::write_determinant(const Equations::Block& block) {

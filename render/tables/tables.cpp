@@ -67,7 +67,7 @@ std::optional<Reading> reading_of(const ResultRow& row) {
 /// A scale, without zeros that say nothing: 0.005.
 std::string round_number(double value, Language language) {
     std::string text = number(value, 3, language);
-    const char point = language == Language::it ? ',' : '.';
+    const char point = notation(language).decimal_mark;
     if (text.find(point) == std::string::npos || text.find(' ') != std::string::npos) return text;
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == point) text.pop_back();

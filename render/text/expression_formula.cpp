@@ -148,11 +148,9 @@ private:
     Formula name_of_function(Elementary function) const {
         std::string name(name_of(function));
         if (function == Elementary::log) name = "ln";
+        if (function == Elementary::sin) name = notation(language_).sine;
+        if (function == Elementary::asin) name = std::string("a") + notation(language_).sine;
         if (function == Elementary::asin || function == Elementary::acos || function == Elementary::atan) name.insert(1, "rc");
-        if (language_ == Language::it) {
-            if (function == Elementary::sin) name = "sen";
-            if (function == Elementary::asin) name = "arcsen";
-        }
         return Formula::upright(name);
     }
     Formula function(const Expression& of) const {
@@ -175,7 +173,7 @@ Formula formula_of(const Expression& of, const NamedConstants& constants, std::s
 Formula formula_of(const NamedConstant& constant, Language language) {
     if (constant.name.empty()) {
         std::string text = constant.written;
-        if (language == Language::it) std::replace(text.begin(), text.end(), '.', ',');
+        std::replace(text.begin(), text.end(), '.', notation(language).decimal_mark);
         return Formula::upright(text);
     }
     const std::size_t digit = constant.name.find_first_of("0123456789_");

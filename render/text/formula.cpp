@@ -127,11 +127,11 @@ std::string amount(double si, QuantityKind kind, const Units& units, Language la
     return unit.symbol.empty() || unit.symbol == "°" ? value + unit.symbol : value + " " + unit.symbol;
 }
 Words amount(double si, QuantityKind kind, const Units& units, int digits) {
-    return {amount(si, kind, units, Language::en, digits), amount(si, kind, units, Language::it, digits)};
+    return in_all([&](Language language) { return amount(si, kind, units, language, digits); });
 }
 Words numeral(double value, int digits) {
-    if (digits == as_given) return {given(value, Language::en), given(value, Language::it)};
-    return {number(value, digits, Language::en), number(value, digits, Language::it)};
+    return in_all(
+        [&](Language language) { return digits == as_given ? given(value, language) : number(value, digits, language); });
 }
 
 }  // namespace kinegraph::render

@@ -1535,7 +1535,7 @@ std::string dressed(std::string_view decimal, Language language) {
         if (c == '-')
             out += "−";
         else if (c == '.')
-            out += language == Language::it ? "," : ".";
+            out += notation(language).decimal_mark;
         else
             out += c;
     }
@@ -1704,11 +1704,11 @@ RichText typeset(const Symbol& symbol, Language language) {
             result.text = "ω";
             break;
         case Letter::alpha:
-            result.text = language == Language::it ? "ω" : "α";
-            result.dots = language == Language::it ? 1 : 0;
+            result.text = notation(language).alpha;
+            result.dots = notation(language).alpha_dots;
             break;
         case Letter::centre:
-            result.text = language == Language::it ? "C" : "P";
+            result.text = notation(language).centre;
             break;
         case Letter::radius:
             result.text = "ρ";
@@ -1818,10 +1818,8 @@ std::string fixed(double value, int decimals, Language language) {
     return dressed(text, language);
 }
 
-const char* between_numbers(Language language) { return language == Language::it ? "; " : ", "; }
-
 std::string pair_of(const std::string& x, const std::string& y, Language language) {
-    return "(" + x + between_numbers(language) + y + ")";
+    return "(" + x + notation(language).between_numbers + y + ")";
 }
 
 std::string shortest(double value) {
@@ -1840,11 +1838,6 @@ std::string shortest(double value, Language language) {
         if (back == value) return number(value, digits, language);
     }
     return number(value, 17, language);
-}
-
-const std::string& in(const Words& words, Language language) {
-    if (language == Language::it) return words.it.empty() ? words.en : words.it;
-    return words.en.empty() ? words.it : words.en;
 }
 
 std::string verdict_words(const Mobility& mobility, Language language) {

@@ -1,6 +1,6 @@
 // Words: every sentence, heading and name the sheet says, in English and Italian. Faults of
 // files and of the command line carry theirs themselves (engine/words.hpp). Terms differ by
-// language, not only by translation (instant centre P_ij / centro di istantanea rotazione C_ij, decimal comma, × / ∧).
+// language, not only by translation (instant centre P_ij / centro di istantanea rotazione C_ij; language.hpp).
 #pragma once
 
 #include <string>
@@ -9,11 +9,10 @@
 #include "engine/mechanism.hpp"
 #include "engine/mobility.hpp"
 #include "engine/statement.hpp"
+#include "render/text/language.hpp"
 #include "render/text/text.hpp"
 
 namespace kinegraph::render {
-
-enum class Language { en, it };
 
 /// A sentence of the solution, symbols set as in the figures.
 RichText say(const Message& message, Language language);
@@ -29,15 +28,12 @@ RichText typeset(const LineReason& reason, Language language);
 std::string number(double value, int digits, Language language);
 /// A fixed number of decimals, for columns.
 std::string fixed(double value, int decimals, Language language);
-/// What stands between two numbers of a list: a semicolon where the comma is the decimal one.
-const char* between_numbers(Language language);
 /// "(1.5, 2)" of coordinates as they are written.
 std::string pair_of(const std::string& x, const std::string& y, Language language);
 /// The shortest decimal that reads back as this double, with a point: data attributes.
 std::string shortest(double value);
 /// The same for readers: decimal comma in Italian, true minus, powers of ten where it is long.
 std::string shortest(double value, Language language);
-const std::string& in(const Words& words, Language language);
 
 /// "mechanism", "hyperstatic, 2 times", …: what the rank says of the structure at this pose.
 std::string verdict_words(const Mobility& mobility, Language language);
