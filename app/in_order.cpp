@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/block_memory.hpp"
 #include "engine/thread_end.hpp"
 
 namespace kinegraph::app {
@@ -39,6 +40,7 @@ InOrder::InOrder(std::vector<Worker> workers, Sink sink, Stops stops)
             threads_.emplace_back([this, worker = std::move(worker)] {
                 work(worker);
                 end_thread();
+                give_back_block_memory();
             });
         } catch (const std::system_error&) {
             if (threads_.empty()) throw;

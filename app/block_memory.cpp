@@ -1,0 +1,119 @@
+// Block memory: where the blocks come from that C++ asks for with new. A sheet makes and drops some fifteen thousand, most of
+// them short strings and lists of a few marks, far more at once than glibc keeps at hand for a thread (seven of a size), and its
+// search for all others takes a seventh of a sheet's time. So each thread keeps what it drops in lists by size and takes it from
+// there again, as numbers do (engine/number_memory.hpp).
+//
+// Every block comes from malloc with the size of its class, which is that of malloc's own chunks, and may go back to free() at
+// any time: blocks of a list and others may be mixed, whoever made them (a module has a new and a delete of its own) and
+// whichever thread ends them. Sanitizers must see every block end, and other libraries of C have other chunks: there nothing is
+// replaced.
+#include "app/block_memory.hpp"
+
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define KINEGRAPH_BLOCKS_WATCHED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
+#define KINEGRAPH_BLOCKS_WATCHED 1
+#endif
+#endif
+
+#if defined(KINEGRAPH_BLOCKS_WATCHED) || !defined(__GLIBC__) || __SIZEOF_POINTER__ != 8
+
+namespace kinegraph::app {
+void give_back_block_memory() {}
+}  // namespace kinegraph::app
+
+#else
+
+namespace kinegraph::app {
+namespace {
+
+/// A block that is not in use begins with the next of its class.
+struct Block {
+    Block* next;
+};
+
+// A chunk of malloc's is a multiple of 16 bytes, of which 8 are its own; the least has 32.
+constexpr std::size_t grain = 16, own = 8;
+constexpr std::size_t classes = 128;                      ///< blocks up to 2 KiB; longer ones are few
+constexpr std::size_t most_kept = std::size_t{8} << 20U;  ///< bytes a thread keeps
+
+struct Lists {
+    std::array<Block*, classes + 1> first;  ///< by class
+    std::size_t kept;                       ///< bytes
+};
+// (The model says that the program itself holds them, so that finding them is no call.)
+[[gnu::tls_model("initial-exec")]] thread_local constinit Lists lists{};
+
+constexpr std::size_t class_of(std::size_t size) {
+    const std::size_t chunks = (size + own + grain - 1) / grain;
+    return chunks < 2 ? 2 : chunks;
+}
+constexpr std::size_t room_of(std::size_t of_class) { return of_class * grain - own; }
+
+[[gnu::noinline]] void* ask(std::size_t size) {
+    for (;;) {
+        if (void* const block = std::malloc(size)) return block;
+        const std::new_handler handler = std::get_new_handler();
+        if (handler == nullptr) throw std::bad_alloc();
+        handler();
+    }
+}
+
+inline void* take(std::size_t size) {
+    constexpr std::size_t longest = room_of(classes);
+    if (size > longest) [[unlikely]]
+        return ask(size);
+    const std::size_t of_class = class_of(size);
+    Block*& first = lists.first[of_class];
+    Block* const block = first;
+    if (block == nullptr) [[unlikely]]
+        return ask(room_of(of_class));
+    first = block->next;
+    lists.kept -= of_class * grain;
+    return block;
+}
+
+/// `room`: what it was asked for with, or what it has.
+inline void give(void* memory, std::size_t room) {
+    const std::size_t of_class = class_of(room);
+    if (of_class > classes || lists.kept + of_class * grain > most_kept) [[unlikely]]
+        return std::free(memory);
+    auto* const block = static_cast<Block*>(memory);
+    Block*& first = lists.first[of_class];
+    block->next = first;
+    first = block;
+    lists.kept += of_class * grain;
+}
+
+}  // namespace
+
+void give_back_block_memory() {
+    for (Block*& first : lists.first)
+        while (Block* const block = first) {
+            first = block->next;
+            std::free(block);
+        }
+    lists.kept = most_kept;  // what ends after this goes back at once
+}
+
+}  // namespace kinegraph::app
+
+void* operator new(std::size_t size) { return kinegraph::app::take(size); }
+void operator delete(void* memory) noexcept {
+    if (memory != nullptr) kinegraph::app::give(memory, ::malloc_usable_size(memory));
+}
+void operator delete(void* memory, std::size_t size) noexcept {
+    if (memory != nullptr) kinegraph::app::give(memory, size);
+}
+
+#endif
