@@ -197,11 +197,11 @@ double BandLayouts::wider_in(Spot room) const {
 
 double BandLayouts::scale_in(std::size_t figure, Spot room) const { return size_in(figure, room, false).scale; }
 
-bool BandLayouts::may_improve(const Best& best, const BandLayout& layout) const {
+bool BandLayouts::may_improve(const Best& best, const Arrangement& layout) const {
     return layout.worth + best.most_of_figures > best.layout.worth;
 }
 
-bool BandLayouts::improves(const Best& best, const BandLayout& layout, Spot room) const {
+bool BandLayouts::improves(const Best& best, const Arrangement& layout, Spot room) const {
     if (!may_improve(best, layout)) return false;
     for (const bool stacked : {false, true}) {
         if (stacked && figures_.sizes().size() < 2) break;
@@ -211,7 +211,7 @@ bool BandLayouts::improves(const Best& best, const BandLayout& layout, Spot room
     return false;
 }
 
-void BandLayouts::try_figures(Best& best, const BandLayout& layout, Spot room, double spare, double share_of_height) const {
+void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, double spare, double share_of_height) const {
     if (!may_improve(best, layout)) return;
     for (const bool stacked : {false, true}) {
         if (stacked && figures_.sizes().size() < 2) break;
@@ -288,9 +288,8 @@ bool BandLayouts::is_like(const BandLayouts& other) const {
 }
 
 BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
-    Best best = best_in(width, height, notch);
-    best.layout.rooms = rooms_of(best);
-    return std::move(best.layout);
+    const Best best = best_in(width, height, notch);
+    return {best.layout, rooms_of(best)};
 }
 
 BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) const {
@@ -301,7 +300,7 @@ BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) 
     if (best.most_of_figures < BandLayout::possible) return best;
     for (const bool cornered : {false, true}) {
         if (cornered && equations_ == nullptr) break;
-        BandLayout base;
+        Arrangement base;
         base.cornered = cornered;
         base.worth = cornered ? worth_of_corner : 0;
         for (base.divided = format_.columns; base.divided <= format_.columns + most_columns_more; ++base.divided)
@@ -310,14 +309,14 @@ BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) 
     return best;
 }
 
-void BandLayouts::try_all(Best& best, const BandLayout& base, double whole, double height, Notch notch) const {
+void BandLayouts::try_all(Best& best, const Arrangement& base, double whole, double height, Notch notch) const {
     constexpr double worth_of_beside = 0.02;
     static_assert(worth_of_beside <= price_of_columns, "no layout of this text is worth more than the base of all");
     if (!may_improve(best, base)) return;
     const double above = height - notch.high;
     if (base.divided > format_.columns && !may_be_narrow(base.divided, base.cornered)) return;
     const ColumnText& words = text(base.divided, base.cornered);
-    BandLayout layout = base;
+    Arrangement layout = base;
     if (words.empty()) {
         layout.divided = 0;
         return try_figures(best, layout, {whole, above}, above);
@@ -350,7 +349,7 @@ void BandLayouts::try_all(Best& best, const BandLayout& base, double whole, doub
     if (!figures_.sizes().empty()) try_round(best, layout, whole, height, notch);
 }
 
-TextColumns BandLayout::text_columns(double whole, double measure, double figures, const Notch& notch) const {
+TextColumns Arrangement::text_columns(double whole, double measure, double figures, const Notch& notch) const {
     TextColumns all;
     for (int i = 0; i < columns; ++i) {
         const bool below = !beside || i < under;
@@ -363,7 +362,7 @@ TextColumns BandLayout::text_columns(double whole, double measure, double figure
 }
 
 /// Figures in the upper left corner, text under them and then beside: as high as the text lets them be.
-void BandLayouts::try_round(Best& best, BandLayout layout, double whole, double height, Notch notch) const {
+void BandLayouts::try_round(Best& best, Arrangement layout, double whole, double height, Notch notch) const {
     const ColumnText& words = text(layout.divided, layout.cornered);
     layout.beside = true;
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));

@@ -29,19 +29,22 @@ struct Notch {
     double high = 0;
 };
 
-struct BandLayout {
+/// How figures and text of a band stand to each other. (A plan compares tens of thousands: nothing here asks for memory.)
+struct Arrangement {
     static constexpr double impossible = -1e300, possible = 0.5 * impossible;
     double worth = impossible;
-    int divided = 0;            ///< the text's column is a page divided by this; 0: no text
-    int columns = 0;            ///< of text
-    bool beside = false;        ///< the text stands right of the figures, else under them
-    int under = 0;              ///< beside: so many of its columns, the first, go on under the figures
-    bool stacked = false;       ///< the figures stand one under the other
-    bool cornered = false;      ///< the equations stand in a corner of the figure
-    std::vector<Spot> rooms{};  ///< of the figures; no width: left out
+    int divided = 0;        ///< the text's column is a page divided by this; 0: no text
+    int columns = 0;        ///< of text
+    bool beside = false;    ///< the text stands right of the figures, else under them
+    int under = 0;          ///< beside: so many of its columns, the first, go on under the figures
+    bool stacked = false;   ///< the figures stand one under the other
+    bool cornered = false;  ///< the equations stand in a corner of the figure
 
     /// The columns of its text, in a room so wide of which the title block takes a corner; `figures`: how high these are.
     TextColumns text_columns(double whole, double measure, double figures, const Notch& notch) const;
+};
+struct BandLayout : Arrangement {
+    std::vector<Spot> rooms{};  ///< of the figures; no width: left out
 };
 
 /// The text of bands as they were set, kept from one plan to the next. A text that goes on over pages is set once.
@@ -124,18 +127,18 @@ private:
     bool may_be_narrow(int divided, bool cornered) const;
     /// The best of what was tried, and what its figures share.
     struct Best {
-        BandLayout layout{};
+        Arrangement layout{};
         Spot room{};
         double most_of_figures = 0;  ///< no worth of them is more
         double spare = 0;            ///< by how much the room may be lower and still hold it, about
     };
     Best best_in(Width width, double height, Notch notch) const;
-    void try_round(Best& best, BandLayout layout, double whole, double height, Notch notch) const;
-    void try_all(Best& best, const BandLayout& base, double whole, double height, Notch notch) const;
+    void try_round(Best& best, Arrangement layout, double whole, double height, Notch notch) const;
+    void try_all(Best& best, const Arrangement& base, double whole, double height, Notch notch) const;
     /// `spare`: of the text, as Best's; `share_of_height`: by how much the room is lower where the figures are by 1 mm.
-    void try_figures(Best& best, const BandLayout& layout, Spot room, double spare, double share_of_height = 1) const;
-    bool may_improve(const Best& best, const BandLayout& layout) const;
-    bool improves(const Best& best, const BandLayout& layout, Spot room) const;
+    void try_figures(Best& best, const Arrangement& layout, Spot room, double spare, double share_of_height = 1) const;
+    bool may_improve(const Best& best, const Arrangement& layout) const;
+    bool improves(const Best& best, const Arrangement& layout, Spot room) const;
     std::vector<Spot> rooms_of(const Best& best) const;
 
     BandTexts& all_texts_;
