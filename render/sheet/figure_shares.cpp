@@ -41,7 +41,19 @@ std::size_t FigureShares::fitting_from(std::size_t figure, std::size_t first, do
     return first;
 }
 
+/// The largest that has room is what the way comes to, too.
+std::optional<FigureShares::Share> FigureShares::of_one(Spot room, Order order) const {
+    const double whole = order.stacked ? room.y : room.x, wide = order.stacked ? room.x : room.y;
+    for (const FigureSize& size : sizes_.front()) {
+        const double own = along(size, order);
+        if (own > whole || across(size, order) > wide) continue;
+        return Share{size.worth, std::max(own, 0.0), std::max(across(size, order), 0.0), own > 0 ? 1 : 0};
+    }
+    return std::nullopt;
+}
+
 std::optional<FigureShares::Share> FigureShares::in(Spot room, Order order) const {
+    if (sizes_.size() == 1) return of_one(room, order);
     const double whole = order.stacked ? room.y : room.x, wide = order.stacked ? room.x : room.y;
     const std::vector<double>& widths = widths_[order.stacked ? 1 : 0];
     const auto reached = std::upper_bound(widths.begin(), widths.end(), wide) - widths.begin();

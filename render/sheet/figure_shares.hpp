@@ -48,6 +48,7 @@ public:
     static double along(const FigureSize& size, Order order);
 
 private:
+    std::optional<Share> of_one(Spot room, Order order) const;
     /// Shares in rooms that are wide enough for the same sizes, each shorter than all before.
     struct Way {
         bool begun = false, ended = false;
