@@ -222,6 +222,8 @@ void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, 
         best.layout.stacked = stacked;
         best.layout.worth = layout.worth + share->worth;
         best.spare = std::min(spare, share_of_height * (room.y - (stacked ? share->length : share->across)));
+        // Several figures may share out a lower room otherwise; how text goes on under a figure is searched for.
+        best.lasts = figures_.sizes().size() == 1 && share_of_height == 1;
     }
 }
 
@@ -248,13 +250,20 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
     if (!fresh) return found->second;
     WorthByHeight& worth = found->second;
     worth.assign(static_cast<std::size_t>(most) + 1, BandLayout::impossible);
-    // Tells the least height, about, at which it is still worth as much.
-    const auto ask = [&](std::size_t height) {
+    struct Asked {
+        std::size_t least;  ///< height, about, at which it is still worth as much
+        bool is_certain;    ///< … what is between them then, too, and is known
+    };
+    const auto ask = [&](std::size_t height) -> Asked {
         const Best best = best_in(width, static_cast<double>(height) * step, notch);
         worth[height] = best.layout.worth;
         constexpr double rounding = 1e-6;
-        const auto lower = static_cast<std::size_t>(std::max(0.0, best.spare / step + rounding));
-        return height - std::min(lower, height);
+        const auto lower = static_cast<std::size_t>(std::max(0.0, best.spare / step + (best.lasts ? -rounding : rounding)));
+        const std::size_t least = std::max<std::size_t>(height - std::min(lower, height), 1);
+        if (best.lasts && least < height)
+            std::fill(worth.begin() + static_cast<std::ptrdiff_t>(least), worth.begin() + static_cast<std::ptrdiff_t>(height),
+                      worth[height]);
+        return {least, best.lasts};
     };
     // Between two heights that are known.
     const std::function<void(std::size_t, std::size_t)> fill = [&](std::size_t low, std::size_t high) {
@@ -263,17 +272,22 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
                       worth[low]);
         if (worth[low] == worth[high] || high - low < 2) return;
         const std::size_t middle = (low + high) / 2;
-        ask(middle);
-        fill(low, middle);
+        const Asked asked = ask(middle);
+        fill(low, asked.is_certain ? std::max(asked.least, low) : middle);
         fill(middle, high);
     };
     // From the top down, each time to where it is about to be worth less.
     std::size_t high = worth.size() - 1, stride = 1;
-    std::size_t least = ask(high);
+    Asked asked = ask(high);
     while (high > 1 && worth[high] > BandLayout::possible) {
-        const bool knows_where = least < high;
-        const std::size_t next = knows_where ? std::max<std::size_t>(least, 1) : high - std::min(stride, high - 1);
-        least = ask(next);
+        if (asked.is_certain && asked.least < high) {
+            high = asked.least;
+            stride = 1;
+            if (high == 1) break;
+        }
+        const bool knows_where = asked.least < high;
+        const std::size_t next = knows_where ? asked.least : high - std::min(stride, high - 1);
+        asked = ask(next);
         fill(next, high);
         if (!knows_where) stride = worth[next] == worth[high] ? 2 * stride : 1;
         high = next;
@@ -328,6 +342,7 @@ void BandLayouts::try_all(Best& best, const Arrangement& base, double whole, dou
             if (!(layout.worth > best.layout.worth)) return;
             best.layout = layout;
             best.spare = above - words.height(layout.columns);
+            best.lasts = true;
             return;
         }
         const double left = above - words.height(layout.columns) - text_gap;

@@ -131,6 +131,7 @@ private:
         Spot room{};
         double most_of_figures = 0;  ///< no worth of them is more
         double spare = 0;            ///< by how much the room may be lower and still hold it, about
+        bool lasts = false;          ///< … for certain
     };
     Best best_in(Width width, double height, Notch notch) const;
     void try_round(Best& best, Arrangement layout, double whole, double height, Notch notch) const;
