@@ -333,9 +333,10 @@ private:
                 near.min.y > each.box.max.y)
                 continue;
             const Bar& other = each.bar;
-            const double apart = std::min({distance(bar.from, other), distance(bar.to, other), distance(other.from, bar),
-                                           distance(other.to, bar), crosses(bar, other) ? 0 : 1e300});
-            if (apart >= gap) continue;
+            const bool is_near = distance(bar.from, other) < gap || distance(bar.to, other) < gap ||
+                                 distance(other.from, bar) < gap || distance(other.to, bar) < gap ||
+                                 (crosses(bar, other) && gap > 0);
+            if (!is_near) continue;
             // What stands at the measured points themselves is no obstacle.
             const bool own = std::any_of(except.begin(), except.end(), [&](Spot spot) {
                 return length(other.from - spot) < 3.5 && length(other.to - spot) < 3.5;

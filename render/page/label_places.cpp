@@ -257,8 +257,7 @@ void LabelPlaces::place_next(Batch& batch) {
     const Seed& seed = (*batch.seeds)[batch.next++];
     if (!seed.leader && seed.extra > batch.farthest) return;
     const std::size_t place = all_.size();
-    Candidate& candidate = all_.emplace_back();
-    candidate.price = bound;
+    Candidate& candidate = all_.emplace_back(bound);
     if (batch.beside)
         stand_beside(seed, candidate);
     else

@@ -33,6 +33,9 @@ struct LabelSetting {
 
 /// A place that a label may take.
 struct Candidate {
+    Candidate() = default;
+    explicit Candidate(double least) : price(least) {}
+
     InkBox box;
     double price = 0;      ///< what does not depend on other labels
     bool free = false;     ///< covers no ink

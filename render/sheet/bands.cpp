@@ -323,9 +323,7 @@ bool of_one_motion(const Polygon& a, const Polygon& b) {
 
 Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail)
     : context_(context), solution_(context.solution), wanted_(wanted), detail_(detail) {
-    const std::vector<Polygon>& polygons = solution_.protocol.polygons;
-    for (std::size_t p = 0; p < polygons.size(); ++p)
-        if (polygons[p].plane != Plane::force) lines_.emplace_back(polygon_scene(solution_, static_cast<int>(p)));
+    for (const PolygonScene& scene : wanted_.scenes()) lines_.emplace_back(scene);
     const bool motion = has_motion(solution_) || !has_forces(solution_);
     if (motion) collect_motion();
     if (detail_ == SolutionDetail::full) collect_apart();

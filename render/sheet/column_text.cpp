@@ -84,6 +84,8 @@ double ColumnText::whole_height() const {
     return whole_;
 }
 
+double ColumnText::least_height(int columns) const { return whole_height() - (columns - 1) * passage_gap - columns * grace; }
+
 double ColumnText::height(const TextColumns& columns) const {
     double taken = 0, first = 1e300;
     for (const TextColumn& each : columns) taken += each.top + each.lift, first = std::min(first, each.top + each.lift);

@@ -41,6 +41,8 @@ public:
     void set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose) const;
     /// One column under the other.
     double whole_height() const;
+    /// What so many columns together must have at least: where one ends, what is between two passages may fall away.
+    double least_height(int columns) const;
 
 private:
     /// Rows that no column parts, and how high they are with what stands over them: the heading over the first ones of a passage,

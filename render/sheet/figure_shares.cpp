@@ -56,12 +56,15 @@ std::optional<FigureShares::Share> FigureShares::in(Spot room, Order order) cons
     if (sizes_.size() == 1) return of_one(room, order);
     const double whole = order.stacked ? room.y : room.x, wide = order.stacked ? room.x : room.y;
     const std::vector<double>& widths = widths_[order.stacked ? 1 : 0];
-    const auto reached = std::upper_bound(widths.begin(), widths.end(), wide) - widths.begin();
-    Way& way = ways_[(order.stacked ? 2 : 0) + (order.cornered ? 1 : 0)][static_cast<std::size_t>(reached)];
+    // They are few: to count them is sooner done than to divide them.
+    std::size_t reached = 0;
+    for (const double each : widths) reached += each <= wide ? 1 : 0;
+    Way& way = ways_[(order.stacked ? 2 : 0) + (order.cornered ? 1 : 0)][reached];
     go_until(way, whole, wide, order);
+    if (way.shares.empty() || way.shares.back().length > whole) return std::nullopt;
     const auto found =
         std::partition_point(way.shares.begin(), way.shares.end(), [&](const Share& share) { return share.length > whole; });
-    return found == way.shares.end() ? std::nullopt : std::optional(*found);
+    return *found;
 }
 
 std::vector<std::size_t> FigureShares::taken_in(Spot room, Order order) const {

@@ -76,6 +76,8 @@ public:
     std::optional<std::size_t> named(const std::string& name) const;
     /// The solution as a sentence speaks of it: with all loads, or with those of one body alone.
     const DrawingContext& context_at(StatementIndex statement) const;
+    /// Of the polygons of motion, in their order.
+    const std::deque<PolygonScene>& scenes() const { return scenes_; }
     /// Whether the instant centres are shown.
     bool shows_centres() const;
 

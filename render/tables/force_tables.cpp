@@ -379,6 +379,7 @@ private:
 
 std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures, bool at_pairs) {
     if (context.solution.truss && context.solution.free_bodies.empty()) return truss_rows(context, figures);
+    if (context.solution.free_bodies.empty() && context.solution.efforts.empty()) return {};
     return ForceRows(context, figures, at_pairs).rows();
 }
 
