@@ -430,6 +430,8 @@ private:
         if (made.details.empty()) return std::nullopt;
         const PolygonParts& parts = made.strokes.parts;
         Figure figure = drawing_.with_parts(made.strokes.empty, parts, made.details);
+        // Letters cost more than all else.
+        if (!may_hold_details(figure, context_, made.details, room_)) return std::nullopt;
         if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free, context_.theme.secondary) || !fits(figure))
             return std::nullopt;
         figure.marks.emplace_back(GroupEnd{});

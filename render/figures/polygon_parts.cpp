@@ -452,6 +452,35 @@ struct Inset {
     Spot of;  ///< the place it shows, in the figure that it stands in
 };
 
+double radius_of(const Detail& detail) { return detail.magnification * detail.radius; }
+
+Figure blank_inset(const Figure& figure, const DrawingContext& context, const Detail& detail) {
+    Figure inset;
+    inset.kind = "detail";
+    inset.id = figure.id + "-detail-" + detail.letter;
+    inset.caption = one_piece(word("detail", context.language) + " " + detail.letter);
+    inset.scale = detail.scale;
+    inset.unit = figure.unit;
+    return inset;
+}
+Path circle_of(const Detail& detail, const Theme& theme) {
+    return circle({0, 0}, radius_of(detail), {theme.thin, theme.text, {}, false});
+}
+/// Its name and its scale over what is drawn of an inset, its scale bar under that.
+void add_legend(Figure& inset, const DrawingContext& context, double radius) {
+    const Theme& theme = context.theme;
+    const Box drawn = box_of(inset.marks);
+    const ShapedLine name = context.fonts.shape(inset.caption, theme.label);
+    const ShapedLine scale = context.fonts.shape(scale_words(context, inset), theme.body_text);
+    set_text(inset.marks, name, {-name.width / 2, drawn.min.y - 6.2}, theme.text, "text");
+    set_text(inset.marks, scale, {-scale.width / 2, drawn.min.y - 2}, theme.secondary, "text");
+    std::vector<Mark> bar;
+    draw_scale_bar(bar, context.fonts, theme, {0, 0}, 1.4 * radius, inset.scale, 1, inset.unit, context.language);
+    const Box size = box_of(bar);
+    render::move(bar, -0.5 * (size.min.x + size.max.x), drawn.max.y + 2 - size.min.y);
+    inset.marks.insert(inset.marks.end(), std::make_move_iterator(bar.begin()), std::make_move_iterator(bar.end()));
+}
+
 class Insets {
 public:
     Insets(Figure& figure, const DrawingContext& context, Spot room, std::size_t& letters)
@@ -470,35 +499,20 @@ public:
 
 private:
     Figure inset(const PolygonParts& parts, const Detail& detail, const std::vector<Detail>& inner) {
-        const Theme& theme = context_.theme;
-        const double radius = detail.magnification * detail.radius;
-        Figure inset;
-        inset.kind = "detail";
-        inset.id = figure_.id + "-detail-" + detail.letter;
-        inset.caption = one_piece(word("detail", context_.language) + " " + detail.letter);
-        inset.scale = detail.scale;
-        inset.unit = figure_.unit;
+        const double radius = radius_of(detail);
+        Figure inset = blank_inset(figure_, context_, detail);
         StatementIndex statement = none;
         for (const PolygonVector& vector : parts.vectors)
             if (statement == none || vector.statement < statement) statement = vector.statement;
         open_group(inset, statement);
-        inset.marks.emplace_back(circle({0, 0}, radius, {theme.thin, theme.text, {}, false}));
+        inset.marks.push_back(circle_of(detail, context_.theme));
         draw_parts(inset, context_, parts, inner);
         for (DrawnAxis& each : inset.axes) each.detail = detail.letter;
         inset.box = {{-radius, -radius}, {radius, radius}};
         all_free_ = place_labels(inset, context_.fonts, Spot{2 * radius + 8, 2 * radius + 2}, Labelling::if_all_free,
                                  context_.theme.secondary) &&
                     all_free_;
-        const Box drawn = box_of(inset.marks);
-        const ShapedLine name = context_.fonts.shape(inset.caption, theme.label);
-        const ShapedLine scale = context_.fonts.shape(scale_words(context_, inset), theme.body_text);
-        set_text(inset.marks, name, {-name.width / 2, drawn.min.y - 6.2}, theme.text, "text");
-        set_text(inset.marks, scale, {-scale.width / 2, drawn.min.y - 2}, theme.secondary, "text");
-        std::vector<Mark> bar;
-        draw_scale_bar(bar, context_.fonts, theme, {0, 0}, 1.4 * radius, detail.scale, 1, inset.unit, context_.language);
-        const Box size = box_of(bar);
-        render::move(bar, -0.5 * (size.min.x + size.max.x), drawn.max.y + 2 - size.min.y);
-        inset.marks.insert(inset.marks.end(), bar.begin(), bar.end());
+        add_legend(inset, context_, radius);
         inset.marks.emplace_back(GroupEnd{});
         inset.box = box_of(inset.marks);
         return inset;
@@ -631,6 +645,29 @@ std::vector<Detail> details_of(const PolygonParts& parts, double scale, double m
 
 void draw_parts(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details) {
     Drawing(figure, context, parts, details).draw();
+}
+
+bool may_hold_details(const Figure& strokes, const DrawingContext& context, const std::vector<Detail>& details, Spot room) {
+    const Box& box = strokes.box;
+    if (!(box.width() > 0 && box.height() > 0)) return true;
+    // Where an inset may stand, and what is kept round it. The figure only grows, and so does what is inked of it.
+    const Spot apart{apart_from_figure, apart_from_figure};
+    const Box within{box.max - room - apart, box.min + room + apart};
+    if (!(within.width() > 0 && within.height() > 0)) return true;
+    Occupancy occupancy(within.width(), within.height());
+    std::vector<Spot> spots = covered(strokes.marks);
+    for (Spot& spot : spots) spot = spot - within.min;
+    std::erase_if(spots, [](Spot spot) { return spot.x < 0 || spot.y < 0; });
+    occupancy.block(spots);
+    return std::all_of(details.begin(), details.end(), [&](const Detail& detail) {
+        // Its circle at least, and of a free stretch the whole millimetres.
+        Figure inset = blank_inset(strokes, context, detail);
+        inset.marks.push_back(circle_of(detail, context.theme));
+        add_legend(inset, context, radius_of(detail));
+        const Box least = box_of(inset.marks);
+        return occupancy.has_free(static_cast<int>(least.width() + 2 * apart.x) - 1,
+                                  static_cast<int>(least.height() + 2 * apart.y) - 1);
+    });
 }
 
 bool set_details(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details,

@@ -88,6 +88,9 @@ std::vector<Detail> details_of(const PolygonParts& parts, double scale, double m
 /// Marks and label requests of the parts. What lies in a detail gets its label there, and the detail a circle here.
 void draw_parts(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details);
 
+/// Whether the details may find places in the room, as far as the strokes of the figure tell, which has neither names nor details
+/// yet: what this says no to set_details() can only draw out of the room.
+bool may_hold_details(const Figure& strokes, const DrawingContext& context, const std::vector<Detail>& details, Spot room);
 /// Draws the details, and their own, each into a free place of the figure or beside it, as figures of kind "detail" after its
 /// own group. The figure is finished, its labels are placed. `room`: mm; the figure leaves it only where it has no more.
 /// `letters` as above. False where a label of a detail found no free place; the figure is of no use then.

@@ -52,6 +52,22 @@ std::pair<double, double> Occupancy::longest_run(double left, double right, doub
     return best;
 }
 
+bool Occupancy::has_free(int columns, int rows) const {
+    if (columns <= 0 || rows <= 0) return true;
+    std::vector<int> above(static_cast<std::size_t>(columns_), 0);  // free cells of each column, from this row up
+    for (int y = 0; y < rows_; ++y) {
+        const char* const row = cells_.data() + index(0, y);
+        int side_by_side = 0;
+        for (int x = 0; x < columns_; ++x) {
+            int& free = above[static_cast<std::size_t>(x)];
+            free = row[x] != 0 ? 0 : free + 1;
+            side_by_side = free >= rows ? side_by_side + 1 : 0;
+            if (side_by_side >= columns) return true;
+        }
+    }
+    return false;
+}
+
 FreeBoxes::FreeBoxes(const Occupancy& page)
     : columns_(page.columns_),
       rows_(page.rows_),

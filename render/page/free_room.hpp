@@ -19,6 +19,8 @@ public:
     void block(const std::vector<Spot>& spots);
     /// The longest free run of rows over [left, right], `clear` kept on all sides, within [top, bottom].
     std::pair<double, double> longest_run(double left, double right, double top, double bottom) const;
+    /// Whether somewhere so many columns and rows of it, millimetres, are free together.
+    bool has_free(int columns, int rows) const;
 
 private:
     bool is_free(int row, int from, int to) const;

@@ -387,7 +387,7 @@ void BandLayouts::try_round(Best& best, Arrangement layout, double whole, double
         const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);
         double low = least_beside, high = left <= notch.left || notch.high == 0 ? height : height - notch.high;
         // Not worth a search where even all of the height makes nothing better, or all that the text leaves of it.
-        const double most = (layout.columns * height - words.least_height(layout.columns)) / layout.under;
+        const double most = (layout.columns * height - words.least_height(layout.columns)) / layout.under - text_gap;
         if (left < least_beside || !improves(best, layout, {left, std::min(high, most)})) continue;
         TextColumns columns = layout.text_columns(whole, words.measure(), least_beside, notch);
         const auto holds = [&](double figures) {
