@@ -79,6 +79,7 @@ inline void* take(std::size_t size) {
     if (block == nullptr) [[unlikely]]
         return ask(room_of(of_class));
     first = block->next;
+    __builtin_prefetch(first, 1);  // what is asked for next was dropped long ago, and is far away
     lists.kept -= of_class * grain;
     return block;
 }

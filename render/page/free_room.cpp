@@ -82,9 +82,12 @@ FreeBoxes::FreeBoxes(const Occupancy& page)
     }
 }
 bool FreeBoxes::has(const Box& box) const {
-    const auto cell = [](double at, int most) { return static_cast<std::size_t>(std::clamp(static_cast<int>(at), 0, most)); };
-    const std::size_t left = cell(std::floor(box.min.x), columns_), right = cell(std::ceil(box.max.x), columns_);
-    const std::size_t top = cell(std::floor(box.min.y), rows_), bottom = cell(std::ceil(box.max.y), rows_);
+    // What std::floor and std::ceil do, without a call, for what is not negative; all else is 0.
+    const auto cell = [](int at, int most) { return static_cast<std::size_t>(std::clamp(at, 0, most)); };
+    const auto down = [](double at) { return static_cast<int>(at); };
+    const auto up = [](double at) { return static_cast<int>(at) + (static_cast<int>(at) < at ? 1 : 0); };
+    const std::size_t left = cell(down(box.min.x), columns_), right = cell(up(box.max.x), columns_);
+    const std::size_t top = cell(down(box.min.y), rows_), bottom = cell(up(box.max.y), rows_);
     const auto width = static_cast<std::size_t>(columns_) + 1;
     return inked_[bottom * width + right] - inked_[top * width + right] ==
            inked_[bottom * width + left] - inked_[top * width + left];

@@ -189,9 +189,10 @@ bool LabelPlaces::propose_more(double least) {
 
 void LabelPlaces::propose(const std::vector<Seed>& seeds, double penalty, bool beside, double farthest) {
     batches_.push_back({&seeds, penalty, beside, farthest});
-    constexpr std::size_t often_waiting = 32, often_met = 8;
-    batches_.back().free.waiting.reserve(often_waiting);
+    constexpr std::size_t often_free = 64, often_covering = 32, often_met = 8;
+    batches_.back().free.waiting.reserve(often_free);
     batches_.back().free.met.reserve(often_met);
+    batches_.back().covering.waiting.reserve(often_covering);
     // Wherever its places stand, they are within this.
     double extra = 0, at = 0;
     for (const Seed& seed : seeds) extra = std::max(extra, seed.extra), at = std::max(at, std::abs(seed.at));

@@ -338,13 +338,13 @@ void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& t
     };
     marks.emplace_back(filled(rectangle(0, width / 2), theme.text));
     marks.emplace_back(polyline(rectangle(0, width), {theme.thin, theme.text, {}, false}, true));
-    const ShapedLine zero = fonts.shape(one_piece("0"), theme.body_text);
+    ShapedLine zero = fonts.shape(one_piece("0"), theme.body_text);
     const std::string number_text = number(value, 1, language);
-    const ShapedLine digits = fonts.shape(with_powers(number_text), theme.body_text);
-    const ShapedLine end = fonts.shape(with_powers(number_text + " " + unit_symbol), theme.body_text);
-    const double baseline = origin.y - 1.3;
-    set_text(marks, zero, {origin.x - zero.width / 2, baseline}, theme.text, "text");
-    set_text(marks, end, {origin.x + width - digits.width / 2, baseline}, theme.text, "text");
+    const double digits = fonts.width(with_powers(number_text), theme.body_text);
+    const double baseline = origin.y - 1.3, half = zero.width / 2;
+    set_text(marks, std::move(zero), {origin.x - half, baseline}, theme.text, "text");
+    set_text(marks, fonts.shape(with_powers(number_text + " " + unit_symbol), theme.body_text),
+             {origin.x + width - digits / 2, baseline}, theme.text, "text");
 }
 
 Box box_of(std::span<const Mark> marks) {

@@ -10,12 +10,13 @@ namespace kinegraph::render {
 
 Block heading_block(const DrawingContext& context, double measure, const std::string& text, const RichText& note) {
     Block block;
-    const ShapedLine shaped = context.fonts.shape(one_piece(text, Face::bold), context.theme.label);
-    set_text(block.marks, shaped, {0, 3.6}, context.theme.text, "text");
+    ShapedLine shaped = context.fonts.shape(one_piece(text, Face::bold), context.theme.label);
+    const double width = shaped.width;
+    set_text(block.marks, std::move(shaped), {0, 3.6}, context.theme.text, "text");
     if (!note.empty()) {
-        const ShapedLine small = context.fonts.shape(note, context.theme.small);
-        if (shaped.width + 4 + small.width <= measure)
-            set_text(block.marks, small, {shaped.width + 4, 3.6}, context.theme.secondary, "text");
+        ShapedLine small = context.fonts.shape(note, context.theme.small);
+        if (width + 4 + small.width <= measure)
+            set_text(block.marks, std::move(small), {width + 4, 3.6}, context.theme.secondary, "text");
     }
     block.width = measure;
     block.height = heading_height;

@@ -709,21 +709,22 @@ std::vector<Block> centre_lines(const DrawingContext& context, double width) {
         Block block;
         RichText how = how_found(centre, context.solution, context.language);
         if (centre.depends_on_drivers) append(how, " (" + word("depends on drivers", context.language) + ")");
-        const ShapedLine where = context.fonts.shape(where_found(centre, context.solution, context.language), theme.body_text);
+        ShapedLine where = context.fonts.shape(where_found(centre, context.solution, context.language), theme.body_text);
         const double indent = std::min(symbols, 0.3 * width), room = width - indent;
         std::vector<ShapedLine> wrapped;
         for (double size = theme.body_text; size > 4; size -= 0.5) {
             wrapped = context.fonts.wrap(how, size, room);
             if (std::none_of(wrapped.begin(), wrapped.end(), [&](const ShapedLine& l) { return l.width > room; })) break;
         }
-        set_text(block.marks, shaped[i], {0, 3.2}, theme.text, "text");
         double baseline = shaped[i].width > indent - 1.5 && !wrapped.empty() ? 7.3 : 3.2;
+        set_text(block.marks, std::move(shaped[i]), {0, 3.2}, theme.text, "text");
         for (std::size_t k = 0; k < wrapped.size(); ++k) {
-            set_text(block.marks, wrapped[k], {indent, baseline}, theme.text, "text");
             // The coordinates end the last line, or stand on their own.
-            if (k + 1 < wrapped.size() || wrapped[k].width + 3 + where.width > room) baseline += 3.85;
+            const bool goes_on = k + 1 < wrapped.size() || wrapped[k].width + 3 + where.width > room;
+            set_text(block.marks, std::move(wrapped[k]), {indent, baseline}, theme.text, "text");
+            if (goes_on) baseline += 3.85;
         }
-        set_right(block.marks, where, width, baseline, theme.text);
+        set_right(block.marks, std::move(where), width, baseline, theme.text);
         baseline += 3.85;
         belong(block.marks, 0, centre.statement);
         block.width = width;
@@ -741,13 +742,13 @@ std::vector<Block> body_lines(const DrawingContext& context, double width) {
         const BodyColour colour = theme.body(body);
         block.marks.emplace_back(line({1, 2.1}, {8, 2.1}, {theme.link, colour.line, {}, true}));
         draw_line_kind(block.marks, 0, theme.link, colour, theme);
-        const ShapedLine name = context.fonts.shape(one_piece(context.solution.mechanism.body(body).name), theme.body_text);
-        set_text(block.marks, name, {11, 3.2}, colour.letter, "text");
+        ShapedLine name = context.fonts.shape(one_piece(context.solution.mechanism.body(body).name), theme.body_text);
         const double x = 11 + std::max(4.5, name.width + 2);
+        set_text(block.marks, std::move(name), {11, 3.2}, colour.letter, "text");
         double baseline = 3.2;
-        for (const ShapedLine& each :
+        for (ShapedLine& each :
              context.fonts.wrap(describe(body, context.solution, context.language), theme.body_text, width - x)) {
-            set_text(block.marks, each, {x, baseline}, theme.text, "text");
+            set_text(block.marks, std::move(each), {x, baseline}, theme.text, "text");
             baseline += 3.85;
         }
         block.width = width;

@@ -733,7 +733,7 @@ std::string_view Fonts::file(std::uint8_t face) const {
 std::vector<std::string> Fonts::missing() const { return state_->missing; }
 
 void Fonts::start_anew() {
-    constexpr std::size_t most_words = 20'000;
+    constexpr std::size_t most_words = 6'000;
     std::size_t words = 0;
     for (const State::FaceOfFont& face : state_->faces) words += face.words.size();
     // A word that is known already would not tell its missing characters again.
