@@ -37,19 +37,20 @@ void give_back_block_memory() {}
 namespace kinegraph::app {
 namespace {
 
-/// A block that is not in use begins with the next of its class.
-struct Block {
-    Block* next;
-};
-
 // A chunk of malloc's is a multiple of 16 bytes, of which 8 are its own; the least has 32.
 constexpr std::size_t grain = 16, own = 8;
 constexpr std::size_t classes = 128;                      ///< blocks up to 2 KiB; longer ones are few
 constexpr std::size_t most_kept = std::size_t{8} << 20U;  ///< bytes a thread keeps
 
+/// Blocks of one class that are not in use. Their places stand here and not in themselves: a block that was dropped long ago is
+/// far away, and to read the next one's place from it would wait for it.
+struct List {
+    void** blocks;
+    std::size_t count, room;
+};
 struct Lists {
-    std::array<Block*, classes + 1> first;  ///< by class
-    std::size_t kept;                       ///< bytes
+    std::array<List, classes + 1> of;  ///< by class
+    std::size_t kept;                  ///< bytes
 };
 // (The model says that the program itself holds them, so that finding them is no call.)
 [[gnu::tls_model("initial-exec")]] thread_local constinit Lists lists{};
@@ -74,14 +75,21 @@ inline void* take(std::size_t size) {
     if (size > longest) [[unlikely]]
         return ask(size);
     const std::size_t of_class = class_of(size);
-    Block*& first = lists.first[of_class];
-    Block* const block = first;
-    if (block == nullptr) [[unlikely]]
+    List& list = lists.of[of_class];
+    if (list.count == 0) [[unlikely]]
         return ask(room_of(of_class));
-    first = block->next;
-    __builtin_prefetch(first, 1);  // what is asked for next was dropped long ago, and is far away
     lists.kept -= of_class * grain;
-    return block;
+    return list.blocks[--list.count];
+}
+
+[[gnu::noinline]] bool grow(List& list) {
+    constexpr std::size_t least = 64;
+    const std::size_t room = list.room == 0 ? least : 2 * list.room;
+    void* const larger = std::realloc(list.blocks, room * sizeof(void*));
+    if (larger == nullptr) return false;
+    list.blocks = static_cast<void**>(larger);
+    list.room = room;
+    return true;
 }
 
 /// `room`: what it was asked for with, or what it has.
@@ -89,21 +97,21 @@ inline void give(void* memory, std::size_t room) {
     const std::size_t of_class = class_of(room);
     if (of_class > classes || lists.kept + of_class * grain > most_kept) [[unlikely]]
         return std::free(memory);
-    auto* const block = static_cast<Block*>(memory);
-    Block*& first = lists.first[of_class];
-    block->next = first;
-    first = block;
+    List& list = lists.of[of_class];
+    if (list.count == list.room && !grow(list)) [[unlikely]]
+        return std::free(memory);
+    list.blocks[list.count++] = memory;
     lists.kept += of_class * grain;
 }
 
 }  // namespace
 
 void give_back_block_memory() {
-    for (Block*& first : lists.first)
-        while (Block* const block = first) {
-            first = block->next;
-            std::free(block);
-        }
+    for (List& list : lists.of) {
+        for (std::size_t i = 0; i < list.count; ++i) std::free(list.blocks[i]);
+        std::free(list.blocks);
+        list = {};
+    }
     lists.kept = most_kept;  // what ends after this goes back at once
 }
 
