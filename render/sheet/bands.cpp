@@ -32,8 +32,7 @@ public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
     BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
              const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations,
-             const std::vector<LineNumbers>& lines, NaturalBlocks& natural, std::map<std::size_t, Said>& said,
-             const WantedFigures& wanted)
+             const std::vector<LineNumbers>& lines, MadeOnce& made, const WantedFigures& wanted)
         : context_(context),
           solution_(context.solution),
           measure_(measure),
@@ -43,33 +42,32 @@ public:
           with_centres_(with_centres),
           equations_(equations),
           lines_(lines),
-          natural_(natural),
-          said_(said),
+          made_(made),
           wanted_(wanted) {}
 
     /// Of all but the results.
     Passage passage_of(const Band::Part& part, const std::map<std::string, RichText>& on_figures) const {
         switch (part.kind) {
             case Kind::bodies:
-                return under("bodies", body_lines(context_, measure_));
+                if (!made_.bodies) made_.bodies.emplace(context_);
+                return under("bodies", made_.bodies->lines(measure_));
             case Kind::mobility:
                 // Of a body alone there is nothing to count.
                 return under(solution_.act_of_motion ? "conventions" : "mobility", conventions());
             case Kind::centres:
-                return under("instant centres", centre_lines(context_, measure_),
+                if (!made_.centres) made_.centres.emplace(context_);
+                return under("instant centres", made_.centres->lines(measure_),
                              one_piece(solution_.mechanism.units.length.symbol));
             case Kind::steps: {
-                Passage passage =
-                    under("steps " + std::string(name_of(solution_.protocol.statements[part.which.front()].section)), {});
-                passage.rows = steps(part.which);
-                return passage;
+                const Topic section = solution_.protocol.statements[part.which.front()].section;
+                return under("steps " + std::string(name_of(section)), steps(part.which));
             }
             case Kind::reactions:
                 return table_under("forces", reaction_lines(context_, measure_));
             case Kind::bars:
                 return table_under("bars", bar_lines(context_, measure_));
             case Kind::lever:
-                return under("lever", {joukowsky_block(context_, measure_)});
+                return under("lever", std::vector<Block>{joukowsky_block(context_, measure_)});
             case Kind::equations:
                 return equations(part.which);
             case Kind::answers:
@@ -85,15 +83,18 @@ public:
     }
 
 private:
-    Passage under(const std::string& title, std::vector<Block> rows, const RichText& note = {}) const {
+    Passage under(const std::string& title, std::vector<SharedBlock> rows, const RichText& note = {}) const {
         const std::string words = word(title, context_.language);
-        Passage passage{heading_block(context_, measure_, words, note), continued(words, note), {}};
+        return {heading_block(context_, measure_, words, note), continued(words, note), {}, std::move(rows)};
+    }
+    Passage under(const std::string& title, std::vector<Block> rows) const {
+        Passage passage = under(title, std::vector<SharedBlock>{});
         passage.take_rows(std::move(rows));
         return passage;
     }
     /// Its head, the first line, stands again where it goes on.
     Passage table_under(const std::string& title, std::vector<Block> lines) const {
-        Passage passage = under(title, {});
+        Passage passage = under(title, std::vector<SharedBlock>{});
         passage.take_table(std::move(lines));
         return passage;
     }
@@ -109,9 +110,9 @@ private:
         std::vector<SharedBlock> rows;
         for (const std::size_t i : statements) {
             const Statement& statement = solution_.protocol.statements[i];
-            auto known = said_.find(i);
-            if (known == said_.end())
-                known = said_.emplace(i, Said{Paragraph(context_, said(i), indent, std::to_string(steps_.at(i)))}).first;
+            auto known = made_.said.find(i);
+            if (known == made_.said.end())
+                known = made_.said.emplace(i, Said{Paragraph(context_, said(i), indent, std::to_string(steps_.at(i)))}).first;
             std::vector<SharedBlock> equations;
             if (statement.equation && !equations_apart_)
                 equations.push_back(equation(known->second, *statement.equation, measure_ - indent));
@@ -172,7 +173,7 @@ private:
         const auto end = equations_.begin() + static_cast<std::ptrdiff_t>(which.back());
         const std::string& words = first->words;
         Passage passage{heading_block(context_, measure_, words), continued(words), {}};
-        passage.take_rows(equation_blocks(context_, {first + 1, end}, measure_, natural_));
+        passage.take_rows(equation_blocks(context_, {first + 1, end}, measure_, made_.natural));
         return passage;
     }
 
@@ -195,24 +196,31 @@ private:
         return rows;
     }
 
-    std::vector<Block> conventions() const {
-        std::vector<Block> rows;
-        if (!solution_.act_of_motion) rows.push_back(paragraph(mobility_words()));
-        rows.push_back(paragraph(axes_words()));
-        const Mechanism& mechanism = solution_.mechanism;
-        if (solution_.protocol.polygons.empty() && mechanism.drivers.empty() && !mechanism.motion)
-            rows.push_back(paragraph(one_piece(word("nothing driven", context_.language))));
-        return {in_one(rows)};
-    }
     /// Paragraphs that no column parts.
-    Block in_one(const std::vector<Block>& rows) const {
-        Block all;
-        all.width = measure_;
-        for (const Block& row : rows) {
-            set(all.marks, row, {0, all.height});
-            all.height += row.height;
+    std::vector<SharedBlock> conventions() const {
+        std::vector<Paragraph>& all = made_.conventions;
+        if (all.empty()) {
+            if (!solution_.act_of_motion) all.emplace_back(context_, mobility_words());
+            all.emplace_back(context_, axes_words());
+            const Mechanism& mechanism = solution_.mechanism;
+            if (solution_.protocol.polygons.empty() && mechanism.drivers.empty() && !mechanism.motion)
+                all.emplace_back(context_, one_piece(word("nothing driven", context_.language)));
         }
-        return all;
+        double height = 0;
+        for (const Paragraph& each : all) height += each.height(measure_);
+        std::vector<SharedBlock> rows;
+        rows.emplace_back(measure_, height, [&all, measure = measure_] {
+            std::vector<Mark> marks;
+            double y = 0;
+            for (const Paragraph& each : all) {
+                Block paragraph = each.set(measure);
+                const double own = paragraph.height;
+                set(marks, std::move(paragraph), {0, y});
+                y += own;
+            }
+            return marks;
+        });
+        return rows;
     }
     RichText mobility_words() const {
         const Mobility& m = solution_.mobility;
@@ -280,8 +288,7 @@ private:
     bool with_centres_;
     const std::vector<EquationItem>& equations_;
     const std::vector<LineNumbers>& lines_;
-    NaturalBlocks& natural_;
-    std::map<std::size_t, Said>& said_;
+    MadeOnce& made_;
     const WantedFigures& wanted_;
 };
 
@@ -703,7 +710,7 @@ Block Bands::equations(const Band& band, double most) const {
 Passage Bands::text(const Band::Part& part, double measure, bool equations_apart, const std::vector<ResultRow>& results) const {
     if (part.kind == Kind::results) return table(part.which, results, measure);
     const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, lines_,
-                          natural_, said_, wanted_);
+                          made_, wanted_);
     return writer.passage_of(part, remarks_);
 }
 

@@ -64,6 +64,14 @@ struct Said {
     Paragraph sentence;
     std::optional<SharedBlock> equation{};  ///< in one row, as wide as that is
 };
+/// What is the same at all widths, made once it was asked for.
+struct MadeOnce {
+    NaturalBlocks natural{};             ///< of the equations, as they were set first
+    std::map<std::size_t, Said> said{};  ///< by statement
+    std::optional<CentresTable> centres{};
+    std::optional<BodiesTable> bodies{};
+    std::vector<Paragraph> conventions{};
+};
 
 /// Of the text of a band and of those that it goes on in, its own rows; what goes on from a page before begins in the middle.
 std::vector<Passage> own_rows(const std::vector<Passage>& text, const Band& band);
@@ -118,9 +126,8 @@ private:
     std::vector<ResultRow> results_;
     std::map<std::string, RichText> remarks_;  // on figures as drawn
     std::vector<EquationItem> equations_;
-    std::vector<LineNumbers> lines_;                      // of the polygons of motion
-    mutable NaturalBlocks natural_;                       // of the equations, as they were set first
-    mutable std::map<std::size_t, Said> said_;            // by statement
+    std::vector<LineNumbers> lines_;  // of the polygons of motion
+    mutable MadeOnce made_;
     mutable std::map<std::size_t, ResultsTable> tables_;  // of results that are not measured, by their first row
 };
 

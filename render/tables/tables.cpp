@@ -690,71 +690,135 @@ RichText describe(BodyIndex index, const Solution& solution, Language language) 
 
 }  // namespace
 
-std::vector<Block> centre_lines(const DrawingContext& context, double width) {
-    const Theme& theme = context.theme;
-    std::vector<Block> lines;
-    std::vector<const InstantCentre*> centres;
-    for (const InstantCentre& centre : context.solution.centres) centres.push_back(&centre);
-    std::stable_sort(centres.begin(), centres.end(),
-                     [](const InstantCentre* a, const InstantCentre* b) { return a->order < b->order; });
-    double symbols = 8;
-    std::vector<ShapedLine> shaped;
-    for (const InstantCentre* centre : centres) {
-        shaped.push_back(
-            context.fonts.shape(typeset(symbol_of(*centre, context.solution.mechanism), context.language), theme.derived));
-        symbols = std::max(symbols, shaped.back().width + 2.5);
+struct CentresTable::Parts {
+    struct Line {
+        ShapedLine symbol;
+        RichText how;
+        double how_wide;  // in one line
+        ShapedLine where;
+        StatementIndex statement;
+    };
+    explicit Parts(const DrawingContext& drawing) : context(drawing) {
+        const Theme& theme = context.theme;
+        const Solution& solution = context.solution;
+        std::vector<const InstantCentre*> centres;
+        for (const InstantCentre& centre : solution.centres) centres.push_back(&centre);
+        std::stable_sort(centres.begin(), centres.end(),
+                         [](const InstantCentre* a, const InstantCentre* b) { return a->order < b->order; });
+        for (const InstantCentre* centre : centres) {
+            ShapedLine symbol =
+                context.fonts.shape(typeset(symbol_of(*centre, solution.mechanism), context.language), theme.derived);
+            symbols = std::max(symbols, symbol.width + 2.5);
+            RichText how = how_found(*centre, solution, context.language);
+            if (centre->depends_on_drivers) append(how, " (" + word("depends on drivers", context.language) + ")");
+            const double wide = context.fonts.width(how, theme.body_text);
+            lines.push_back({std::move(symbol), std::move(how), wide,
+                             context.fonts.shape(where_found(*centre, solution, context.language), theme.body_text),
+                             centre->statement});
+        }
     }
-    for (std::size_t i = 0; i < centres.size(); ++i) {
-        const InstantCentre& centre = *centres[i];
+    double indent(double width) const { return std::min(symbols, 0.3 * width); }
+    double first_baseline(const Line& line, double width) const { return line.symbol.width > indent(width) - 1.5 ? 7.3 : 3.2; }
+    static double height(double last_baseline) { return std::max(pitch, last_baseline + lead - 3.2 + 0.5); }
+
+    Block set(const Line& line, double width) const {
+        const Theme& theme = context.theme;
         Block block;
-        RichText how = how_found(centre, context.solution, context.language);
-        if (centre.depends_on_drivers) append(how, " (" + word("depends on drivers", context.language) + ")");
-        ShapedLine where = context.fonts.shape(where_found(centre, context.solution, context.language), theme.body_text);
-        const double indent = std::min(symbols, 0.3 * width), room = width - indent;
+        const double room = width - indent(width);
         std::vector<ShapedLine> wrapped;
         for (double size = theme.body_text; size > 4; size -= 0.5) {
-            wrapped = context.fonts.wrap(how, size, room);
+            wrapped = context.fonts.wrap(line.how, size, room);
             if (std::none_of(wrapped.begin(), wrapped.end(), [&](const ShapedLine& l) { return l.width > room; })) break;
         }
-        double baseline = shaped[i].width > indent - 1.5 && !wrapped.empty() ? 7.3 : 3.2;
-        set_text(block.marks, std::move(shaped[i]), {0, 3.2}, theme.text, "text");
+        double baseline = first_baseline(line, width);
+        set_text(block.marks, line.symbol, {0, 3.2}, theme.text, "text");
         for (std::size_t k = 0; k < wrapped.size(); ++k) {
             // The coordinates end the last line, or stand on their own.
-            const bool goes_on = k + 1 < wrapped.size() || wrapped[k].width + 3 + where.width > room;
-            set_text(block.marks, std::move(wrapped[k]), {indent, baseline}, theme.text, "text");
-            if (goes_on) baseline += 3.85;
+            const bool goes_on = k + 1 < wrapped.size() || wrapped[k].width + between + line.where.width > room;
+            set_text(block.marks, std::move(wrapped[k]), {indent(width), baseline}, theme.text, "text");
+            if (goes_on) baseline += lead;
         }
-        set_right(block.marks, std::move(where), width, baseline, theme.text);
-        baseline += 3.85;
-        belong(block.marks, 0, centre.statement);
+        set_right(block.marks, line.where, width, baseline, theme.text);
+        belong(block.marks, 0, line.statement);
         block.width = width;
-        block.height = std::max(pitch, baseline - 3.2 + 0.5);
-        lines.push_back(std::move(block));
+        block.height = height(baseline);
+        return block;
     }
+
+    static constexpr double lead = 3.85, between = 3;  // mm
+    const DrawingContext& context;
+    double symbols = 8;
+    std::vector<Line> lines;
+};
+
+CentresTable::CentresTable(const DrawingContext& context) : parts_(std::make_shared<const Parts>(context)) {}
+
+std::vector<SharedBlock> CentresTable::lines(double width) const {
+    std::vector<SharedBlock> lines;
+    const double room = width - parts_->indent(width);
+    constexpr double rounding = 1e-6;
+    for (const Parts::Line& line : parts_->lines)
+        // What one line holds is as high as that; it is set where it comes to stand.
+        if (line.how_wide + Parts::between + line.where.width < room - rounding)
+            lines.emplace_back(width, Parts::height(parts_->first_baseline(line, width)),
+                               [parts = parts_, &line, width] { return parts->set(line, width).marks; });
+        else
+            lines.emplace_back(parts_->set(line, width));
     return lines;
 }
 
-std::vector<Block> body_lines(const DrawingContext& context, double width) {
-    const Theme& theme = context.theme;
-    std::vector<Block> lines;
-    for (const BodyIndex body : context.solution.mechanism.moving_bodies()) {
+struct BodiesTable::Parts {
+    struct Line {
+        BodyIndex body;
+        ShapedLine name;
+        RichText what;
+        double what_wide;  // in one line
+        double left() const { return 11 + std::max(4.5, name.width + 2); }
+    };
+    explicit Parts(const DrawingContext& drawing) : context(drawing) {
+        const Mechanism& mechanism = context.solution.mechanism;
+        const double size = context.theme.body_text;
+        for (const BodyIndex body : mechanism.moving_bodies()) {
+            RichText what = describe(body, context.solution, context.language);
+            const double wide = context.fonts.width(what, size);
+            lines.push_back({body, context.fonts.shape(one_piece(mechanism.body(body).name), size), std::move(what), wide});
+        }
+    }
+    static double height(std::size_t count) { return std::max(4.4, static_cast<double>(count) * lead + 0.7); }
+
+    Block set(const Line& each, double width) const {
+        const Theme& theme = context.theme;
         Block block;
-        const BodyColour colour = theme.body(body);
+        const BodyColour colour = theme.body(each.body);
         block.marks.emplace_back(line({1, 2.1}, {8, 2.1}, {theme.link, colour.line, {}, true}));
         draw_line_kind(block.marks, 0, theme.link, colour, theme);
-        ShapedLine name = context.fonts.shape(one_piece(context.solution.mechanism.body(body).name), theme.body_text);
-        const double x = 11 + std::max(4.5, name.width + 2);
-        set_text(block.marks, std::move(name), {11, 3.2}, colour.letter, "text");
+        set_text(block.marks, each.name, {11, 3.2}, colour.letter, "text");
         double baseline = 3.2;
-        for (ShapedLine& each :
-             context.fonts.wrap(describe(body, context.solution, context.language), theme.body_text, width - x)) {
-            set_text(block.marks, std::move(each), {x, baseline}, theme.text, "text");
-            baseline += 3.85;
+        std::vector<ShapedLine> wrapped = context.fonts.wrap(each.what, theme.body_text, width - each.left());
+        for (ShapedLine& words : wrapped) {
+            set_text(block.marks, std::move(words), {each.left(), baseline}, theme.text, "text");
+            baseline += lead;
         }
         block.width = width;
-        block.height = std::max(4.4, baseline - 3.2 + 0.7);
-        lines.push_back(std::move(block));
+        block.height = height(wrapped.size());
+        return block;
     }
+
+    static constexpr double lead = 3.85;  // mm
+    const DrawingContext& context;
+    std::vector<Line> lines;
+};
+
+BodiesTable::BodiesTable(const DrawingContext& context) : parts_(std::make_shared<const Parts>(context)) {}
+
+std::vector<SharedBlock> BodiesTable::lines(double width) const {
+    std::vector<SharedBlock> lines;
+    constexpr double rounding = 1e-6;
+    for (const Parts::Line& line : parts_->lines)
+        if (line.left() + line.what_wide < width - rounding)
+            lines.emplace_back(width, Parts::height(1), [parts = parts_, &line, width] { return parts->set(line, width).marks; });
+        else
+            lines.emplace_back(parts_->set(line, width));
     return lines;
 }
 

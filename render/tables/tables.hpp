@@ -54,10 +54,26 @@ private:
     std::shared_ptr<const Parts> parts_;
 };
 
-/// Instant centres in the order in which they were found: symbol, how, where.
-std::vector<Block> centre_lines(const DrawingContext& context, double width);
-/// Key of the bodies: colour, number, what it is.
-std::vector<Block> body_lines(const DrawingContext& context, double width);
+/// Instant centres in the order in which they were found: symbol, how, where. Shaped once; their context outlives them.
+class CentresTable {
+public:
+    explicit CentresTable(const DrawingContext& context);
+    std::vector<SharedBlock> lines(double width) const;
+
+private:
+    struct Parts;
+    std::shared_ptr<const Parts> parts_;
+};
+/// Key of the bodies: colour, number, what it is. Said once; their context outlives it.
+class BodiesTable {
+public:
+    explicit BodiesTable(const DrawingContext& context);
+    std::vector<SharedBlock> lines(double width) const;
+
+private:
+    struct Parts;
+    std::shared_ptr<const Parts> parts_;
+};
 
 /// The table of Joukowsky's lever: force, its arm h about the pole by the scale of velocities, power; couples with ω; the sum,
 /// and what it says. Not wider than `most` mm as far as its columns can be set closer.
