@@ -37,8 +37,8 @@ enum class Sentence {
     image_acceleration_without_omega,  ///< {0} point, {1} body, {2} a, {3} known point, {4} α: ω = 0 for an instant
     two_lines_velocity,                ///< {0} tip of the point sought (image), {1} first line's reason, {2} second line's reason
     two_lines_acceleration,
-    omega_from_pair,  ///< {0} omega, {1} v_BA, {2} segment BA, {3} body
-    alpha_from_pair,  ///< {0} alpha, {1} a_BA^t, {2} segment, {3} body
+    omega_from_pair,  ///< {0} omega, {1} v_BA, {2} segment BA, {3} body; where it draws v_BA, {4} {5} images of A, B
+    alpha_from_pair,  ///< {0} alpha, {1} a_BA^t, {2} segment, {3} body; where it draws it, {4} {5} images of A, B, {6} a_BA^n
     omega_by_sleeve,  ///< {0} omega of body, {1} omega of the other, {2} joint's point: a sleeve lets no relative rotation
     alpha_by_sleeve,
     omega_by_joint,  ///< the same for another joint that holds the rotation
@@ -66,7 +66,7 @@ enum class Sentence {
     equivalent_slot,         ///< {0} round body, {1} straight body, {2} contact, {3} centre: replaced by a pin in a slot
     equivalent_tip,          ///< {0} body with the tip, {1} straight body, {2} contact
     contact_tangent,         ///< {0} {1} bodies, {2} contact: no relative velocity along the common normal
-    pitch_curves,            ///< {0} {1} bodies, {2} pitch point: no relative motion along the common tangent
+    pitch_curves,            ///< {0} {1} bodies, {2} pitch point, as they carry it {3} {4}: one velocity along the tangent
     primary_revolute,        ///< {0} centre, {1} point
     primary_prismatic,       ///< {0} centre, {1} joint's point: at infinity ⟂ guide
     primary_rolling,         ///< {0} centre, {1} contact point

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
@@ -109,6 +110,51 @@ TEST(DrawnAsInBooks, SentencesNameTheLinesByTheirNumbers) {
             EXPECT_GE(in_sentences, 2) << number;
         }
     }
+}
+
+/// A planet between two wheels that drive it: its two contacts are known, and nothing was drawn between them.
+const char* const planet_between_two = R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
+    "points": {"O": [0, 0], "C": [30, 40], "S": [18, 24], "R": [42, 56]},
+    "bodies": {"2": {"points": ["O"], "circle": {"centre": "O", "radius": 30}},
+               "3": {"points": ["C"], "circle": {"centre": "C", "radius": 20}}, "4": ["O", "C"],
+               "5": {"points": ["O"], "circle": {"centre": "O", "radius": 70}}},
+    "joints": [{"revolute": "O", "bodies": [1, 2, 4, 5]}, {"revolute": "C", "bodies": [3, 4]},
+               {"rolling": "S", "bodies": [2, 3]}, {"rolling": "R", "bodies": [3, 5]}],
+    "drivers": [{"body": 2, "omega": 10}, {"body": 5, "omega": -3}], "find": ["velocity", "acceleration"]})";
+
+/// A vector of motion that a sentence argues with is drawn by then, unless the sentence says itself what it is.
+void expect_vectors_drawn(const Solution& solution) {
+    constexpr std::array introducing{
+        Sentence::slide_velocity,         Sentence::slide_acceleration,         Sentence::slide_acceleration_without_coriolis,
+        Sentence::slide_velocity_on_rest, Sentence::slide_acceleration_on_rest, Sentence::rolling_point_at_rest,
+        Sentence::observer_velocity,      Sentence::observer_acceleration};
+    for (const StatementIndex index : indices_of(solution.protocol.statements)) {
+        const Statement& statement = solution.protocol.statements[at_index(index)];
+        const bool of_motion = statement.section == Topic::velocity || statement.section == Topic::acceleration;
+        const Message& said = statement.message;
+        if (!of_motion || std::find(introducing.begin(), introducing.end(), said.sentence) != introducing.end()) continue;
+        for (const Argument& argument : said.arguments) {
+            const auto* symbol = std::get_if<Symbol>(&argument);
+            if (symbol == nullptr || (symbol->letter != Symbol::Letter::v && symbol->letter != Symbol::Letter::a)) continue;
+            const std::string words = plain(say(said, Language::en));
+            if (words.find(plain(typeset(*symbol, Language::en))) == std::string::npos) continue;  // what it is instead is said
+            const auto& vectors = solution.protocol.vectors;
+            EXPECT_TRUE(std::any_of(vectors.begin(), vectors.end(), [&](const DrawnVector& vector) {
+                return vector.symbol == *symbol && vector.statement <= index;
+            })) << words;
+        }
+    }
+}
+TEST(DrawnAsInBooks, NoSentenceArguesWithAVectorThatIsNotDrawn) {
+    for (const std::string& name : tests::example_names()) {
+        SCOPED_TRACE(name);
+        expect_vectors_drawn(example(name));
+    }
+    const Solution planet = tests::solved(planet_between_two);
+    expect_vectors_drawn(planet);
+    std::string words;
+    for (const Statement& statement : planet.protocol.statements) words += plain(say(statement.message, Language::en)) + "\n";
+    EXPECT_NE(words.find("v_RS* goes from s* to r. ω_3 is v_RS* divided by S*R"), std::string::npos) << words;
 }
 
 TEST(DrawnAsInBooks, ALineThatStandsAloneHasNoNumber) {

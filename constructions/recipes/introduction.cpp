@@ -32,11 +32,18 @@ void Introduction::introduce(const Locus& locus) {
             return equivalent(EquivalentLinkage::Kind::slot, pins, locus.guide, pin, pin);
         }
         case Locus::Kind::mesh:
-            pen_.begin<Plane::velocity>(Sentence::pitch_curves, {pen_.body(locus.body), pen_.body(other), contact}, "");
+            pen_.begin<Plane::velocity>(
+                Sentence::pitch_curves,
+                {pen_.body(locus.body), pen_.body(other), contact, place_on(joint, locus.body), place_on(joint, other)}, "");
             return;
         default:
             pen_.begin<Plane::velocity>(Sentence::contact_tangent, {pen_.body(locus.body), pen_.body(other), contact}, "");
     }
+}
+
+/// The point of the joint as this body carries it; its star tells whose it is.
+PointName Introduction::place_on(const Joint& joint, BodyIndex body) {
+    return {chains_.node(chains_.structure().on(joint.point, body)).label};
 }
 
 }  // namespace kinegraph::recipes

@@ -15,6 +15,8 @@ public:
     void introduce(const Locus& locus);
 
 private:
+    PointName place_on(const Joint& joint, BodyIndex body);
+
     Chains& chains_;
     RecipePen& pen_;
     std::set<JointIndex> introduced_;  ///< higher pairs whose sentence was said

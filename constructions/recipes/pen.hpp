@@ -2,6 +2,7 @@
 // within a trial, which leaves no mark. It knows no recipe.
 #pragma once
 
+#include <array>
 #include <set>
 #include <string>
 #include <utility>
@@ -40,9 +41,10 @@ public:
     }
     /// A sentence that ends with the ω or α of a body.
     template <Plane plane>
-    void begin_spin(BodyIndex found, Sentence sentence, std::vector<Argument> arguments, std::string source) {
+    StatementIndex begin_spin(BodyIndex found, Sentence sentence, std::vector<Argument> arguments, std::string source) {
         const StatementIndex statement = begin<plane>(sentence, std::move(arguments), std::move(source));
         if (found != none) said(statement).finds = {spin_quantity<plane>(found)};
+        return statement;
     }
     /// The sentence begun, to complete it; in a trial nothing is said, and what is written here is forgotten.
     Statement& said(StatementIndex statement) { return statement == none ? unsaid_ : board_.statement(statement); }
@@ -54,14 +56,21 @@ public:
     template <Plane plane>
     void draw_vector(const Track<plane>& track, Symbol symbol, const Seen& seen, PointOn<plane> tail, PointOn<plane> tip,
                      BodyIndex body_of, DrawnVector::Role role) {
-        if (!is_velocity<plane> && hand_ == Hand::solution) relative_.insert({seen.of.place, seen.to.place});
+        if (hand_ == Hand::solution) relative_[is_velocity<plane> ? 0 : 1].insert({seen.of.place, seen.to.place});
         if (hand_ != Hand::silent) pen(track).vector(std::move(symbol), seen, tail, tip, body_of, role);
     }
-    /// Whether the acceleration of one place relative to the other is drawn.
-    bool drawn_between(NodeIndex one, NodeIndex other) {
-        const ElementIndex a = chains_.place(one).element, b = chains_.place(other).element;
-        return relative_.contains({a, b}) || relative_.contains({b, a});
+    /// Whether the velocity, the acceleration or a part of it of the first place relative to the second is drawn.
+    template <Plane plane>
+    bool is_drawn(NodeIndex of, NodeIndex to) {
+        return relative_[is_velocity<plane> ? 0 : 1].contains({chains_.place(of).element, chains_.place(to).element});
     }
+    template <Plane plane>
+    bool drawn_between(NodeIndex one, NodeIndex other) {
+        return is_drawn<plane>(one, other) || is_drawn<plane>(other, one);
+    }
+    /// A place whose velocity is zero at this instant: the contact with a body at rest on which its own rolls.
+    void remember_still(NodeIndex place) { still_.insert(place); }
+    bool stands_still(NodeIndex place) const { return still_.contains(place); }
     template <Plane plane>
     void draw_line(const Track<plane>& track, LineOn<plane> line, LineReason reason, std::vector<ElementIndex> points) {
         if (hand_ != Hand::silent) pen(track).line(line, std::move(reason), std::move(points));
@@ -111,7 +120,9 @@ private:
     Board& board_;
     Hand hand_ = Hand::solution;
     Statement unsaid_;
-    std::set<std::pair<ElementIndex, ElementIndex>> relative_;  ///< places between which accelerations are drawn
+    std::set<NodeIndex> still_;
+    std::array<std::set<std::pair<ElementIndex, ElementIndex>>, 2>
+        relative_;  ///< places between which velocities, accelerations are drawn
 };
 
 }  // namespace kinegraph::recipes

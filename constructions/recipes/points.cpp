@@ -82,7 +82,7 @@ void PointRecipes<plane>::draw_image(Track<plane>& track, const Step& step) {
             if (!board_.is_zero(tangential))
                 pen_.draw_vector(track, chains_.absolute<plane>(step.node, "t"), seen, middle, end, step.body,
                                  DrawnVector::Role::tangential);
-        } else if (chains_.node(step.node).bodies.size() > 1 && !pen_.drawn_between(step.node, step.base)) {
+        } else if (chains_.node(step.node).bodies.size() > 1 && !pen_.drawn_between<plane>(step.node, step.base)) {
             // A pin from which others go on: its parts are worth a reading.
             const Seen seen = chains_.turning(step.node, step.base);
             pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base, "n"), seen, tip, middle, step.body,
@@ -105,6 +105,7 @@ void PointRecipes<plane>::draw_rolling_point(Track<plane>& track, const Step& st
                           {contact, pen_.body(step.body), pen_.body(step.other), chains_.absolute<plane>(step.node),
                            chains_.absolute<plane>(step.base)},
                           "");
+        if (rest) pen_.remember_still(step.node);
         pen_.set_tip(track, step.node, track.tip(step.base), !rest);
     } else {
         if (!chains_.rolls_known(step.joint)) return;

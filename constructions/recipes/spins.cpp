@@ -39,12 +39,16 @@ void SpinRecipes<plane>::spin_from_pair(Track<plane>& track, const Step& step) {
     if (!is_velocity<plane> && !chains_.motion().velocity.turns(step.body)) return;
     const char* const term = is_velocity<plane> ? "" : "t";
     // The vector is called as it was drawn, be it from the other end.
-    const bool from_node = track.tangential.contains({step.node, step.base});
-    Symbol relative_symbol = chains_.at_rest(step.base)   ? chains_.absolute<plane>(step.node, term)
-                             : chains_.at_rest(step.node) ? chains_.absolute<plane>(step.base, term)
-                             : from_node                  ? chains_.relative<plane>(step.base, step.node, term)
-                                                          : chains_.relative<plane>(step.node, step.base, term);
-    pen_.begin_spin<plane>(
+    const bool drawn = track.tangential.contains({step.node, step.base}) || track.tangential.contains({step.base, step.node});
+    const bool from_node = drawn ? track.tangential.contains({step.node, step.base}) : pen_.is_drawn<plane>(step.base, step.node);
+    const auto still = [&](NodeIndex each) {
+        return chains_.at_rest(each) || (is_velocity<plane> && !drawn && pen_.stands_still(each));
+    };
+    Symbol relative_symbol = still(step.base)   ? chains_.absolute<plane>(step.node, term)
+                             : still(step.node) ? chains_.absolute<plane>(step.base, term)
+                             : from_node        ? chains_.relative<plane>(step.base, step.node, term)
+                                                : chains_.relative<plane>(step.node, step.base, term);
+    const StatementIndex statement = pen_.begin_spin<plane>(
         step.body, either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
         {pen_.spin_of<plane>(step.body), relative_symbol, chains_.segment(step.base, step.node), pen_.body(step.body)}, "Rivals");
     const auto turned = board_.turn(chains_.diagram().join(step.base, step.node));
@@ -67,8 +71,33 @@ void SpinRecipes<plane>::spin_from_pair(Track<plane>& track, const Step& step) {
                 board_.through(board_.carry(board_.pole<plane>(), tangential), board_.perpendicular(board_.direction(turned))));
             tangential = board_.vector(board_.pole<plane>(), *foot);
         }
+        if (pen_.hand() == RecipePen::Hand::solution && !(is_velocity<plane> && (still(step.base) || still(step.node))))
+            draw_between_tips(track, step, pen_.said(statement));
     }
     track.spins[at(step.body)] = board_.ratio(tangential, turned);
+}
+
+/// Both tips were found apart from each other: what their difference is made of is told and drawn.
+template <Plane plane>
+void SpinRecipes<plane>::draw_between_tips(const Track<plane>& track, const Step& step, Statement& said) {
+    if (pen_.drawn_between<plane>(step.node, step.base)) return;
+    const bool backwards = chains_.at_rest(step.node);
+    const NodeIndex from = backwards ? step.node : step.base, to = backwards ? step.base : step.node;
+    const auto symbol = [&](const char* term) {
+        return chains_.at_rest(from) ? chains_.absolute<plane>(to, term) : chains_.relative<plane>(to, from, term);
+    };
+    said.message.arguments.emplace_back(pen_.image<plane>(from));
+    said.message.arguments.emplace_back(pen_.image<plane>(to));
+    const Seen seen = chains_.turning(to, from);
+    const PointOn<plane> tail = track.tip(from), tip = track.tip(to);
+    if constexpr (is_velocity<plane>) {
+        pen_.draw_vector(track, symbol(""), seen, tail, tip, step.body, DrawnVector::Role::relative);
+    } else {
+        const PointOn<plane> middle = board_.carry(tail, chains_.normal_of(step.body, from, to));
+        said.message.arguments.emplace_back(symbol("n"));
+        pen_.draw_vector(track, symbol("n"), seen, tail, middle, step.body, DrawnVector::Role::normal);
+        pen_.draw_vector(track, symbol("t"), seen, middle, tip, step.body, DrawnVector::Role::tangential);
+    }
 }
 
 template <Plane plane>

@@ -19,6 +19,8 @@ public:
     void spin_from_parallels(Track<plane>& track, const Step& step);
 
 private:
+    void draw_between_tips(const Track<plane>& track, const Step& step, Statement& said);
+
     Chains& chains_;
     Board& board_;
     RecipePen& pen_;

@@ -91,6 +91,8 @@ Factors OfMotion::factors_of(const DrawnVector& vector, double si) {
         case Role::normal:
             return {{turning(vector.body), true}, {in(lever_of(vector), unit)}};
         case Role::tangential:
+            // Its α follows from it.
+            if (telling_.message(vector.statement).sentence == Sentence::alpha_from_pair) return {};
             return {{std::abs(telling_.spin(vector.body, protocol_.polygons[at_index(vector.polygon)].plane == Plane::velocity
                                                              ? Symbol::Letter::omega
                                                              : Symbol::Letter::alpha))},
@@ -130,8 +132,11 @@ void OfMotion::turning_found(StatementIndex statement, const Quantity& quantity,
     if (magnitudes_.is_noise(quantity, value)) return tell({}, std::nullopt, 0);
     Factors factors;
     std::optional<double> divisor;
-    if (said.sentence == Sentence::omega_from_pair || said.sentence == Sentence::alpha_from_pair)
-        if (const auto lever = segment_length(std::get<Segment>(said.arguments[2]))) {
+    const bool from_pair = said.sentence == Sentence::omega_from_pair || said.sentence == Sentence::alpha_from_pair;
+    const bool from_parallels =
+        said.sentence == Sentence::omega_from_parallels || said.sentence == Sentence::alpha_from_parallels;
+    if (from_pair || from_parallels)
+        if (const auto lever = segment_length(std::get<Segment>(said.arguments[from_pair ? 2 : 1]))) {
             const Unit& linear = omega ? units_.velocity : units_.acceleration;
             factors = {{in(value * *lever, linear)}};
             divisor = in(*lever, linear);

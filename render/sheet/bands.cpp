@@ -297,6 +297,7 @@ bool may_be_merged(const Message& message) {
     switch (message.sentence) {
         case Sentence::omega_from_pair:
         case Sentence::alpha_from_pair:
+            return !message.workings.empty() && message.arguments.size() <= 4;  // else it draws a vector first
         case Sentence::inertia_force:
         case Sentence::inertia_couple:
         case Sentence::second_way:
