@@ -337,6 +337,30 @@ TEST(PolygonConstruction, LinesAreSeenToCrossInTheTipThatTheyFind) {
     }
 }
 
+/// As a′b′ with p′ on it, where no vector runs from the one to the other; a closed figure of more points has its tint.
+TEST(PolygonConstruction, TheImageOfALinkWithItsPointsOnOneLineIsALine) {
+    const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
+        "points": {"O": [0, 0], "C": [150, 0], "A": {"from": "O", "distance": 50, "angle": 60},
+                   "B": {"meet": [{"circle": "A", "radius": 140}, {"circle": "C", "radius": 90}], "side": "left"},
+                   "P": {"from": "A", "to": "B", "distance": 70}},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B", "P"], "4": ["C", "B"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+                   {"revolute": "B", "bodies": [3, 4]}, {"revolute": "C", "bodies": [4, 1]}],
+        "drivers": [{"body": 2, "omega": 10}]})");
+    const Theme theme;
+    for (const auto& [polygon, lines] : {std::pair{0, 0}, std::pair{1, 1}}) {
+        const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, polygon, 150, 100);
+        std::map<std::string, Spot> tips;
+        for (const VectorGroup& each : vectors_of(figure)) tips[each.name()] = each.axes[0].tip;
+        const Spot a = tips[polygon == 0 ? "v_A" : "a_A"], b = tips[polygon == 0 ? "v_B" : "a_B"];
+        int images = 0;
+        for (const auto& [from, to] : thin_lines(figure, theme))
+            if ((length(from - a) < 1e-6 && length(to - b) < 1e-6) || (length(from - b) < 1e-6 && length(to - a) < 1e-6))
+                ++images;
+        EXPECT_EQ(images, lines) << "v_BA lies there already, a_BA does not";
+    }
+}
+
 /// The marks of right angles: end of one leg, corner, end of the other.
 std::vector<std::vector<Spot>> corners_of(const Figure& figure, const Theme& theme) {
     std::vector<std::vector<Spot>> corners;

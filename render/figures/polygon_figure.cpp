@@ -21,6 +21,7 @@ constexpr double seen_apart = 1.5;   // where it ends, from the other line of th
 constexpr double most_overshoot = 25;
 constexpr double trial_overshoot = 4;
 constexpr double least_image = 12;      // mm²: of a link's image, or it is no figure to be seen
+constexpr double least_image_line = 4;  // mm: of that of a link whose points lie on one line
 constexpr double letters_beyond = 2.8;  // what letters take at least beyond the strokes, on each side
 constexpr double coincident = 0.02;     // mm: drawn as one
 
@@ -99,22 +100,55 @@ private:
         return text;
     }
 
-    /// Similar to the body, turned and to another scale: a tint, and an edge where no vector is.
+    /// Similar to the body, turned and to another scale: a tint, and an edge where no vector is. Of points on one line the image
+    /// is a line, on which they divide it as they divide the body.
     void draw_images_of_bodies(Figure& figure) const {
         for (const SceneFace& face : scene_.faces) {
             std::vector<Spot> corners;
             for (const Place corner : face.corners) corners.push_back(spot(figure, corner));
-            corners = hull_of(std::move(corners));
-            double area = 0;
-            for (std::size_t i = 2; i < corners.size(); ++i)
-                area += 0.5 * std::abs(cross(corners[i - 1] - corners[0], corners[i] - corners[0]));
-            if (area < least_image) continue;
             const BodyColour colour = context_.theme.colour_of(face.body);
+            const Pen edge{context_.theme.thin, colour.line, {}, false};
             const std::size_t first = figure.marks.size();
-            figure.marks.emplace_back(tinted(filled(corners, colour.tint)));
-            figure.marks.emplace_back(polyline(corners, {context_.theme.thin, colour.line, {}, false}, true));
+            if (const auto line = line_of(corners)) {
+                if (!is_covered(figure, *line)) figure.marks.emplace_back(polyline(*line, edge));
+            } else {
+                corners = hull_of(std::move(corners));
+                if (area_of(corners) < least_image) continue;
+                figure.marks.emplace_back(tinted(filled(corners, colour.tint)));
+                figure.marks.emplace_back(polyline(corners, edge, true));
+            }
             belong(figure.marks, first, face.statement);
         }
+    }
+    static double area_of(const std::vector<Spot>& corners) {
+        double area = 0;
+        for (std::size_t i = 2; i < corners.size(); ++i)
+            area += 0.5 * std::abs(cross(corners[i - 1] - corners[0], corners[i] - corners[0]));
+        return area;
+    }
+    /// The outermost two of three corners or more that lie apart on one line; nothing of others.
+    static std::optional<std::vector<Spot>> line_of(const std::vector<Spot>& corners) {
+        Spot from, to;
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (length(corners[i] - corners[j]) > length(to - from)) from = corners[j], to = corners[i];
+        const double span = length(to - from);
+        if (span < least_image_line) return std::nullopt;
+        bool has_between = false;
+        for (const Spot corner : corners) {
+            if (std::abs(cross(unit(to - from), corner - from)) > coincident) return std::nullopt;
+            has_between = has_between || (length(corner - from) > coincident && length(corner - to) > coincident);
+        }
+        return has_between ? std::optional(std::vector{from, to}) : std::nullopt;
+    }
+    bool is_covered(const Figure& figure, const std::vector<Spot>& line) const {
+        return std::any_of(scene_.vectors.begin(), scene_.vectors.end(), [&](const SceneVector& vector) {
+            const Spot tail = spot(figure, vector.tail), tip = spot(figure, vector.tip);
+            const auto joins = [&](Spot from, Spot to) {
+                return length(line.front() - from) < coincident && length(line.back() - to) < coincident;
+            };
+            return joins(tail, tip) || joins(tip, tail);
+        });
     }
 
     struct Ray {

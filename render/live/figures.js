@@ -665,7 +665,7 @@ class FigureView {
      */
     bindLine(node, segments, spots) {
         const found = this.lineThrough(spots, node.closest('[data-statement]')?.getAttribute('data-statement') ?? null);
-        if (!found) return node.classList.add('still');
+        if (!found) return this.bindBetweenVertices(node, segments, spots);
         const {name, line} = found;
         const ends = spots.map((at) => {
             const distances = line.points.map((point) => apart(point, at));
@@ -683,6 +683,23 @@ class FigureView {
             const places = ends.map(({nearest, beyond}) => along(now.points[nearest], turned * beyond, now.direction));
             let next = 0;
             this.set(node, 'd', mappedPath(segments, () => places[next++]));
+        });
+    }
+
+    /**
+     * The image of a link whose points lie on one line: it goes on from vertex to vertex.
+     * @param {Element} node
+     * @param {Segment[]} segments
+     * @param {Spot[]} spots
+     */
+    bindBetweenVertices(node, segments, spots) {
+        const names = spots.flatMap((at) => this.vertexAt(at) ?? []);
+        if (names.length < spots.length) return node.classList.add('still');
+        this.bindings.push(() => {
+            const places = names.flatMap((name) => this.spot(name) ?? []);
+            this.show(node, places.length === names.length);
+            let next = 0;
+            if (places.length === names.length) this.set(node, 'd', mappedPath(segments, () => places[next++]));
         });
     }
 
