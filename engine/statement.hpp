@@ -115,9 +115,10 @@ enum class Sentence {
     through_pin,         ///< {0} body, {1} point, {2} symbol: all that is known on it passes through {1}, so {2} does
     known_resultant,     ///< {0} body, {1} symbols that are added, {2} their resultant
     inertia_moved,       ///< {0} body, {1} F_i, {2} M_i: F_i moved aside stands for both
-    funicular_parallel,  ///< {0} body, {1} {2} symbols: parallel forces, by the funicular polygon
+    funicular_parallel,  ///< {0} body, {1} {2} symbols: parallel forces, by the funicular polygon; {3} meet of the outer strings
     funicular_far,       ///< {0} body, {1} {2} symbols: lines that meet far away, by the funicular polygon
-    funicular_several,   ///< {0} bodies, {1} {2} symbols, {3} known symbols: of several directions, by the funicular polygon
+    funicular_several,   ///< {0} bodies, {1} {2} symbols, {3} known symbols: of several directions, by the funicular polygon; {4}
+                         ///< as {3} above
     trial,               ///< {0} symbol: one trial value, then in proportion
     elastic_spring,      ///< {0} F, {1} {2} points: k (l − l_0), along their join
     torsion_spring,      ///< {0} M on the first body, {1} first body, {2} second: −k φ

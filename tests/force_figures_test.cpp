@@ -315,7 +315,11 @@ TEST(ForceSheet, ShowsByHowMuchAResultantIsMovedAside) {
         if (said.sentence == Sentence::inertia_moved && statements[i].bodies.size() > 1) {
             ++moved;
             EXPECT_EQ(name_of(said.workings.front().of), "d");
-            EXPECT_NEAR(said.workings.front().result.value, 24.9, 0.05);
+            // Both factors as they are told before, N m and N: the quotient is in m, then in the file's unit.
+            const Working &in_metres = said.workings.at(0), &in_own_unit = said.workings.at(1);
+            EXPECT_EQ(in_metres.result.unit, "m");
+            EXPECT_NEAR(in_metres.factors.at(0).value, 21.36, 0.01);
+            EXPECT_NEAR(in_own_unit.result.value, 24.9, 0.05);
         }
         EXPECT_NE(said.sentence, Sentence::triangle_at) << "a meet that no sheet has";
     }

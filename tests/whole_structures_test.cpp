@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "render/figures/truss_figures.hpp"
 #include "render/scene/loads_alone.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/sheet/steps.hpp"
@@ -127,6 +128,18 @@ TEST(WholeByStrings, ARoofUnderWind) {
     for (const Load& load : solution.mechanism.loads) rest = rest + *std::get<ForceLoad>(load).value;
     expect_funicular(*together.funicular, reaction_at(solution, "E"), Vector{} - rest);
     expect_no_moment(solution, together.sums.front().at);
+    // Where the outer strings meet has a letter, in the sentence as on the drawing.
+    ASSERT_EQ(solution.truss->whole->meets.size(), 1U);
+    const std::string letter = solution.truss->whole->meets.front().name;
+    const auto said = std::find_if(solution.protocol.statements.begin(), solution.protocol.statements.end(),
+                                   [](const Statement& each) { return each.message.sentence == Sentence::funicular_several; });
+    EXPECT_NE(english(said->message).find("its outer strings meet in " + letter + ", on the line"), std::string::npos);
+    const Theme theme;
+    const Figure figure = truss_figure({solution, theme, fonts()}, 150, 120);
+    EXPECT_TRUE(std::any_of(figure.marks.begin(), figure.marks.end(), [&](const Mark& mark) {
+        const auto* text = std::get_if<TextMark>(&mark);
+        return text != nullptr && text->cls == "label" && text->words == letter;
+    }));
 }
 
 /// Weights and wind, none parallel to another: one polygon adds them and parts the sum.

@@ -127,8 +127,7 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
     }
     if (known.force)
         if (auto found = funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, given, place)) {
-            said_.say_of(group, Sentence::funicular_parallel, {said_.symbol_on(line, group), said_.symbol_on(pin, group)},
-                         "Culmann");
+            say_strings(group, Sentence::funicular_parallel, {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, *found);
             const auto [first, second] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
             settled_.settle(line, first, given.place, group, run);
             settled_.settle(pin, second, place, group, run);
@@ -151,12 +150,18 @@ bool Magnitudes::several_by_strings(const Group& group, int line, int pin, const
     const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
     auto found = funicular_.strings(group, actors, *known.force, given, place);
     if (!found) return false;
-    said_.say_of(group, Sentence::funicular_several, {said_.symbol_on(line, group), said_.symbol_on(pin, group), found->known},
-                 "Culmann");
+    say_strings(group, Sentence::funicular_several, {said_.symbol_on(line, group), said_.symbol_on(pin, group), found->known},
+                *found);
     const auto [along, at_pin] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
     settled_.settle(line, along, given.place, group, run);
     settled_.settle(pin, at_pin, place, group, run);
     return true;
+}
+
+/// Where the outer strings meet the resultant passes: that place has a name.
+void Magnitudes::say_strings(const Group& group, Sentence sentence, std::vector<Argument> arguments, const Strings& found) {
+    if (found.resultant) arguments.emplace_back(PointName{said_.meet_name(group, *found.resultant)});
+    said_.say_of(group, sentence, std::move(arguments), "Culmann");
 }
 
 void Magnitudes::say_no_force_along(const Group& group, int nothing, int all, bool couple_too) {
@@ -217,8 +222,7 @@ bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, con
     if (couple >= 0) return false;
     if (balance_.is_along(known, first) && !board_.on_line(second.place, first.line))
         if (auto found = funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, first, second.place)) {
-            said_.say_of(group, Sentence::funicular_parallel, {said_.symbol_on(one, group), said_.symbol_on(two, group)},
-                         "Culmann");
+            say_strings(group, Sentence::funicular_parallel, {said_.symbol_on(one, group), said_.symbol_on(two, group)}, *found);
             const auto [x, y] = funicular_.by_strings(*std::move(found), one, two, *known.force, group, run);
             settled_.settle(one, x, first.place, group, run);
             settled_.settle(two, y, second.place, group, run);

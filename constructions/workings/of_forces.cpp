@@ -63,10 +63,15 @@ void OfForces::moved_aside(StatementIndex statement, const FreeBody& body, const
     tell_aside(statement, std::abs(couple) / force, force);
 }
 
-/// d = M/F, in units that make up that of d.
+/// d = M/F, with the couple as it is told; where it is told in N m and the length in mm, in m first.
 void OfForces::tell_aside(StatementIndex statement, double arm, double force) {
-    const double aside = in(arm, units_.length), size = in(force, units_.force);
-    telling_.tell(statement, {Symbol::Letter::length, "d", {}}, {{aside * size}}, size, aside, units_.length);
+    static const Unit metre{"m", 1};
+    const bool made = units_.moment.si / units_.force.si == units_.length.si;
+    const Unit& first = made ? units_.length : metre;
+    const double size = in(force, units_.force), aside = in(arm, first);
+    const Symbol d{Symbol::Letter::length, "d", {}};
+    telling_.tell(statement, d, {{aside * size}}, size, aside, first);
+    if (!made) telling_.tell_also(statement, d, in(arm, units_.length), units_.length);
 }
 
 bool OfForces::is_by_virtual_work(StatementIndex statement) {

@@ -27,6 +27,12 @@ void Telling::tell(StatementIndex statement, Symbol of, Factors factors, std::op
     message(statement).workings.push_back({std::move(of), std::move(factors), divisor, {value, unit.symbol}});
 }
 
+void Telling::tell_also(StatementIndex statement, const Symbol& of, double value, const Unit& unit) {
+    auto& workings = message(statement).workings;
+    const bool is_last = !workings.empty() && workings.back().of == of && workings.back().result.unit != unit.symbol;
+    if (is_last) workings.push_back({of, {}, std::nullopt, {value, unit.symbol}});
+}
+
 void Telling::tell_sum(StatementIndex statement, Symbol of, const std::vector<Product>& products, double value,
                        const Unit& unit) {
     if (is_told(statement, of)) return;

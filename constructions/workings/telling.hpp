@@ -23,6 +23,8 @@ public:
     /// A working is said once, and only where it comes out.
     void tell(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor, double value,
               const Unit& unit);
+    /// What was told last, once more in another unit.
+    void tell_also(StatementIndex statement, const Symbol& of, double value, const Unit& unit);
     /// Of a sum of products.
     struct Product {
         double one = 0, other = 0;

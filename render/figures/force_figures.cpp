@@ -48,11 +48,17 @@ bool passes_sum_of_several(const Solution& solution, Spot place) {
 }
 using Meets = std::vector<FreeBody::Meet>;
 
+/// Where the outer strings of a funicular polygon meet, on the line of its resultant.
+bool is_meet_of_strings(const FreeBody& body, const FreeBody::Meet& meet) {
+    return body.funicular && body.funicular->resultant && *body.funicular->resultant == meet.place;
+}
+
 /// Points of concurrency worth showing: a meet of partial reactions (superposition) is none of the forces drawn.
 Meets shown_meets(const Solution& solution, const FreeBody& body) {
     Meets shown;
     for (const auto& meet : body.meets)
-        if (lines_through(body, paper_spot(meet.place), near_a_line(solution)) >= 2) shown.push_back(meet);
+        if (is_meet_of_strings(body, meet) || lines_through(body, paper_spot(meet.place), near_a_line(solution)) >= 2)
+            shown.push_back(meet);
     return shown;
 }
 

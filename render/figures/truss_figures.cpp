@@ -208,7 +208,7 @@ private:
                     point_to(at, pin, meet);
             }
             if (near) {
-                draw_line_of_whole(whole, at);
+                if (!is_of_strings(meet)) draw_line_of_whole(whole, at);  // they draw the resultant themselves
                 sketch_.centres.emplace_back(ring(at, 1.0, sketch_.theme.paper, sketch_.outline()));
                 belong(sketch_.centres, sketch_.centres.size() - 1, meet.statement);
                 sketch_
@@ -218,6 +218,11 @@ private:
             }
             belong(sketch_.construction, first, meet.statement);
         }
+    }
+    bool is_of_strings(const Truss::Whole::Meet& meet) const {
+        return std::any_of(solution_.taken_together.begin(), solution_.taken_together.end(), [&](const TakenTogether& together) {
+            return together.funicular && together.funicular->resultant && *together.funicular->resultant == *meet.place;
+        });
     }
     /// Culmann's line, which joins two meets, with what acts along it.
     void draw_line_of_meets(const AppliedForce& sum) {
