@@ -388,7 +388,7 @@ TEST(Question, HasItsDataAsDimensions) {
             }
         }
     };
-    expect(tests::solved(inverted_slider(R"(["omega 4"])")), {"60 mm", "90 mm", "260 mm", "35 mm", "120 mm", "10°"});
+    expect(tests::solved(inverted_slider(R"(["omega 4"])")), {"60 mm", "90 mm", "260 mm", "35 mm", "120 mm", "10°", "40°"});
     expect(tests::solved(R"({
       "kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
       "points": {"O": [0, 0], "S": [30, 0], "P": [50, 0], "R": [70, 0]},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <span>
 #include <string_view>
 
@@ -70,9 +71,15 @@ public:
         if (wish_.sought_far) {
             std::stable_sort(lengths_.begin(), lengths_.end(),
                              [](const Length& a, const Length& b) { return a.value < b.value; });
-            for (const AngleOf& angle : angles_) count += count < most ? draw(angle, all) : 0;
+            std::vector<const AngleOf*> crowded;
+            for (const AngleOf& angle : angles_) {
+                const bool stands = count < most && draw(angle, all);
+                count += stands ? 1 : 0;
+                if (!stands) crowded.push_back(&angle);
+            }
             for (const Radius& radius : radii_) count += count < most ? draw(radius, all) : 0;
             for (const Length& length : lengths_) count += count < most ? draw(length, all) : 0;
+            for (const AngleOf* angle : crowded) count += count < most ? draw_led_out(*angle, all) : 0;
             return;
         }
         for (const Length& length : lengths_) count += all || count < most ? draw(length, all) : 0;
@@ -228,6 +235,14 @@ private:
                            name_of(vertex) + "." + name_of(to)});
     }
 
+    /// Of a line on which a point lies, from the place that the line goes through; behind that place the angle is another.
+    void add_angle_of(const LineCurve& line, PointIndex point) {
+        const auto* through = std::get_if<PointIndex>(&line.through);
+        if (through == nullptr || line.by != LineCurve::By::angle) return;
+        const Spot along = paper_direction(direction_of(Bearing{line.angle}, sketch_.subject.solution.pose));
+        if (dot(along, sketch_.spot(point) - sketch_.spot(*through)) > 1) add_angle(*through, point, line.angle, std::nullopt);
+    }
+
     void gather() {
         for (const PointIndex point : indices_of(sketch_.mechanism.points)) {
             if (!sketch_.subject.shows(point)) continue;
@@ -242,10 +257,12 @@ private:
             } else if (const auto* on = std::get_if<Along>(&placement)) {
                 if (!on->is_ratio) add_length(on->from, point, std::abs(on->amount.to_double()));
             } else if (const auto* meet = std::get_if<Meet>(&placement)) {
-                for (const Curve* curve : {&meet->first, &meet->second})
+                for (const Curve* curve : {&meet->first, &meet->second}) {
                     if (const auto* circle = std::get_if<CircleCurve>(curve))
                         if (const auto* centre = std::get_if<PointIndex>(&circle->centre))
                             add_length(*centre, point, circle->radius.to_double());
+                    if (const auto* line = std::get_if<LineCurve>(curve)) add_angle_of(*line, point);
+                }
             }
         }
         gather_coordinates();
@@ -454,12 +471,28 @@ private:
         return id;
     }
 
+    /// What a dimension is drawn as, and how much in the way it may stand.
+    struct Drawn {
+        std::string name, id;  // no id: that of the sketch for its name
+        double free_enough;
+    };
+    Drawn drawn_as(std::string name) {
+        std::string id = wish_.sought_far ? id_of(name) : "";
+        return {std::move(name), std::move(id), wish_.sought_far ? 10 : 2.2};
+    }
+    /// The one id of an angle, however often it is tried.
+    Drawn drawn_as(const AngleOf& datum) {
+        const auto [known, is_new] = drawn_angles_.try_emplace(&datum);
+        if (is_new) known->second = drawn_as("angle." + datum.name);
+        return known->second;
+    }
+
     /// Draws the best of the trials where it is free enough.
-    bool draw_best(std::vector<Trial>& trials, const Text& text, const std::array<Spot, 2>& ends, const std::string& name,
+    bool draw_best(std::vector<Trial>& trials, const Text& text, const std::array<Spot, 2>& ends, Drawn as,
                    const std::string& title, bool all) {
-        std::string group = wish_.sought_far ? id_of(name) : "";
+        std::string& group = as.id;
         if (wish_.left_out.contains(group)) return false;
-        const double free_enough = wish_.sought_far ? 10 : 2.2;
+        const double free_enough = as.free_enough;
         Trial* best = nullptr;
         // What costs more than this is not drawn.
         double least = all ? 1e300 : free_enough + 1;
@@ -469,7 +502,7 @@ private:
                 best = &trial;
             }
         if (!best || (!all && least > free_enough)) return false;
-        if (group.empty()) group = sketch_.id("dimension", name);
+        if (group.empty()) group = sketch_.id("dimension", as.name);
         std::vector<Mark>& marks = sketch_.dimensions;
         marks.emplace_back(GroupBegin{"dimension", std::move(group), title, {}});
         for (const Bar& extension : best->extensions) marks.emplace_back(line(extension.from, extension.to, thin()));
@@ -576,7 +609,7 @@ private:
                 trials.push_back(outside_of_end(trial, {b, a}, text.width()));
             }
         }
-        return draw_best(trials, text, {datum.from, datum.to}, datum.name, words, all);
+        return draw_best(trials, text, {datum.from, datum.to}, drawn_as(datum.name), words, all);
     }
 
     static double leader_angle(double step) { return -pi_number / 4 + pi_number / 6 * step + 0.05; }
@@ -625,7 +658,7 @@ private:
                     if (datum.radius > text.width() + 8)
                         trials.push_back(from_centre(datum, leader_angle(i + half), 0.6 + 0.02 * i));
                 }
-        return draw_best(trials, text, {datum.centre, datum.centre}, datum.name, words, all);
+        return draw_best(trials, text, {datum.centre, datum.centre}, drawn_as(datum.name), words, all);
     }
 
     /// A trial of a narrow angle with its arc, which begins before the line that it is counted from, and its text there.
@@ -645,27 +678,48 @@ private:
         return trial;
     }
 
+    /// A trial of an angle with its arc, its text on a shelf to which a leader goes from the arc: where the lines that it is
+    /// between leave no room for letters.
+    Trial led_out(Trial trial, const AngleOf& datum, double radius, double share, double reach, double width) const {
+        const Spot out = polar_spot(datum.from + share * datum.sweep), shelf{out.x >= 0 ? 1.0 : -1.0, 0};
+        const Spot foot = datum.vertex + radius * out, knee = foot + reach * out, end = knee + (width + 0.8) * shelf;
+        trial.draw = [this, arc = trial.draw, knee, end](std::vector<Mark>& marks) {
+            arc(marks);
+            marks.emplace_back(line(knee, end, thin()));
+        };
+        trial.extensions.push_back({foot, knee});  // as little in the way as these are
+        trial.strokes.push_back({knee, end});
+        trial.text_at = 0.5 * (knee + end) + Spot{0, -text_gap};
+        trial.price = 0.05 * radius + 0.06 * reach + std::abs(share - 0.5) + 0.8;
+        return trial;
+    }
+
+    /// The arc of an angle and the line that it is counted from; no text yet.
+    Trial arc_of(const AngleOf& datum, double radius) const {
+        Trial trial;
+        trial.draw = [this, &datum, radius](std::vector<Mark>& marks) {
+            draw_arc_arrow(marks, datum.vertex, radius, datum.from, datum.from + datum.sweep, sketch_.theme.thin,
+                           sketch_.theme.text);
+        };
+        const int parts = 6;
+        const double turn = datum.sweep > 0 ? 1 : -1;
+        // Where arc and link meet is meant: it ends a little before.
+        const double shy = std::min(0.3, 2.4 / radius) * turn;
+        for (int i = 0; i < parts; ++i)
+            trial.strokes.push_back({datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * i / parts),
+                                     datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * (i + 1) / parts)});
+        const Spot base = polar_spot(datum.from);
+        trial.extensions = {{datum.vertex + (sketch_.measures.pin_radius + 0.7) * base, datum.vertex + (radius + 2.5) * base}};
+        return trial;
+    }
+
     bool draw(const AngleOf& datum, bool all) {
         const Text text = text_of(datum.text);
         std::vector<Trial> trials;
         for (const double radius : {9.0, 12.0, 15.0, 18.5, 22.0, 26.0, 31.0}) {
             const double arc = std::abs(datum.sweep) * radius;
             if (arc < (wish_.sought_far ? 2.2 : 4) || (radius > 22 && !wish_.sought_far)) continue;
-            Trial trial;
-            trial.draw = [this, &datum, radius](std::vector<Mark>& marks) {
-                draw_arc_arrow(marks, datum.vertex, radius, datum.from, datum.from + datum.sweep, sketch_.theme.thin,
-                               sketch_.theme.text);
-            };
-            const int parts = 6;
-            const double turn = datum.sweep > 0 ? 1 : -1;
-            // Where arc and link meet is meant: it ends a little before.
-            const double shy = std::min(0.3, 2.4 / radius) * turn;
-            for (int i = 0; i < parts; ++i)
-                trial.strokes.push_back({datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * i / parts),
-                                         datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * (i + 1) / parts)});
-            const Spot base = polar_spot(datum.from);
-            trial.extensions = {
-                {datum.vertex + (sketch_.measures.pin_radius + 0.7) * base, datum.vertex + (radius + 2.5) * base}};
+            const Trial trial = arc_of(datum, radius);
             for (const double share : {0.5, 0.35, 0.65}) {
                 if (arc < 4) break;
                 Trial one = trial;
@@ -678,7 +732,22 @@ private:
             }
             if (wish_.sought_far) trials.push_back(beside_base(trial, datum, radius, text.width()));
         }
-        return draw_best(trials, text, {datum.vertex, datum.vertex}, "angle." + datum.name, datum.text, all);
+        return draw_best(trials, text, {datum.vertex, datum.vertex}, drawn_as(datum), datum.text, all);
+    }
+    /// Where all else stands.
+    bool draw_led_out(const AngleOf& datum, bool all) {
+        const Text text = text_of(datum.text);
+        std::vector<Trial> trials;
+        for (const double radius : {6.0, 7.5, 9.0, 12.0, 15.0, 18.5, 22.0, 26.0, 31.0}) {
+            if (std::abs(datum.sweep) * radius < 2.2) continue;
+            const Trial arc = arc_of(datum, radius);
+            for (const double share : {0.5, 0.35, 0.65})
+                for (const double reach : {7.0, 9.5, 12.0, 15.0, 18.0, 21.5, 25.0, 30.0, 36.0})
+                    trials.push_back(led_out(arc, datum, radius, share, reach, text.width()));
+        }
+        Drawn as = drawn_as(datum);
+        as.free_enough = 18;  // a leader may cross what letters may not, and a link it crosses counts by each of its strokes
+        return draw_best(trials, text, {datum.vertex, datum.vertex}, std::move(as), datum.text, all);
     }
 
     Sketch& sketch_;
@@ -695,6 +764,7 @@ private:
     std::vector<Obstacle> words_;  // texts of dimensions that are sought far
     std::vector<Obstacle> led_;    // their extension lines, which other lines may cross
     std::set<std::string> ids_;
+    std::map<const AngleOf*, Drawn> drawn_angles_;
 };
 
 struct DimensionText {
