@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "render/mechanism/symbols.hpp"
+#include "render/scene/bars.hpp"
 
 namespace kinegraph::render::drawing {
 
@@ -76,7 +77,8 @@ void draw_in_colour(Sketch& sketch) {
         draw_link(sketch, body, below);
         below.push_back(body);
     }
-    for (const BodyIndex body : sketch.mechanism.moving_bodies()) draw_balloon(sketch, body);
+    for (const BodyIndex body : sketch.mechanism.moving_bodies())
+        if (name_of_bar(sketch.subject.solution, body) == nullptr) draw_balloon(sketch, body);
     draw_joints(sketch);
     draw_free_points(sketch);
 }

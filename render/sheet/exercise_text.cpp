@@ -16,6 +16,7 @@
 #include "render/figures/caption.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
+#include "render/scene/bars.hpp"
 #include "render/sheet/wanted_figures.hpp"
 #include "render/text/formula.hpp"
 
@@ -268,10 +269,20 @@ private:
     // --- joints ---------------------------------------------------------------------------------------------------------------
 
     /// In a list of the bodies of a hinge.
-    std::string listed(BodyIndex body) const { return body == frame ? word("frame", language()) : mechanism_.body(body).name; }
-    /// "body 2", "the frame"; "of body 2", "of the frame".
-    RichText subject(BodyIndex body) const { return called(body, "data the frame", "data the body"); }
-    RichText owner(BodyIndex body) const { return called(body, "data of the frame", "data of the body"); }
+    std::string listed(BodyIndex body) const {
+        if (const std::string* bar = name_of_bar(solution_, body)) return *bar;
+        return body == frame ? word("frame", language()) : mechanism_.body(body).name;
+    }
+    /// "body 2", "bar AB", "the frame"; "of body 2", "of bar AB", "of the frame".
+    RichText subject(BodyIndex body) const {
+        if (const std::string* bar = name_of_bar(solution_, body)) return filled("data the bar", {one_piece(*bar, Face::italic)});
+        return called(body, "data the frame", "data the body");
+    }
+    RichText owner(BodyIndex body) const {
+        if (const std::string* bar = name_of_bar(solution_, body))
+            return filled("data of the bar", {one_piece(*bar, Face::italic)});
+        return called(body, "data of the frame", "data of the body");
+    }
     RichText called(BodyIndex body, const char* as_frame, const char* as_body) const {
         return body == frame ? filled(as_frame, {}) : filled(as_body, {plain_words(mechanism_.body(body).name)});
     }
@@ -384,11 +395,13 @@ private:
     void add_load(const ForceLoad& force) {
         const RichText symbol = symbol_of_force(force.name, Symbol::Letter::F);
         if (force.pin != none) return add_pin_load(force);
-        const RichText body = plain_words(mechanism_.body(force.body).name);
+        const std::string* bar = name_of_bar(solution_, force.body);
+        const RichText body = bar != nullptr ? one_piece(*bar, Face::italic) : plain_words(mechanism_.body(force.body).name);
         if (force.value)
-            say("data force", {symbol, body, name(force.at), vector(*force.value, units_.force)});
+            say(bar != nullptr ? "data force on bar" : "data force",
+                {symbol, body, name(force.at), vector(*force.value, units_.force)});
         else
-            say("data force along",
+            say(bar != nullptr ? "data force on bar along" : "data force along",
                 {symbol, body, name(force.at), amount(force.magnitude->first, units_.force), bearing(force.magnitude->second)});
     }
     void add_pin_load(const ForceLoad& force) {
@@ -526,7 +539,8 @@ private:
             case Quantity::Kind::effort:
                 return std::visit([&](const auto& effort) { add_effort(effort); }, mechanism_.efforts[at_index(q.given)]);
             case Quantity::Kind::bar:
-                return say("asked bar", {symbol, plain_words(bar(q.body)), plain_words(mechanism_.body(q.body).name)});
+                return say(name_of_bar(solution_, q.body) != nullptr ? "asked bar" : "asked numbered bar",
+                           {symbol, plain_words(bar(q.body)), plain_words(mechanism_.body(q.body).name)});
             default:
                 return say("asked by name", {symbol, plain_words(column.name)});
         }

@@ -1,0 +1,34 @@
+#include "render/scene/bars.hpp"
+
+#include <algorithm>
+
+#include "engine/result_names.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+const TrussStructure::Bar* bar_of(const TrussStructure& truss, BodyIndex body) {
+    const auto found =
+        std::find_if(truss.bars.begin(), truss.bars.end(), [&](const TrussStructure::Bar& bar) { return bar.body == body; });
+    return found == truss.bars.end() ? nullptr : &*found;
+}
+
+/// A force at a joint is asked for from body to body.
+bool are_asked_by_number(const Mechanism& mechanism, const TrussStructure& truss) {
+    const std::vector<Column> columns = asked_columns(mechanism);
+    return std::any_of(columns.begin(), columns.end(), [&](const Column& column) {
+        const Quantity& quantity = column.quantity;
+        return quantity.kind != Quantity::Kind::bar && (bar_of(truss, quantity.body) || bar_of(truss, quantity.other));
+    });
+}
+
+}  // namespace
+
+const std::string* name_of_bar(const Solution& solution, BodyIndex body) {
+    if (!solution.truss) return nullptr;
+    const TrussStructure& truss = solution.truss->structure;
+    const TrussStructure::Bar* bar = bar_of(truss, body);
+    return bar != nullptr && !are_asked_by_number(solution.mechanism, truss) ? &bar->name : nullptr;
+}
+
+}  // namespace kinegraph::render
