@@ -314,9 +314,10 @@ Solution accelerated(const std::string& rates) {
     return solved(text.replace(text.find(given), given.size(), rates));
 }
 
-TEST(GivenAccelerations, StandOnTheMechanismWhereTheyCostItNothing) {
+/// They are data: no figure of the mechanism is too small for them.
+TEST(GivenAccelerations, StandOnTheMechanism) {
     const Theme theme;
-    const Spot roomy{100, 90};
+    const Spot roomy{100, 90}, tight{64, 52};
     for (const char* rates : {R"("omega": "-120 rpm", "alpha": 25)", R"("alpha": 25)"}) {
         const Solution solution = accelerated(rates);
         for (const Language language : {Language::en, Language::it}) {
@@ -324,8 +325,9 @@ TEST(GivenAccelerations, StandOnTheMechanismWhereTheyCostItNothing) {
             const DrawingContext context{solution, theme, fonts(), language};
             const Figure plain = mechanism_figure(context, roomy.x, roomy.y, true);
             const Figure rich = mechanism_with_found_turnings(context, plain, roomy, true);
-            EXPECT_EQ(rich.scale, plain.scale);
-            EXPECT_TRUE(labels_of(rich).contains(said)) << said;
+            EXPECT_TRUE(rich.scale == any_scale || labels_of(rich).contains(said)) << said;
+            EXPECT_TRUE(labels_of(plain).contains(said)) << said;
+            EXPECT_TRUE(labels_of(mechanism_figure(context, tight.x, tight.y, true)).contains(said)) << said;
             EXPECT_TRUE(labels_of(accelerations_on_mechanism(context, 120, 100)).contains(said));
             EXPECT_TRUE(labels_of(exercise_figure(context, plain.scale, 130, 110)).contains(said));
             EXPECT_FALSE(labels_of(velocities_on_mechanism(context, 120, 100)).contains(said));

@@ -184,28 +184,28 @@ struct MechanismFigure {
         return fit(policy, [&](const Trial& trial) { return drawn(trial, shows.arrows); });
     }
 
-    /// The same with ω and α, or ω alone, and what the file gives of the drivers' accelerations, where that costs it neither its
-    /// scale nor a name or a dimension its place; else empty and at any_scale.
+    /// The same with ω and α, or ω alone, where that costs it neither its scale nor a name or a dimension its place; else empty
+    /// and at any_scale.
     Figure with_more_arrows(const Figure& plain) const {
         using enum Symbol::Letter;
         struct Choice {
-            Arrows arrows;
+            std::vector<Symbol::Letter> found;
             double most_pulled;  // of them, by a leader: they are looked for then rather than seen
         };
-        const bool given = accelerations_given() > 0;
-        std::vector<Choice> choices{{{{omega, alpha}, given}, 0.5}, {{{omega}, given}, 0.7}};
-        // Data go before results.
-        if (given) choices.insert(choices.end(), {{{{}, true}, 0.7}, {{{omega}, false}, 0.7}});
+        const std::vector<Choice> choices{{{omega, alpha}, 0.5}, {{omega}, 0.7}};
         constexpr std::size_t most = 6;        // more crowd any figure
         constexpr double room_of_each = 1200;  // mm²: in less none found a place
         const Trial trial{.scale = plain.scale, .strict = true};
-        for (const auto& [arrows, most_pulled] : choices) {
+        for (const auto& [found, most_pulled] : choices) {
+            const Arrows arrows{found, true};
             const std::size_t count = count_of(arrows);
-            if (count == 0 || count > most || room.x * room.y < room_of_each * static_cast<double>(count)) continue;
+            if (count == accelerations_given() || count > most || room.x * room.y < room_of_each * static_cast<double>(count))
+                continue;
             Figure figure = drawn(trial, arrows);
             if (!has_room(figure) || figure.has_key) continue;
             const double pulled = static_cast<double>(figure.leaders) - static_cast<double>(plain.leaders);
-            const bool is_clear = pulled <= std::max(1.0, most_pulled * static_cast<double>(count));
+            const auto added = static_cast<double>(count - accelerations_given());
+            const bool is_clear = pulled <= std::max(1.0, most_pulled * added);
             if (is_clear && dimensions_in(figure) >= dimensions_in(plain)) return figure;
         }
         return Figure::empty_at(any_scale);
@@ -428,7 +428,7 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
 }  // namespace
 
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres, double coarsest) {
-    return MechanismFigure{context, {room_x, room_y}, {.centres = with_centres}}.fitted(coarsest);
+    return MechanismFigure{context, {room_x, room_y}, {.centres = with_centres, .arrows = {{}, true}}}.fitted(coarsest);
 }
 
 Figure mechanism_with_found_turnings(const DrawingContext& context, const Figure& plain, Spot room, bool with_centres) {
