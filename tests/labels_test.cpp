@@ -147,6 +147,36 @@ TEST(Labels, numbers_on_the_tint_of_another_body_have_the_paper_as_ground) {
     }
 }
 
+/// A leader out of it is better, if there is paper within reach.
+TEST(Labels, numbers_leave_the_tint_of_another_body) {
+    const Theme theme;
+    Figure figure;
+    Path wheel = filled({{0, 0}, {30, 0}, {30, 30}, {0, 30}}, theme.bodies[0].tint);
+    wheel.tinted = true;
+    figure.marks.emplace_back(std::move(wheel));
+    figure.labels = {named("2", {15, 15})};
+    figure.labels.front().balloon = 2.3;
+    figure.labels.front().ground = {theme.paper, theme.bodies[1].tint};
+    place_labels(figure, fonts());
+    const Spot at = std::get<TextMark>(figure.marks.back()).pivot;
+    EXPECT_TRUE(at.x < -2 || at.x > 32 || at.y < -2 || at.y > 32) << at.x << ", " << at.y;
+}
+
+/// "m = 0.5 kg" and "F" behind it would be read as one.
+TEST(Labels, that_tell_values_keep_more_than_a_blank_between_them) {
+    Figure figure;
+    figure.marks.emplace_back(line({-30, 0}, {30, 0}, {0.7, {}, {}, false}));
+    figure.labels = {named("m = 0.5 kg", {-4, 0}), named("F = 2500 N", {4, 0})};
+    place_labels(figure, fonts());
+    std::vector<Box> boxes;
+    for (const Mark& mark : figure.marks)
+        if (std::holds_alternative<TextMark>(mark)) boxes.push_back(box_of(std::span(&mark, 1)));
+    ASSERT_EQ(boxes.size(), 2U);
+    const bool side_by_side = boxes[0].min.y < boxes[1].max.y && boxes[1].min.y < boxes[0].max.y;
+    const double gap = std::max(boxes[1].min.x - boxes[0].max.x, boxes[0].min.x - boxes[1].max.x);
+    EXPECT_TRUE(!side_by_side || gap > 2.5) << gap;
+}
+
 TEST(Labels, of_a_crowd_of_points_do_not_meet) {
     Figure figure;
     std::vector<std::pair<Spot, Spot>> strokes;

@@ -13,12 +13,13 @@ namespace kinegraph::render::lettering {
 
 namespace {
 
-constexpr double beside_price = 2.5;  // of a vector's name beyond its ends
-constexpr double upright_price = 8;   // of a direction mark that leaves its line
+constexpr double beside_price = 2.5;       // of a vector's name beyond its ends
+constexpr double upright_price = 8;        // of a direction mark that leaves its line
+constexpr double foreign_tint_price = 34;  // of a number: a leader out of the wheel is better
 constexpr double leaves_room = 30;
 constexpr double least_of_far = 11;  // leader and distance: no far place costs less
 constexpr double unlimited = 1e300;
-constexpr double kept_apart = 1.2;  // half of what two labels keep between them, and a little for turned ones
+constexpr double kept_apart = line_gap / 2;  // half of what two labels keep between them side by side
 // What covers ink costs more than all that makes less wanted places worth a thought.
 static_assert(covers_stroke > std::max({beside_price, upright_price, least_of_far}));
 
@@ -259,6 +260,7 @@ void LabelPlaces::place_next(Batch& batch) {
     if (!seed.leader && seed.extra > batch.farthest) return;
     const std::size_t place = all_.size();
     Candidate& candidate = all_.emplace_back(bound);
+    candidate.ringed = request_.balloon > 0;
     if (batch.beside)
         stand_beside(seed, candidate);
     else
@@ -303,9 +305,21 @@ bool LabelPlaces::is_met(Batch& batch, Queue& queue, std::size_t rank, double le
 void LabelPlaces::look_about(Candidate& candidate) const {
     const Ground& ground = setting_.ground;
     candidate.price += ground.price(candidate.box, candidate.free);
+    if (is_on_foreign_tint(candidate)) candidate.price += foreign_tint_price;
     if (!candidate.free) return;
     candidate.price += request_.toward ? near_other_lines(candidate) : near_other_points(candidate);
     if (candidate.leader) candidate.price += crossing_price * ground.crossed(candidate.leader_from, candidate.leader_to);
+}
+
+/// Whether the number of a body stands on another's tint, or half on it: it would seem to be that one's.
+bool LabelPlaces::is_on_foreign_tint(const Candidate& candidate) const {
+    if (!request_.ground || request_.balloon <= 0) return false;
+    const double off = request_.balloon;
+    for (const Spot aside : {Spot{0, 0}, Spot{off, 0}, Spot{-off, 0}, Spot{0, off}, Spot{0, -off}}) {
+        const std::optional<Colour> tint = setting_.ground.tint_at(candidate.box.centre + aside);
+        if (tint && tint != request_.ground->own && tint != request_.ground->paper) return true;
+    }
+    return false;
 }
 
 /// A name must not seem to belong to a neighbour …

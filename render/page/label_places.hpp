@@ -40,6 +40,7 @@ struct Candidate {
     double price = 0;      ///< what does not depend on other labels
     bool free = false;     ///< covers no ink
     bool covered = false;  ///< … or is out of the room
+    bool ringed = false;   ///< a number in a circle, which no letters beside it run on from
     bool leader = false;
     Spot leader_from, leader_to;
     Box extent = nowhere;  ///< of box and leader and what another label must keep off it
@@ -121,6 +122,7 @@ private:
     void finish(Candidate& candidate) const;
 
     void look_about(Candidate& candidate) const;
+    bool is_on_foreign_tint(const Candidate& candidate) const;
     double near_other_points(const Candidate& candidate) const;
     double near_other_lines(const Candidate& candidate) const;
 

@@ -108,6 +108,7 @@ void Refuges::look_at(std::size_t label, Spot centre, double step, std::optional
     Candidate candidate;
     candidate.box = box;
     candidate.price = least;
+    candidate.ringed = request.balloon > 0;
     candidate.add_leader(request);
     if (taken_.touches(candidate.thread) || setting_.ground.covers_text(candidate.thread)) return;
     candidate.price += crossings_of(candidate, found ? found->price - least : std::numeric_limits<double>::infinity());

@@ -22,12 +22,24 @@ LabelSetting setting_of(const std::vector<LabelRequest>& requests, const Box& bo
     return setting;
 }
 
+/// Whether two labels would be read as one: they stand side by side, hardly farther apart than two words, and one of them tells a
+/// value. Two letters alone are told apart sooner.
+bool read_as_one(const Candidate& a, const Candidate& b) {
+    constexpr double letter = 4;  // half of the longest
+    if (a.ringed || b.ringed || a.box.axis.y != 0 || b.box.axis.y != 0 || std::max(a.box.half.x, b.box.half.x) < letter)
+        return false;
+    const Spot d = b.box.centre - a.box.centre;
+    return std::abs(d.y) < a.box.half.y + b.box.half.y && std::abs(d.x) - a.box.half.x - b.box.half.x < line_gap;
+}
+
 double price_between(const Candidate& a, const Candidate& b) {
     constexpr double near = 1.6;
     double price = 0;
     const double gap = gap_between(a.box, b.box, near);
     if (gap < label_gap)
         price += covers_label + 50 * (label_gap - gap);
+    else if (read_as_one(a, b))
+        price += one_line_price;
     else if (gap < near)
         price += 0.8;
     if (a.leader && gap_between(a.thread, b.box, ink_margin) < ink_margin) price += covers_stroke;
