@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
@@ -40,13 +41,13 @@ namespace {
 // A chunk of malloc's is a multiple of 16 bytes, of which 8 are its own; the least has 32.
 constexpr std::size_t grain = 16, own = 8;
 constexpr std::size_t classes = 128;                      ///< blocks up to 2 KiB; longer ones are few
-constexpr std::size_t most_kept = std::size_t{8} << 20U;  ///< bytes a thread keeps
+constexpr std::size_t most_kept = std::size_t{8} << 20U;  ///< bytes a thread keeps, about
 
 /// Blocks of one class that are not in use. Their places stand here and not in themselves: a block that was dropped long ago is
 /// far away, and to read the next one's place from it would wait for it.
 struct List {
     void** blocks;
-    std::size_t count, room;
+    std::uint32_t count, room;
 };
 struct Lists {
     std::array<List, classes + 1> of;  ///< by class
@@ -74,34 +75,42 @@ inline void* take(std::size_t size) {
     constexpr std::size_t longest = room_of(classes);
     if (size > longest) [[unlikely]]
         return ask(size);
+    Lists& own_lists = lists;
     const std::size_t of_class = class_of(size);
-    List& list = lists.of[of_class];
+    List& list = own_lists.of[of_class];
     if (list.count == 0) [[unlikely]]
         return ask(room_of(of_class));
-    lists.kept -= of_class * grain;
+    own_lists.kept -= of_class * grain;
     return list.blocks[--list.count];
 }
 
-[[gnu::noinline]] bool grow(List& list) {
-    constexpr std::size_t least = 64;
-    const std::size_t room = list.room == 0 ? least : 2 * list.room;
+/// A block for which its list has no room: that grows, or the block goes back.
+[[gnu::noinline]] void give_to_full_list(void* memory, std::size_t of_class) {
+    constexpr std::uint32_t least = 64;
+    Lists& own_lists = lists;
+    List& list = own_lists.of[of_class];
+    const std::uint32_t room = list.room == 0 ? least : 2 * list.room;
     void* const larger = std::realloc(list.blocks, room * sizeof(void*));
-    if (larger == nullptr) return false;
+    if (larger == nullptr) return std::free(memory);
     list.blocks = static_cast<void**>(larger);
     list.room = room;
-    return true;
+    list.blocks[list.count++] = memory;
+    own_lists.kept += of_class * grain;
 }
 
 /// `room`: what it was asked for with, or what it has.
 inline void give(void* memory, std::size_t room) {
     const std::size_t of_class = class_of(room);
-    if (of_class > classes || lists.kept + of_class * grain > most_kept) [[unlikely]]
+    if (of_class > classes) [[unlikely]]
         return std::free(memory);
-    List& list = lists.of[of_class];
-    if (list.count == list.room && !grow(list)) [[unlikely]]
+    Lists& own_lists = lists;
+    if (own_lists.kept > most_kept) [[unlikely]]
         return std::free(memory);
+    List& list = own_lists.of[of_class];
+    if (list.count == list.room) [[unlikely]]
+        return give_to_full_list(memory, of_class);
     list.blocks[list.count++] = memory;
-    lists.kept += of_class * grain;
+    own_lists.kept += of_class * grain;
 }
 
 }  // namespace
@@ -112,7 +121,7 @@ void give_back_block_memory() {
         std::free(list.blocks);
         list = {};
     }
-    lists.kept = most_kept;  // what ends after this goes back at once
+    lists.kept = most_kept + 1;  // what ends after this goes back at once
 }
 
 }  // namespace kinegraph::app
