@@ -40,8 +40,10 @@ namespace {
 
 // A chunk of malloc's is a multiple of 16 bytes, of which 8 are its own; the least has 32.
 constexpr std::size_t grain = 16, own = 8;
-constexpr std::size_t classes = 128;                      ///< blocks up to 2 KiB; longer ones are few
-constexpr std::size_t most_kept = std::size_t{8} << 20U;  ///< bytes a thread keeps, about
+constexpr std::size_t classes = 128;  ///< blocks up to 2 KiB; longer ones are few
+/// Bytes of one class that a thread keeps. A thread that ends what another makes (lines of batch) gets ever more of a class or
+/// two: that must not take the place of all others.
+constexpr std::size_t most_of_a_class = std::size_t{1} << 20U;
 
 /// Blocks of one class that are not in use. Their places stand here and not in themselves: a block that was dropped long ago is
 /// far away, and to read the next one's place from it would wait for it.
@@ -51,7 +53,7 @@ struct List {
 };
 struct Lists {
     std::array<List, classes + 1> of;  ///< by class
-    std::size_t kept;                  ///< bytes
+    bool are_closed;                   ///< nothing more is kept
 };
 // (The model says that the program itself holds them, so that finding them is no call.)
 [[gnu::tls_model("initial-exec")]] thread_local constinit Lists lists{};
@@ -75,27 +77,24 @@ inline void* take(std::size_t size) {
     constexpr std::size_t longest = room_of(classes);
     if (size > longest) [[unlikely]]
         return ask(size);
-    Lists& own_lists = lists;
     const std::size_t of_class = class_of(size);
-    List& list = own_lists.of[of_class];
+    List& list = lists.of[of_class];
     if (list.count == 0) [[unlikely]]
         return ask(room_of(of_class));
-    own_lists.kept -= of_class * grain;
     return list.blocks[--list.count];
 }
 
 /// A block for which its list has no room: that grows, or the block goes back.
 [[gnu::noinline]] void give_to_full_list(void* memory, std::size_t of_class) {
     constexpr std::uint32_t least = 64;
-    Lists& own_lists = lists;
-    List& list = own_lists.of[of_class];
+    List& list = lists.of[of_class];
     const std::uint32_t room = list.room == 0 ? least : 2 * list.room;
+    if (lists.are_closed || room * of_class * grain > most_of_a_class) return std::free(memory);
     void* const larger = std::realloc(list.blocks, room * sizeof(void*));
     if (larger == nullptr) return std::free(memory);
     list.blocks = static_cast<void**>(larger);
     list.room = room;
     list.blocks[list.count++] = memory;
-    own_lists.kept += of_class * grain;
 }
 
 /// `room`: what it was asked for with, or what it has.
@@ -103,14 +102,10 @@ inline void give(void* memory, std::size_t room) {
     const std::size_t of_class = class_of(room);
     if (of_class > classes) [[unlikely]]
         return std::free(memory);
-    Lists& own_lists = lists;
-    if (own_lists.kept > most_kept) [[unlikely]]
-        return std::free(memory);
-    List& list = own_lists.of[of_class];
+    List& list = lists.of[of_class];
     if (list.count == list.room) [[unlikely]]
         return give_to_full_list(memory, of_class);
     list.blocks[list.count++] = memory;
-    own_lists.kept += of_class * grain;
 }
 
 }  // namespace
@@ -121,7 +116,7 @@ void give_back_block_memory() {
         std::free(list.blocks);
         list = {};
     }
-    lists.kept = most_kept + 1;  // what ends after this goes back at once
+    lists.are_closed = true;  // what ends after this goes back at once
 }
 
 }  // namespace kinegraph::app

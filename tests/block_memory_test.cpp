@@ -72,6 +72,19 @@ TEST(BlockMemory, ABlockMayEndInAnotherThread) {
     drop(others);
 }
 
+TEST(BlockMemory, BlocksOfAnotherThreadAreKeptUpToAMeasure) {
+    constexpr std::size_t size = 100, count = 100'000;  // far more than are kept of a class
+    std::vector<void*> blocks;
+    std::thread([&] {
+        for (std::size_t i = 0; i < count; ++i) blocks.push_back(::operator new(size));
+        give_back_block_memory();
+    }).join();
+    for (void* const block : blocks) ::operator delete(block, size);
+    const std::vector<void*> others = blocks_of_all_sizes();
+    EXPECT_TRUE(are_whole(others));
+    drop(others);
+}
+
 // A module has a new and a delete of its own, which are those of C.
 #if defined(__GLIBC__) && !defined(KINEGRAPH_BLOCKS_WATCHED)
 TEST(BlockMemory, TakesAndGivesBlocksOfC) {
