@@ -389,8 +389,9 @@ TEST(Question, HasItsDataAsDimensions) {
         }
     };
     expect(tests::solved(inverted_slider(R"(["omega 4"])")), {"60 mm", "90 mm", "260 mm", "35 mm", "120 mm", "10°", "40°"});
+    // Its scale is stated: the discs lie in each other, and drawn smaller there is no way out for the innermost one's.
     expect(tests::solved(R"({
-      "kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
+      "kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "scales": {"mechanism": "1:2"},
       "points": {"O": [0, 0], "S": [30, 0], "P": [50, 0], "R": [70, 0]},
       "bodies": {"2": {"points": ["O", "S"], "circle": {"centre": "O", "radius": 30}},
                  "3": {"points": ["P", "S"], "circle": {"centre": "P", "radius": 20}}, "4": ["O", "P"],

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double least_beside = 25;
 constexpr double price_of_columns = 0.05, worth_of_corner = 0.01;
-constexpr double hardly_readable = 10;  // mm
 constexpr int most_beside = 3;          // columns of text
 constexpr int most_columns_more = 2;    // of a page of short lines, than the format has
 constexpr double room_of_a_name = 100;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
@@ -51,7 +50,7 @@ std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format
         }
         double scale = choose_scale(wanted.extent_x, wanted.extent_y, format.content.width() - rim_x,
                                     format.content.height() - rim_y - caption_line, std::nullopt);
-        if (wanted.to_force_scale) scale = std::max(scale, all.force_scale.value_or(0));
+        scale = std::max(scale, wanted.to_force_scale ? all.force_scale.value_or(0) : wanted.finest);
         const bool at_this_alone = wanted.to_force_scale && all.force_scale && all.keeps_force_scale;
         const double least = crowded ? std::min(wanted.least, hardly_readable) : wanted.least;
         const auto has_room = [&](const FigureSize& size) {

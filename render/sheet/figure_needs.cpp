@@ -74,7 +74,7 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
     if (drawn.is_refused() || is_coarser_than_promised(drawn)) wants_more_than_its_room(drawn);
     Wanted& wanted = wanted_.list[drawn.wanted];
     if (drawn.is_refused() || asks_for_more_room(drawn)) {
-        refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y});
+        refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y, most_refusals});
         ++refusals_[wanted.name];
         give_more_room(wanted, drawn);
         return true;
@@ -109,16 +109,37 @@ bool FigureNeeds::gives_room_for_its_scale(const DrawnFigure& drawn) {
     return true;
 }
 
-bool FigureNeeds::take_back() {
-    for (const Refusal& refusal : refused_) {
-        Wanted& wanted = wanted_.list[refusal.wanted];
-        // A coarser scale of one force polygon would be that of all.
-        if (wanted.to_force_scale) continue;
-        wanted.rim_x = refusal.rim_x;
-        wanted.rim_y = refusal.rim_y;
-        refusals_[wanted.name] = most_refusals;
+void FigureNeeds::take_back(Refusal& refusal) {
+    Wanted& wanted = wanted_.list[refusal.wanted];
+    // A coarser scale of one force polygon would be that of all.
+    if (wanted.to_force_scale) return;
+    std::swap(wanted.rim_x, refusal.rim_x);
+    std::swap(wanted.rim_y, refusal.rim_y);
+    std::swap(refusals_[wanted.name], refusal.refusals);
+}
+
+void FigureNeeds::give_up(const Tried& tried) {
+    Wanted& wanted = wanted_.list[tried.wanted];
+    wanted.taken.erase(tried.promised);
+    wanted.finest = tried.came;
+}
+
+bool FigureNeeds::is_planned_as_it_came(const DrawnFigure& drawn) {
+    Wanted& wanted = wanted_.list[drawn.wanted];
+    if (wanted.to_force_scale || wanted.finest > 0 || drawn.is_refused() || !is_coarser_than_promised(drawn)) return false;
+    // At first it is said to take more there, by what its letters took at the coarser scale.
+    if (said_to_take_more_.insert(wanted.name).second) {
+        const Spot letters = drawn.size - wanted.strokes_at(drawn.figure.scale);
+        const Spot more = wanted.strokes_at(drawn.promised) + letters;
+        Spot& taken = wanted.taken[drawn.promised];
+        taken = {std::max(taken.x, more.x), std::max(taken.y, more.y)};
+        tried_ = Tried{drawn.wanted, drawn.promised, drawn.figure.scale};
+        if (taken.x > drawn.own.x || taken.y > drawn.own.y - drawn.caption) return true;
     }
-    return !refused_.empty();
+    // Planned for less than can be read it would have no room at all.
+    if (std::max(wanted.extent_x, wanted.extent_y) / drawn.figure.scale < hardly_readable) return false;
+    wanted.finest = drawn.figure.scale;
+    return true;
 }
 
 bool FigureNeeds::take_less_than_thought() {

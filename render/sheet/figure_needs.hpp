@@ -2,9 +2,12 @@
 // do grows with what the drawing taught; draws nothing and plans nothing.
 #pragma once
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/page/figure.hpp"
@@ -49,8 +52,31 @@ public:
     bool misses_its_scale(const DrawnFigure& drawn) const;
     /// … and is given more room for that: once.
     bool gives_room_for_its_scale(const DrawnFigure& drawn);
-    /// A figure that would want a page more for its letters takes the room that it had, as it comes. False: there was none.
-    bool take_back();
+    /// Where the figures that refused their rooms in the last round want pages more for their letters, they take the rooms that
+    /// they had, as they come, but for those that may refuse without a page more, the weightiest first. `has_room`: whether all
+    /// has room now.
+    template <class HasRoom>
+    void take_back_until(HasRoom has_room) {
+        if (const auto tried = std::exchange(tried_, std::nullopt)) {
+            give_up(*tried);
+            if (has_room()) return;
+        }
+        for (Refusal& refusal : refused_) take_back(refusal);
+        bool settled = has_room();
+        if (refused_.size() < 2) return;
+        std::stable_sort(refused_.begin(), refused_.end(), [&](const Refusal& one, const Refusal& other) {
+            return wanted_.list[one.wanted].weight > wanted_.list[other.wanted].weight;
+        });
+        for (Refusal& refusal : refused_) {
+            take_back(refusal);
+            settled = has_room();
+            if (!settled) take_back(refusal);
+        }
+        if (!settled) has_room();
+    }
+    /// Whether a figure came coarser than its room was planned for and is planned for more room, or, where that did not help, no
+    /// larger from now on: what it does not use of its room is for others.
+    bool is_planned_as_it_came(const DrawnFigure& drawn);
     /// Whether letters take so much less than was set aside for them that another plan may do with less paper; a few times.
     bool take_less_than_thought();
 
@@ -58,17 +84,28 @@ private:
     bool is_coarser_than_promised(const DrawnFigure& drawn) const;
     void wants_more_than_its_room(const DrawnFigure& drawn);
 
-    /// Of a room in the last round, by a figure, and its rim there.
+    /// Of a room in the last round, by a figure: its rim there, and how often it is said to have refused where it takes it.
     struct Refusal {
         std::size_t wanted = 0;
         double rim_x = 0, rim_y = 0;
+        int refusals = 0;
     };
+    /// … or again not.
+    void take_back(Refusal& refusal);
+    /// A figure that is planned for more room at a scale at which it did not come.
+    struct Tried {
+        std::size_t wanted = 0;
+        double promised = 0, came = 0;
+    };
+    void give_up(const Tried& tried);
     WantedFigures& wanted_;
     std::vector<Refusal> refused_;
     std::map<std::string, int> refusals_;  // by the figure's name
     std::set<std::string> roomier_;        // figures that got more room for the scale asked for
-    double spared_ = 0;                    // mm, of a room as it was planned in the last round
-    int times_less_ = 0;                   // plans anew because letters took less than was thought
+    std::set<std::string> said_to_take_more_;
+    std::optional<Tried> tried_;  // the last of them
+    double spared_ = 0;           // mm, of a room as it was planned in the last round
+    int times_less_ = 0;          // plans anew because letters took less than was thought
 };
 
 }  // namespace kinegraph::render

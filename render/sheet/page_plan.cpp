@@ -81,7 +81,7 @@ public:
         rows_.resize(bands.size() * (most_in_a_row + 1) * 2);
     }
 
-    std::vector<PlannedPage> pages() {
+    PagePlan plan() {
         const std::size_t n = bands_.size();
         for (std::size_t first = 0; first < n; ++first) tables_.push_back(tables(first));
         std::vector<Rest> rest = fewest_pages();
@@ -92,9 +92,9 @@ public:
                     const double all = worth + rest[end].worth - (end < n ? price_of_emptiness(first, end) : 0);
                     if (all > rest[first].worth) rest[first].worth = all, rest[first].end = end;
                 });
-        std::vector<PlannedPage> pages;
-        for (std::size_t first = 0; first < n; first = rest[first].end) pages.push_back(page(first, rest[first].end));
-        return pages;
+        PagePlan plan{{}, rest[0].worth};
+        for (std::size_t first = 0; first < n; first = rest[first].end) plan.pages.push_back(page(first, rest[first].end));
+        return plan;
     }
 
 private:
@@ -390,9 +390,8 @@ double worth_of_a_page(const BandLayouts& layouts, const SheetFormat& format, bo
     return layouts.in(whole, steps_of(format, first_page) * step, notch).worth;
 }
 
-std::vector<PlannedPage> plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands,
-                                    const SheetFormat& format) {
-    return Planner(layouts, bands, format).pages();
+PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format) {
+    return Planner(layouts, bands, format).plan();
 }
 
 }  // namespace kinegraph::render

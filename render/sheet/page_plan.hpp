@@ -26,8 +26,10 @@ Box content_of(const SheetFormat& format, bool first_page);
 
 /// What a band is worth on a page that it has to itself; less than BandLayout::possible where none holds it.
 double worth_of_a_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page);
-/// Empty where some band has none.
-std::vector<PlannedPage> plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands,
-                                    const SheetFormat& format);
+struct PagePlan {
+    std::vector<PlannedPage> pages;  ///< none where some band has no room on any
+    double worth = BandLayout::impossible;
+};
+PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format);
 
 }  // namespace kinegraph::render

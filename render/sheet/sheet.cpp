@@ -61,7 +61,7 @@ private:
             if (!takes_what_comes && (drawn_otherwise() || lacks_equations)) continue;
             figures_.draw_what_fills_its_room();
             if (may_go_on && (drawn_otherwise() || lacks_equations)) continue;
-            if (may_go_on && !takes_what_comes && needs_.take_less_than_thought()) {
+            if (may_go_on && !takes_what_comes && (needs_.take_less_than_thought() || takes_a_smaller_room())) {
                 plan_.look_again();
                 continue;
             }
@@ -75,8 +75,26 @@ private:
         plan_.make();
         if (before == 0 || plan_.pages().size() <= before) return;
         plan_.look_again();
-        if (plan_.give_up_finest_force_scale()) plan_.make();
-        if (plan_.pages().size() > before && needs_.take_back()) plan_.make();
+        const bool gave_up = plan_.give_up_finest_force_scale();
+        const auto has_room = [&] {
+            plan_.make();
+            return plan_.pages().size() <= before;
+        };
+        if (gave_up && has_room()) return;
+        needs_.take_back_until(has_room);
+        if (!gave_up || plan_.pages().size() <= before) return;
+        // Paper that is used all the same is for them, too.
+        plan_.seek_finest_force_scale();
+        plan_.look_again();
+        plan_.make();
+    }
+    /// Whether a figure is planned for less room from now on, for it would not fill more. One after the other: another may find
+    /// the room that it lacked.
+    bool takes_a_smaller_room() {
+        for (const auto& [band, figures] : figures_.by_band())
+            for (const DrawnFigure& drawn : figures)
+                if (needs_.is_planned_as_it_came(drawn)) return true;
+        return false;
     }
     /// Whether a table has outgrown its narrow column with the letters of details, which only the drawn figures have.
     bool has_wider_tables() {

@@ -40,7 +40,9 @@ void SheetPlan::plan_all() {
         const bool same = b < before.size() && before[b].is_like(layouts);
         layouts_.push_back(std::move(same ? before[b] : layouts));
     }
-    pages_ = plan_pages(layouts_, bands_.list, format_);
+    PagePlan plan = plan_pages(layouts_, bands_.list, format_);
+    pages_ = std::move(plan.pages);
+    worth_ = plan.worth;
 }
 
 // --- what no page holds -----------------------------------------------------------------------------------------------------
@@ -132,28 +134,39 @@ void SheetPlan::part_figures(std::size_t index) {
 
 // --- one scale for all forces -----------------------------------------------------------------------------------------------
 
-/// Triangles and closed polygon have one scale: the finest at which all of them have room on as few pages.
+/// Triangles and closed polygon have one scale: the finest at which all of them have room on as few pages, unless it costs the
+/// other figures, polygons of motion among them, more than forces are worth.
 void SheetPlan::share_force_scale() {
     double finest = least_force_scale_.value_or(0);
-    for (const Wanted& each : wanted_.list) {
-        if (!each.to_force_scale) continue;
-        if (each.asked) return;
-        finest = std::max(finest, choose_scale(each.extent_x, each.extent_y, each.enough, each.enough, std::nullopt));
-    }
+    for (const Band& band : bands_.list)
+        for (const std::size_t figure : band.figures) {
+            const Wanted& each = wanted_.list[figure];
+            if (!each.to_force_scale) continue;
+            if (each.asked) return;
+            finest = std::max(finest, choose_scale(each.extent_x, each.extent_y, each.enough, each.enough, std::nullopt));
+        }
     const double coarsest = coarsest_of_forces();
     if (!(coarsest > 0)) return;
     constexpr double rounding = 1e-9;
     const std::size_t pages = pages_.size();
     wanted_.keeps_force_scale = true;
-    if (seeks_finest_force_scale_)
-        for (double scale = finest; scale < coarsest * (1 + rounding); scale = next_scale(scale)) {
-            wanted_.force_scale = scale;
-            plan_all();
-            if (!pages_.empty() && pages_.size() <= pages) return;
-        }
+    constexpr double price_of_a_step = 2.5;  // polygons are read: their size goes before that of mechanisms
+    std::optional<double> chosen;
+    double best = BandLayout::impossible, scale = finest;
+    const auto plan_at = [&](double at) {
+        wanted_.force_scale = at;
+        plan_all();
+    };
+    for (; seeks_finest_force_scale_ && scale < coarsest * (1 + rounding); scale = next_scale(scale)) {
+        plan_at(scale);
+        if (pages_.empty() || pages_.size() > pages) continue;
+        if (chosen && !(worth_ > best + price_of_a_step)) break;  // nor is a coarser one
+        chosen = scale;
+        best = worth_;
+    }
     // All of them have room at that of the one which has least.
-    wanted_.force_scale = coarsest;
-    plan_all();
+    if (!chosen) chosen = coarsest;
+    if (wanted_.force_scale != chosen) plan_at(*chosen);
 }
 
 /// Of the scales that the plan promises them; 0: it shows none.

@@ -47,6 +47,8 @@ public:
     void draw_forces_at(double scale);
     /// A finer scale of the force polygons is no longer looked for; false where it was not.
     bool give_up_finest_force_scale() { return std::exchange(seeks_finest_force_scale_, false); }
+    /// … or is again: without it there are as many pages.
+    void seek_finest_force_scale() { seeks_finest_force_scale_ = true; }
 
 private:
     bool plans_at_same_force_scale();
@@ -70,6 +72,7 @@ private:
     std::set<std::string> wide_;        // … whose tables are too wide for narrow columns
     std::vector<BandLayouts> layouts_;
     std::vector<PlannedPage> pages_;
+    double worth_ = BandLayout::impossible;  // of the pages
     bool seeks_finest_force_scale_ = true;
     bool looks_again_ = false;                 // for another force scale
     std::optional<double> least_force_scale_;  // at which all force polygons that were drawn had room

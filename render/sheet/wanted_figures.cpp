@@ -436,7 +436,7 @@ void WantedFigures::add_moving_axes() {
         wanted.asked.reset();
         wanted.rim_x = 30;
         wanted.rim_y = 36;
-        wanted.least = 60;
+        wanted.least = 40;
         wanted.tells_vectors = true;
         wanted.draw = [this, i](double x, double y) { return moving_axes_figure(context_, i, x, y); };
         add(std::move(wanted));

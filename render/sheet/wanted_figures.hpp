@@ -14,6 +14,8 @@
 
 namespace kinegraph::render {
 
+constexpr double hardly_readable = 10;  // mm, of the longer extent of a figure
+
 bool has_forces(const Solution& solution);
 bool has_motion(const Solution& solution);
 /// Motion and forces: each on pages of its own.
@@ -37,6 +39,7 @@ struct Wanted {
     std::size_t letters = 0;            ///< how many names it carries
     double enough = 200;                ///< mm beyond which it gains nothing
     double weight = 1;                  ///< against the other figures
+    double finest = 0;                  ///< scale: in rooms that were to hold a finer one it came no larger
     std::optional<double> asked;
     std::function<Figure(double room_x, double room_y)> draw;
     /// The same, but empty and at any_scale where it has no room at `coarsest`; none: it is drawn as it comes.
