@@ -212,9 +212,11 @@ TEST(Bands, FillTheirPages) {
     ASSERT_GT(count, 0);
     // 0.52 and 0.30 while a whole page more was taken for figures that came smaller than their rooms; 0.62 and 0.27 before a page
     // was priced by what its rows leave of it.
-    EXPECT_GE(sum / count, 0.645) << count << " pages";
-    EXPECT_GE(least, 0.35) << emptiest;
-    EXPECT_LE(half_empty, 3);
+    // 0.65, 0.36 and three under a half while white between lines counted as text. Figures with all of their rooms would make
+    // 0.80: their scales go by steps; columns of text that are not even and lines that end before them take another 0.14.
+    EXPECT_GE(sum / count, 0.65) << count << " pages";
+    EXPECT_GE(least, 0.46) << emptiest;
+    EXPECT_LE(half_empty, 1);
 }
 
 TEST(Bands, TellNothingLikewiseBeforeItsVectorIsDrawn) {

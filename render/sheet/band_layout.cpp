@@ -166,16 +166,18 @@ bool BandLayouts::may_be_narrow(int divided, bool cornered) const {
 }
 
 double BandLayouts::taken_in(Width width, double height, Notch notch) const {
+    constexpr double of_text = 0.7;     // lines end before their columns do, tables have white between theirs
+    constexpr double of_figures = 0.9;  // a figure is planned with a little air
     const BandLayout layout = in(width, height, notch);
     double sum = 0;
     if (layout.divided > 0) {
         const ColumnText& own = text(layout.divided, layout.cornered);
-        sum += own.whole_height() * own.measure();
+        sum += of_text * own.whole_height() * own.measure();
     }
     for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
         if (!(layout.rooms[f].x > 0)) continue;
         const FigureSize size = size_in(f, layout.rooms[f], layout.cornered);
-        sum += (size.x + (layout.cornered ? size.wider : 0)) * size.y;
+        sum += of_figures * (size.x + (layout.cornered ? size.wider : 0)) * size.y;
     }
     return sum;
 }

@@ -163,7 +163,7 @@ private:
     /// A page before the last that is half empty looks like a mistake: to fill it is worth a smaller figure, of which a step of
     /// its scale is worth 0.7. One that is very empty is worse than two that are a little.
     double price_of_emptiness(std::size_t first, std::size_t end) {
-        constexpr double well_filled = 0.8, price_of_an_empty_page = 10;
+        constexpr double well_filled = 0.75, price_of_an_empty_page = 30;
         const Box content = content_of(format_, first == 0);
         double room = content.width() * content.height(), taken = 0;
         if (first == 0) room -= (content.max.x - format_.block.min.x) * (content.max.y - format_.block.min.y);
