@@ -125,6 +125,10 @@ void FigureNeeds::give_up(const Tried& tried) {
 }
 
 bool FigureNeeds::is_planned_as_it_came(const DrawnFigure& drawn) {
+    // Where figures are crowded with names it costs more to letter them for other rooms than they gain.
+    constexpr std::size_t many_names = 48;
+    const auto is_crowded = [](const Wanted& each) { return each.letters > many_names; };
+    if (std::any_of(wanted_.list.begin(), wanted_.list.end(), is_crowded)) return false;
     Wanted& wanted = wanted_.list[drawn.wanted];
     if (wanted.to_force_scale || wanted.finest > 0 || drawn.is_refused() || !is_coarser_than_promised(drawn)) return false;
     // At first it is said to take more there, by what its letters took at the coarser scale.
