@@ -336,8 +336,17 @@ void WantedFigures::add_free_body(const DrawingContext& context, std::size_t ind
     body.least = 12;
     body.enough = 70;
     body.weight = 0.6;
-    body.draw = [this, &context, index, load](double x, double y) {
-        return free_body_figure(context, index, x, y, detail_ == SolutionDetail::full, load);
+    // Two forces on one line say no more the longer the link is: it leaves the paper to polygons.
+    constexpr double enough_for_two_forces = 50;
+    Spot most{1e300, 1e300};
+    if (const double longest = std::max(body.extent_x, body.extent_y);
+        longest > 0 && !has_force_polygon(s, s.free_bodies[index])) {
+        body.enough = enough_for_two_forces;
+        const double at = body.enough / longest;
+        most = Spot{at * body.extent_x + body.rim_x, at * body.extent_y + body.rim_y};
+    }
+    body.draw = [this, &context, index, load, most](double x, double y) {
+        return free_body_figure(context, index, std::min(x, most.x), std::min(y, most.y), detail_ == SolutionDetail::full, load);
     };
     add(std::move(body));
 }
