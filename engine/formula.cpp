@@ -17,7 +17,11 @@ namespace {
 
 using Outcome = tl::expected<Measured, Words>;
 
+/// What a formula hands on.
 constexpr int kept_bits = 200;
+/// What it reckons with: three times as much, so that the difference of two roots that is zero shrinks to what they leave open
+/// here, while one that is not stays far above it.
+constexpr int working_bits = 600;
 /// More than these, and a number is rounded to twice the bits that count: a power of a power would grow without use.
 constexpr std::size_t most_bits = 4096;
 constexpr int guard_bits = 60;
@@ -120,12 +124,20 @@ std::string base_units(const Dimension& dimension) {
     return below.empty() ? above : above + '/' + below;
 }
 
+void scale(Measured& of, const Exact& factor) {
+    of.value *= factor;
+    of.error *= abs(factor);
+}
+
 /// The same quantity without its angle: each degree has become a number, that of radians.
 Measured without_angle(Measured of) {
-    of.value *= power_of(degree(), of.dimension.angle);
+    scale(of, power_of(degree(), of.dimension.angle));
     of.dimension.angle = 0;
     return of;
 }
+
+/// As a formula hands it on.
+Exact handed_on(const Measured& of) { return of.is_approximate ? rounded_to_size(of.value, kept_bits) : of.value; }
 
 Measured measured(const WrittenQuantity& written) {
     const Dimension dimension = dimension_of(written.unit->kind);
@@ -135,23 +147,37 @@ Measured measured(const WrittenQuantity& written) {
 
 // ----- functions
 
-/// The root of order `order` of a value ≥ 0, to `kept_bits` of its size at least; whether it is that exactly.
-std::pair<Exact, bool> root_of(const Exact& value, unsigned order) {
-    if (value.is_zero()) return {Exact(), true};
+/// A value with what it may be off by.
+struct Bounded {
+    Exact value, error;
+    bool is_zero() const { return abs(value) <= error; }
+};
+
+/// A/B lies as near to a/b as |A/B − a/b| ≤ (δa + |a/b| δb)/(|b| − δb).
+Bounded quotient(const Bounded& a, const Bounded& b) {
+    Exact value = a.value / b.value;
+    if (a.error.is_zero() && b.error.is_zero()) return {std::move(value), {}};
+    Exact error = (a.error + abs(value) * b.error) / (abs(b.value) - b.error);
+    return {std::move(value), std::move(error)};
+}
+
+/// The root of order `order` of a value ≥ 0, to `working_bits` of its size at least.
+Bounded root_of(const Exact& value, unsigned order) {
+    if (value.is_zero()) return {};
     mpz_class top, bottom;
     const bool exact = mpz_root(top.get_mpz_t(), value.rational().get_num_mpz_t(), order) != 0 &&
                        mpz_root(bottom.get_mpz_t(), value.rational().get_den_mpz_t(), order) != 0;
-    if (exact) return {Exact(mpq_class(top, bottom)), true};
+    if (exact) return {Exact(mpq_class(top, bottom)), {}};
     // ⌊(value · 2^(order · shift))^(1/order)⌋ / 2^shift
-    const int shift = kept_bits + guard_bits + std::abs(order_of(value));
+    const int shift = working_bits + guard_bits + std::abs(order_of(value));
     mpz_class scaled = value.rational().get_num();
     mpz_mul_2exp(scaled.get_mpz_t(), scaled.get_mpz_t(), static_cast<mp_bitcnt_t>(shift) * order);
     scaled /= value.rational().get_den();
     mpz_root(scaled.get_mpz_t(), scaled.get_mpz_t(), order);
-    return {Exact(mpq_class(scaled)) * Exact::power_of_two(-shift), false};
+    return {Exact(mpq_class(scaled)) * Exact::power_of_two(-shift), Exact::power_of_two(-shift)};
 }
 
-/// Sine and cosine of an angle in degrees; rounded to a grid of 2^-200 that holds 0, ±1/2 and ±1, so these come out exactly.
+/// Sine and cosine of an angle in degrees; rounded to a grid of 2^-600 that holds 0, ±1/2 and ±1, so these come out exactly.
 std::pair<Exact, Exact> sine_and_cosine(const Exact& degrees) {
     const Exact turns = degrees / 360;
     const Exact whole(mpq_class(mpz_class(turns.rational().get_num() / turns.rational().get_den())));
@@ -160,10 +186,10 @@ std::pair<Exact, Exact> sine_and_cosine(const Exact& degrees) {
     const Exact quarters = 4 * rest;
     const int quarter = static_cast<int>(mpz_class(quarters.rational().get_num() / quarters.rational().get_den()).get_si());
     const Exact within = quarters - quarter;  // of a right angle, in [0, 1)
-    const Exact t = tangent_in_first_octant(within / 4, kept_bits + guard_bits);
+    const Exact t = tangent_in_first_octant(within / 4, working_bits + guard_bits);
     const Exact down = 1 + square(t);
-    const Exact sine = rounded(2 * t / down, kept_bits);
-    const Exact cosine = rounded((1 - square(t)) / down, kept_bits);
+    const Exact sine = rounded(2 * t / down, working_bits);
+    const Exact cosine = rounded((1 - square(t)) / down, working_bits);
     switch (quarter) {
         case 0:
             return {sine, cosine};
@@ -421,14 +447,29 @@ private:
     // ----- operations
 
     Outcome settled(Measured result) const {
+        if (result.error.sign() > 0) heed_error(result);
         if (!result.value.is_zero() && std::abs(order_of(result.value)) > 1000)
             return refused(
                 {"a value of the formula lies outside 1e-300 … 1e300", "un valore della formula è fuori da 1e-300 … 1e300"});
         if (result.value.bits() > most_bits) {
-            result.value = rounded_to_size(result.value, 2 * kept_bits);
+            const int places = 2 * working_bits - order_of(result.value);
+            result.value = rounded(result.value, places);
+            result.error = result.error + Exact::power_of_two(-places);
             result.is_approximate = true;
         }
         return result;
+    }
+    /// What its error does not tell from zero is zero; and digits far below the error say nothing.
+    static void heed_error(Measured& of) {
+        if (abs(of.value) <= of.error) {
+            of.value = of.error = {};
+            return;
+        }
+        constexpr int digits_of_error = 30;
+        const int places = digits_of_error - order_of(of.error);
+        const Exact step = Exact::power_of_two(-places);
+        of.value = rounded(of.value, places);
+        of.error = rounded(of.error, places) + 2 * step;
     }
     static void join(Measured& result, const Measured& other) {
         result.is_in_radians = (result.is_in_radians || other.is_in_radians) && result.is_bare && other.is_bare;
@@ -439,7 +480,7 @@ private:
     static std::optional<Words> match(Measured& a, Measured& b) {
         const auto turn = [](Measured& number, const Measured& angle) {
             if (!number.is_in_radians || angle.dimension != Dimension{.angle = 1}) return;
-            number.value /= degree();
+            scale(number, 1 / degree());
             number.dimension.angle = 1;
         };
         turn(a, b);
@@ -461,10 +502,12 @@ private:
             return refused(std::move(message));
         }
         a.value = plus ? a.value + b.value : a.value - b.value;
+        a.error += b.error;
         join(a, b);
         return settled(std::move(a));
     }
     Outcome multiplied(Measured a, const Measured& b) const {
+        if (a.is_approximate || b.is_approximate) a.error = abs(a.value) * b.error + (abs(b.value) + b.error) * a.error;
         a.value *= b.value;
         a.dimension = {a.dimension.length + b.dimension.length, a.dimension.mass + b.dimension.mass,
                        a.dimension.time + b.dimension.time, a.dimension.angle + b.dimension.angle};
@@ -473,7 +516,9 @@ private:
     }
     Outcome divided(Measured a, const Measured& b) const {
         if (b.value.is_zero()) return refused({"the formula divides by zero", "la formula divide per zero"});
-        a.value /= b.value;
+        auto [value, error] = quotient({a.value, a.error}, {b.value, b.error});
+        a.value = std::move(value);
+        a.error = std::move(error);
         a.dimension = {a.dimension.length - b.dimension.length, a.dimension.mass - b.dimension.mass,
                        a.dimension.time - b.dimension.time, a.dimension.angle - b.dimension.angle};
         join(a, b);
@@ -492,8 +537,9 @@ private:
         if (!exponent.dimension.is_a_number())
             return refused({"an exponent must be a bare number, not {0}", "un esponente deve essere un numero puro, non {0}",
                             described(exponent)});
-        const mpq_class& power = exponent.value.rational();
-        if (abs(exponent.value) > Exact(highest) || power.get_den() > finest)
+        const Exact number = handed_on(exponent);
+        const mpq_class& power = number.rational();
+        if (abs(number) > Exact(highest) || power.get_den() > finest)
             return refused({"an exponent must be a fraction up to {0} with a denominator up to {1}",
                             "un esponente deve essere una frazione fino a {0} con denominatore fino a {1}",
                             std::to_string(highest), std::to_string(finest)});
@@ -519,46 +565,55 @@ private:
         if (d.length % n != 0 || d.mass % n != 0 || d.time % n != 0)
             return refused({"no quantity is the root of {0}", "nessuna grandezza è la radice di {0}", described(of)});
         d = {d.length / n, d.mass / n, d.time / n, d.angle / n};
-        auto [value, exact] = root_of(of.value, order);
+        // A root is off by no greater share than its radicand.
+        auto [value, error] = root_of(of.value, order);
+        of.is_approximate = of.is_approximate || !error.is_zero();
+        if (!of.error.is_zero()) error += value * of.error / of.value;
         of.value = std::move(value);
-        of.is_approximate = of.is_approximate || !exact;
-        return of;
+        of.error = std::move(error);
+        return settled(std::move(of));
     }
     Outcome circular(std::string_view name, Measured angle) const {
         if (angle.dimension.is_a_number()) {
-            angle.value /= degree();  // a bare number is in radians here, as everywhere in mathematics
+            scale(angle, 1 / degree());  // a bare number is in radians here, as everywhere in mathematics
         } else if (angle.dimension != Dimension{.angle = 1}) {
             return refused(
                 {"{0} is taken of an angle, not of {1}", "{0} si calcola di un angolo, non di {1}", name, described(angle)});
         }
         const auto [sine, cosine] = sine_and_cosine(angle.value);
-        const auto on_grid = [](const Exact& value) {
-            return value.is_zero() || abs(value) == Exact(1) || abs(value) == Exact::ratio(1, 2);
+        // A degree is less than 1/32; 0, ±1/2 and ±1 are exact where the angle is.
+        const auto bounded = [&](const Exact& value) -> Bounded {
+            const bool on_grid = value.is_zero() || abs(value) == Exact(1) || abs(value) == Exact::ratio(1, 2);
+            if (angle.error.is_zero() && on_grid) return {value, {}};
+            return {value, angle.error * Exact::ratio(1, 32) + Exact::power_of_two(-working_bits)};
         };
         Measured result = bare({});
         result.is_bare = angle.is_bare;
-        result.is_approximate = angle.is_approximate;
+        Bounded found = bounded(name == "cos" ? cosine : sine);
         if (name == "tan") {
-            if (cosine.is_zero()) return refused({"tan of a right angle has no value", "tan di un angolo retto non ha valore"});
-            result.value = sine == cosine ? Exact(1) : sine == -cosine ? Exact(-1) : sine / cosine;
-            if (!sine.is_zero() && abs(result.value) != Exact(1)) {
-                result.value = rounded_to_size(result.value, kept_bits);
-                result.is_approximate = true;
-            }
-            return result;
+            const Bounded below = bounded(cosine);
+            if (below.is_zero()) return refused({"tan of a right angle has no value", "tan di un angolo retto non ha valore"});
+            // In the middle of a quadrant ±1, exactly where the angle is.
+            const bool is_diagonal = angle.error.is_zero() && abs(sine) == abs(cosine);
+            found = is_diagonal ? Bounded{sine / cosine, {}} : quotient(found, below);
         }
-        result.value = name == "sin" ? sine : cosine;
-        result.is_approximate = result.is_approximate || !on_grid(result.value);
-        return result;
+        result.is_approximate = angle.is_approximate || !found.error.is_zero();
+        result.value = std::move(found.value);
+        result.error = std::move(found.error);
+        return settled(std::move(result));
     }
     Outcome arc(Measured y, Measured x) const {
         if (const auto why = match(y, x)) return refused({"{0} in atan2(y, x)", "{0} in atan2(y, x)", *why});
         if (x.value.is_zero() && y.value.is_zero()) return refused({"atan2(0, 0) has no value", "atan2(0, 0) non ha valore"});
         join(y, x);
         const bool exact = x.value.is_zero() || y.value.is_zero() || abs(x.value) == abs(y.value);
-        return Measured{.value = degrees_of(y.value, x.value, kept_bits),
+        // The end of a vector that is off by δ turns by no more than π/2 · δ/|vector|.
+        Exact error = 90 * (y.error + x.error) / std::max(abs(x.value), abs(y.value));
+        if (!exact) error += Exact::power_of_two(-working_bits);
+        return settled({.value = degrees_of(y.value, x.value, working_bits),
+                        .error = std::move(error),
                         .dimension = {.angle = 1},
-                        .is_approximate = y.is_approximate || !exact};
+                        .is_approximate = y.is_approximate || !exact});
     }
     Outcome extreme(bool least, std::vector<Measured> of) const {
         Measured best = std::move(of.front());
@@ -567,7 +622,9 @@ private:
                 return refused({"{0} in {1}", "{0} in {1}", *why, std::string(least ? "min" : "max")});
             const bool better = least ? of[i].value < best.value : of[i].value > best.value;
             join(best, of[i]);
-            if (better) best.value = of[i].value;
+            if (!better) continue;
+            best.value = of[i].value;
+            best.error = of[i].error;
         }
         return best;
     }
@@ -602,20 +659,20 @@ tl::expected<WrittenQuantity, Words> as_quantity(const Measured& value, Quantity
     static const KnownUnit* const degrees = unit_spelt("deg");
     static const KnownUnit* const radians = unit_spelt("rad");
     const Dimension wanted = dimension_of(kind);
-    if (value.is_bare && kind == QuantityKind::angle && value.is_in_radians) return WrittenQuantity{value.value, radians};
-    if (value.is_bare) return WrittenQuantity{value.value, &bare_unit};
+    if (value.is_bare && kind == QuantityKind::angle && value.is_in_radians) return WrittenQuantity{handed_on(value), radians};
+    if (value.is_bare) return WrittenQuantity{handed_on(value), &bare_unit};
     if (kind == QuantityKind::angle) {
-        if (value.dimension == wanted) return WrittenQuantity{value.value, degrees};
-        if (value.dimension.is_a_number()) return WrittenQuantity{value.value, radians};
+        if (value.dimension == wanted) return WrittenQuantity{handed_on(value), degrees};
+        if (value.dimension.is_a_number()) return WrittenQuantity{handed_on(value), radians};
     } else if (same_but_for_angle(value.dimension, wanted)) {
-        return WrittenQuantity{without_angle(value).value / bare_unit.si, &bare_unit};
+        return WrittenQuantity{handed_on(without_angle(value)) / bare_unit.si, &bare_unit};
     }
     return refused(
         {"the formula gives {0}; {1} is wanted here", "la formula dà {0}; qui serve {1}", described(value), with_article(kind)});
 }
 
 tl::expected<Exact, Words> as_number(const Measured& value) {
-    if (value.dimension.is_a_number()) return value.value;
+    if (value.dimension.is_a_number()) return handed_on(value);
     return refused(
         {"the formula gives {0}; a bare number is wanted here", "la formula dà {0}; qui serve un numero puro", described(value)});
 }

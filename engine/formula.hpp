@@ -1,5 +1,7 @@
 // Formulas of a file: "= 2*r + 10 mm" evaluated to a quantity, exactly where it is rational, else within 2^-200 of its size, with
-// its dimension checked at every step. Knows nothing of JSON nor of where a formula stands.
+// its dimension checked at every step. Roots and sines are known to 600 bits, and each value carries what it may be off by: what
+// that does not tell from zero is zero, before anything is divided by it or a root is taken of it. Knows nothing of JSON nor of
+// where a formula stands.
 //
 //   sum      = product { ("+" | "-") product }
 //   product  = factor { ("*" | "/") factor }
@@ -33,11 +35,12 @@ struct Dimension {
 
 /// What a formula works with.
 struct Measured {
-    Exact value;  ///< in m, kg, s and degrees, so that 60° and 120 rpm stay rational
+    Exact value;       ///< in m, kg, s and degrees, so that 60° and 120 rpm stay rational
+    Exact error = {};  ///< by how much the value may be off, at most; none where it is rational
     Dimension dimension;
     bool is_bare = false;         ///< of bare numbers alone: where a quantity is wanted it is in the file's unit, as a number is
     bool is_in_radians = false;   ///< bare, and π took part: as an angle it is in radians
-    bool is_approximate = false;  ///< within 2^-200 of its size only: a root, a sine
+    bool is_approximate = false;  ///< a root or a sine took part
 };
 
 /// How a formula's names are looked up. Error: why there is no such value.
@@ -53,7 +56,8 @@ tl::expected<Measured, Words> read_measured(std::string_view text, const LookUp&
 /// A bare number.
 Measured bare(Exact value);
 
-/// As a quantity of a kind; `bare_unit` is what a bare number is in. Error: it is of another kind.
+/// As a quantity of a kind, to 2^-200 of its size where a root or a sine took part; `bare_unit` is what a bare number is in.
+/// Error: it is of another kind.
 tl::expected<WrittenQuantity, Words> as_quantity(const Measured& value, QuantityKind kind, const KnownUnit& bare_unit);
 /// As a bare number: a ratio, a component of a direction.
 tl::expected<Exact, Words> as_number(const Measured& value);

@@ -170,6 +170,46 @@ TEST(Formula, AgreesWithAnIndependentEvaluation) {
     }
 }
 
+TEST(Formula, IsZeroWhereRootsAndSinesCancel) {
+    for (const char* const text :
+         {"= cos(45°) - sqrt(2)/2", "= r*cos(30°) - r*sqrt(3)/2", "= r*(sin(phi)^2 + cos(phi)^2 - 1)",
+          "= sqrt(1 - sin(17°)^2 - cos(17°)^2)", "= sqrt(cos(45°) - sqrt(2)/2)", "= (sqrt(2)/2 - cos(45°))^(1/3)",
+          "= sqrt(3 + 2*sqrt(2)) - 1 - sqrt(2)", "= 1e12*(sqrt(5)^2 - 5)", "= sin(8*atan2(1, 2) + 8*atan2(1, 3))",
+          "= atan2(sqrt(2) - 2*cos(45°), r/(1 mm)) * 1 mm", "= 1e-40*(sqrt(2) - 2*cos(45°))"})
+        EXPECT_EQ(number(text), Exact()) << text;
+    EXPECT_EQ(si("= atan2(sqrt(2) - 2*cos(45°), -1)", QuantityKind::angle), pi()) << "not −π for the digits of a root";
+    EXPECT_LT(abs(number("= 3^(4*cos(60.5°)^2 + 4*sin(60.5°)^2)") - 81), exact("1e-99")) << "an exponent that is 4";
+    EXPECT_EQ(refusal("= r/(cos(45°) - sqrt(2)/2)"), "the formula divides by zero");
+    EXPECT_EQ(refusal("= r*(sqrt(2) - 2*cos(45°))^-1"), "the formula divides by zero");
+    EXPECT_EQ(refusal("= r*tan(2*atan2(1, 2) + 2*atan2(1, 3))"), "tan of a right angle has no value");
+    EXPECT_EQ(refusal("= r*atan2(sqrt(2) - 2*cos(45°), 0)"), "atan2(0, 0) has no value");
+}
+
+TEST(Formula, IsNotZeroWhereItIsSmall) {
+    EXPECT_LT(abs(number("= sqrt(2) - 2*cos(45°) + 1e-40") - exact("1e-40")), exact("1e-99"));
+    EXPECT_LT(abs(number("= sqrt(1 + 1e-50) - 1") - exact("5e-51")), exact("1e-99"));
+    EXPECT_LT(abs(number("= 1e-60/(sqrt(2) - 2*cos(45°) + 1e-60)") - 1), exact("1e-59"));
+    EXPECT_LT(abs(number("= sin(1e-40)") - exact("1e-40")), exact("1e-99"));
+    EXPECT_EQ(refusal("= sqrt(2*cos(45°) - sqrt(2) - 1e-40)*r"), "the root of a negative value is not real");
+}
+
+/// Identities of random numbers: what is zero is so to the last bit, and what is beside it is not.
+TEST(Formula, HasNoDigitsWhereAnIdentityHolds) {
+    constexpr int identities = 200;
+    Expressions some(20261125);
+    for (int i = 0; i < identities; ++i) {
+        const std::string a = "(" + some.next(2).first + ")", b = "(" + some.next(2).first + ")";
+        for (const std::string& zero :
+             {"sin(" + a + ")^2 + cos(" + a + ")^2 - 1", "tan(" + a + ")*cos(" + a + ") - sin(" + a + ")",
+              "sqrt(" + a + "^2) - abs(" + a + ")", "sqrt(1 + " + a + "^2)^2 - 1 - " + a + "^2",
+              "sin(" + a + " + " + b + ") - sin(" + a + ")*cos(" + b + ") - cos(" + a + ")*sin(" + b + ")",
+              "tan(atan2(" + a + ", 1 + abs(" + b + "))) - " + a + "/(1 + abs(" + b + "))"}) {
+            EXPECT_EQ(number("= " + zero), Exact()) << zero;
+            EXPECT_LT(abs(number("= 1e-40 + " + zero) - exact("1e-40")), exact("1e-99")) << zero;
+        }
+    }
+}
+
 constexpr const char* crank = R"json({
   "kinegraph": 1, "units": {"length": "mm"},
   "parameters": {"r": "40 mm", "phi": "= turn*5", "turn": "12°", "k": 3, "l": "= k*r + 30 mm"},
@@ -203,6 +243,19 @@ TEST(Parameters, AreSetFromOutside) {
     const auto wrong = read_mechanism(crank, "crank.json", std::vector<Setting>{{"rr", "1"}});
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().front().message.en, "--set \"rr\": the file has no parameter named \"rr\" (did you mean \"r\"?)");
+}
+
+/// A coordinate that a root makes zero is zero in the pose, and a mechanism with it is read.
+TEST(Parameters, MayCancelToZero) {
+    constexpr const char* file = R"json({
+      "kinegraph": 1, "units": {"length": "mm"}, "parameters": {"r": "40 mm", "phi": "30°", "d": "= r*sqrt(3)/2"},
+      "points": {"O": [0, 0], "A": ["= r*cos(phi)", "= r*sin(phi)"], "C": ["= r*cos(phi) - d", "= r*(sin(phi)^2 + cos(phi)^2 - 1)"]},
+      "bodies": {"2": ["O", "A", "C"]}, "joints": [{"revolute": "O", "bodies": [0, 2]}], "drivers": [{"body": 2, "omega": 1}]})json";
+    const auto mechanism = read_mechanism(file, "zero.json");
+    ASSERT_TRUE(mechanism) << mechanism.error().front().message.en;
+    const auto pose = draw_pose(*mechanism);
+    ASSERT_TRUE(pose);
+    EXPECT_TRUE(pose->at(*mechanism->point_named("C")).is_zero());
 }
 
 }  // namespace
