@@ -166,7 +166,7 @@ private:
         protocol.program = std::move(record.program);
         remark_observers();
         read_values(solution_, protocol.values);
-        forget_noise(solution_);
+        forget_noise(solution_, [this] { return finer_pose(); });
         statics::note_first_use_of_lines(solution_.free_bodies, solution_.pose);
         if (solution_.superposition)
             for (Superposition::Part& part : solution_.superposition->parts)
@@ -495,21 +495,24 @@ private:
 };
 
 /// What is asked for beside the constructions, which know nothing of it.
-void add_equations(Solution& solution) {
+void add_equations(Solution& solution, const FinerPose& finer) {
     if (!solution.mechanism.find.equations) return;
-    solution.equations = std::make_shared<const Equations>(equations_of(solution.mechanism, solution.pose));
+    Equations equations = equations_of(solution.mechanism, solution.pose);
+    forget_noise(equations, solution, finer);
+    solution.equations = std::make_shared<const Equations>(std::move(equations));
+}
+
+/// Of a pose that was drawn from the file.
+Pose drawn_finer(const Solution& solution) {
+    auto finer = draw_pose(solution.mechanism, 2 * solution.pose.bits);
+    KG_ASSERT(finer.has_value(), "what was drawn once can be drawn finer");
+    return *std::move(finer);
 }
 
 /// Draws a mechanism whose pose and mobility are known.
 void draw(Solution& solution, Arithmetic arithmetic, bool displaces = false) {
     Solver(
-        solution,
-        [&solution] {
-            auto finer = draw_pose(solution.mechanism, 2 * solution.pose.bits);
-            KG_ASSERT(finer.has_value(), "what was drawn once can be drawn finer");
-            return *std::move(finer);
-        },
-        arithmetic, displaces)
+        solution, [&solution] { return drawn_finer(solution); }, arithmetic, displaces)
         .run();
 }
 
@@ -543,7 +546,7 @@ Result<Solution> solve(Mechanism mechanism, Arithmetic arithmetic) {
     solution.mobility = mobility_of(solution.mechanism, solution.pose);
     draw(solution, arithmetic);
     find_contacts(solution);
-    add_equations(solution);
+    add_equations(solution, [&solution] { return drawn_finer(solution); });
     if (solution.mechanism.find.virtual_work) add_displacements(solution);
     return solution;
 }
@@ -574,7 +577,7 @@ Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer, Arithmeti
     solution.mobility = mobility_of(solution.mechanism, solution.pose, finer);
     Solver(solution, finer, arithmetic).run();
     find_contacts(solution);
-    add_equations(solution);
+    add_equations(solution, finer);
     if (solution.mechanism.find.virtual_work) add_displacements(solution, finer);
     return solution;
 }

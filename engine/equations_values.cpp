@@ -686,12 +686,19 @@ std::array<double, 2> value_of(const Equations& equations, const Side& side) {
     return {(length * unit.x).to_double(), (length * unit.y).to_double()};
 }
 double value_of(const Equations& equations, const Sum& sum) {
-    return evaluate(equations, sum,
-                    [&](LetterIndex index, int dots) {
-                        const Letter& letter = equations.letter(index);
-                        return Exact::from_double((dots == 1 ? letter.rate : letter.acceleration).value_or(0));
-                    })
-        .to_double();
+    const auto rate = [&](LetterIndex index, int dots) {
+        const Letter& letter = equations.letter(index);
+        return Exact::from_double((dots == 1 ? letter.rate : letter.acceleration).value_or(0));
+    };
+    Exact value, size;
+    for (const Equations::Term& term : sum) {
+        const Exact own = evaluate(equations, term, rate);
+        value += own;
+        size += abs(own);
+    }
+    // The rates are doubles: what they leave of terms that cancel is none.
+    constexpr int kept_bits = 46;
+    return abs(value) <= Exact::power_of_two(-kept_bits) * size ? 0 : value.to_double();
 }
 
 std::pair<std::optional<std::array<double, 2>>, std::optional<std::array<double, 2>>> change_of(const Equations& equations,

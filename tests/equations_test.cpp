@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -204,6 +205,48 @@ TEST(EquationsOfSliderCrank, TellThatALongCrankMakesNoFullTurn) {
     const std::vector<double>& dead = *equations.loops.front().solved.dead_points;
     ASSERT_EQ(dead.size(), 4U);
     for (const double each : dead) EXPECT_NEAR(std::abs(std::sin(each)), 0.8, 1e-12);
+}
+
+/// A four-bar whose bars are these, drawn at 30°, which only a sine knows.
+Solution four_bar(const std::vector<Setting>& bars, const std::string& side) {
+    constexpr const char* file = R"json({"kinegraph": 1, "units": {"length": "mm"},
+        "parameters": {"a": "20 mm", "b": "60 mm", "c": "20 mm", "d": "60 mm", "th": "30°"},
+        "points": {"O2": [0, 0], "A": ["= a*cos(th)", "= a*sin(th)"], "O4": ["= d", 0],
+                   "B": {"meet": [{"circle": "A", "radius": "= b"}, {"circle": "O4", "radius": "= c"}], "side": "left"}},
+        "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]},
+        "joints": [{"revolute": "O2", "bodies": [0, 2]}, {"revolute": "A", "bodies": [2, 3]},
+                   {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [0, 4]}],
+        "drivers": [{"body": 2, "omega": 10}], "find": ["velocity", "acceleration", "equations"]})json";
+    std::string text = file;
+    text.replace(text.find("left"), 4, side);
+    auto mechanism = read_mechanism(text, "four_bar.json", bars);
+    if (!mechanism) throw std::runtime_error(mechanism.error().front().message.en);
+    auto solution = solve(*std::move(mechanism));
+    if (!solution) throw std::runtime_error(solution.error().front().message.en);
+    return *std::move(solution);
+}
+std::string told(const Solution& solution, render::Language language) {
+    return render::as_text(render::equation_items(solution, language));
+}
+
+/// What the compass leaves over is no velocity: the coupler of a parallelogram translates, in the results and in the equations.
+TEST(EquationsOfAParallelogram, HaveNoNoise) {
+    const Solution solution = four_bar({}, "left");
+    ASSERT_FALSE(solution.pose.exact);
+    EXPECT_TRUE(solution.bodies[2].omega->is_zero());
+    EXPECT_TRUE(solution.bodies[2].alpha->is_zero());
+    EXPECT_TRUE(solution.bodies[3].alpha->is_zero());
+    const Equations& equations = *solution.equations;
+    EXPECT_EQ(named(equations, "theta 3").rate, 0.0);
+    EXPECT_EQ(named(equations, "theta 3").acceleration, 0.0);
+    EXPECT_EQ(named(equations, "theta 4").rate, 10.0);
+    EXPECT_EQ(named(equations, "theta 4").acceleration, 0.0);
+    EXPECT_EQ(ratio(equations, "theta 3", "theta 2"), 0.0);
+    EXPECT_EQ(ratio(equations, "theta 4", "theta 2", true), 0.0);
+    const std::string text = told(solution, render::Language::en);
+    EXPECT_EQ(text.find("10⁻"), std::string::npos) << text;
+    for (const char* const noise : {"e-1", "e-2", "e-3"})
+        EXPECT_EQ(equations_json(equations).find(noise), std::string::npos) << equations_json(equations);
 }
 
 TEST(EquationsAtDeadPoints, TellWhatCannotBeDriven) {
