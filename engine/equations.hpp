@@ -83,6 +83,8 @@ struct Equations {
         /// Where the dyad is stretched or its slide stands square: values of the one driven letter, in (−π, π] or m; only where
         /// nothing else but that letter varies. No value: no such position, a crank turns fully.
         std::optional<std::vector<double>> dead_points;
+        /// Where the dyad only touches such a place, so that it goes on beyond it: on one branch or the other.
+        std::vector<double> change_points;
         /// Where a crank and the rod of a slide lie in one line, so that the slide rests: the crank's letter and the slide.
         std::vector<std::pair<double, double>> standstills;
     };

@@ -581,8 +581,11 @@ private:
         }
         return driving;
     }
+    static constexpr double touching = 1e-12;  ///< what sums of lengths that are equal differ by, as a share of them
+    static constexpr double same_turn = 1e-9;
     /// Where one driven letter alone varies among what is known, in one side: the places where the dyad is stretched (two turns),
-    /// its turning side stands square to the slide, or the slide's length vanishes.
+    /// its turning side stands square to the slide, or the slide's length vanishes. Where the two of them are one, the dyad comes
+    /// to its limit without going beyond it.
     void find_dead_points(Equations::Loop& loop) const {
         Solved& solved = loop.solved;
         const auto varying_side = driving_side(loop);
@@ -597,10 +600,17 @@ private:
         std::vector<double> found;
         const bool turning = e_.letter(driver).is_angle;
         const auto add_turn = [&](double cosine, double from) {
-            if (std::abs(cosine) > 1 + 1e-12) return;
-            const double half = std::acos(std::clamp(cosine, -1.0, 1.0));
-            for (const double each : {from + half, from - half})
-                found.push_back(std::remainder(each - own + e_.letter(driver).value, 2 * std::numbers::pi));
+            if (std::abs(cosine) > 1 + touching) return;
+            const auto turn = [&](double direction) {
+                const double turned = std::remainder(direction - own + e_.letter(driver).value, 2 * std::numbers::pi);
+                return turned < same_turn - std::numbers::pi ? turned + 2 * std::numbers::pi : turned;
+            };
+            if (std::abs(cosine) > 1 - touching) {
+                solved.change_points.push_back(turn(cosine > 0 ? from : from + std::numbers::pi));
+                return;
+            }
+            const double half = std::acos(cosine);
+            for (const double each : {from + half, from - half}) found.push_back(turn(each));
         };
         const double first_length = e_.letter(loop.sides[at_index(solved.first)].length).value;
         if (solved.kind == Solved::Kind::turn_and_slide) {
@@ -628,16 +638,23 @@ private:
                     continue;
                 }
                 const double middle = -w * std::cos(own - to), inside = reach * reach - w * w + middle * middle;
-                if (inside < 0) continue;
+                const double grain = touching * (reach * reach + w * w);
+                if (inside < -grain) continue;
+                if (inside <= grain) {
+                    solved.change_points.push_back(middle);
+                    continue;
+                }
                 found.push_back(middle + std::sqrt(inside));
                 found.push_back(middle - std::sqrt(inside));
             }
         }
         if (turning && solved.kind == Solved::Kind::turn_and_slide) find_standstills(loop, driver, rest, own, length);
-        std::sort(found.begin(), found.end());
-        const double near = 1e-9 * (turning ? 1 : length + 1e-30);
-        found.erase(std::unique(found.begin(), found.end(), [&](double a, double b) { return std::abs(a - b) < near; }),
-                    found.end());
+        for (std::vector<double>* each : {&found, &solved.change_points}) {
+            std::sort(each->begin(), each->end());
+            const double near = turning ? same_turn : 1e-9 * (length + 1e-30);
+            each->erase(std::unique(each->begin(), each->end(), [&](double a, double b) { return std::abs(a - b) < near; }),
+                        each->end());
+        }
         solved.dead_points = std::move(found);
     }
 

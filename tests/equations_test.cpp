@@ -229,6 +229,39 @@ std::string told(const Solution& solution, render::Language language) {
     return render::as_text(render::equation_items(solution, language));
 }
 
+/// Where the shortest and the longest bar are as long as the two others the bars come to lie in one line, and go on beyond it.
+TEST(EquationsAtChangePoints, TellThatTheCrankPasses) {
+    const std::vector<Setting> parallelogram, other{{"a", "40 mm"}, {"b", "70 mm"}, {"c", "90 mm"}};
+    for (const auto& [bars, side] :
+         {std::pair(parallelogram, "left"), std::pair(parallelogram, "right"), std::pair(other, "left")}) {
+        const Solution solution = four_bar(bars, side);
+        const Equations::Solved& solved = solution.equations->loops.front().solved;
+        ASSERT_TRUE(solved.dead_points);
+        EXPECT_TRUE(solved.dead_points->empty());
+        const bool twice = bars.empty();
+        ASSERT_EQ(solved.change_points.size(), twice ? 2U : 1U);
+        EXPECT_NEAR(solved.change_points.front(), 0, 1e-9);
+        EXPECT_NEAR(solved.change_points.back(), twice ? std::numbers::pi : 0, 1e-9);
+        const std::string english = told(solution, render::Language::en), italian = told(solution, render::Language::it);
+        const std::string places = twice ? "0°; 180°: change points" : "0°: a change point";
+        EXPECT_NE(english.find("det J = 0 at α = " + places +
+                               ", where the branch is a choice; the driven body passes and makes full turns."),
+                  std::string::npos)
+            << english;
+        EXPECT_EQ(english.find("no full turn"), std::string::npos);
+        const std::string posti = twice ? "0°; 180°: punti di biforcazione" : "0°: un punto di biforcazione";
+        EXPECT_NE(italian.find("det J = 0 per α = " + posti +
+                               ", dove il ramo è una scelta; il membro movente vi passa e compie giri completi."),
+                  std::string::npos)
+            << italian;
+    }
+    // A crank longer by a hundredth goes no further.
+    const Solution stopped = four_bar({{"a", "40.01 mm"}, {"b", "70 mm"}, {"c", "90 mm"}}, "left");
+    EXPECT_EQ(stopped.equations->loops.front().solved.dead_points->size(), 2U);
+    EXPECT_TRUE(stopped.equations->loops.front().solved.change_points.empty());
+    EXPECT_NE(told(stopped, render::Language::en).find("its body makes no full turn"), std::string::npos);
+}
+
 /// What the compass leaves over is no velocity: the coupler of a parallelogram translates, in the results and in the equations.
 TEST(EquationsOfAParallelogram, HaveNoNoise) {
     const Solution solution = four_bar({}, "left");

@@ -45,21 +45,43 @@ void DeadPointText::write_dead_points_of(const Equations::Loop& loop, std::size_
                  : Words("det {J} = 0 at {0} = {1}: there {0} cannot be driven.",
                          "det {J} = 0 per {0} = {1}: lì {0} non può essere movente.", pen_.spoken(driver),
                          list_of(*solved.dead_points, driver)));
-    else if (!pen_.letter(driver).is_angle)
-        told(Words("det {J} vanishes for no {0}.", "det {J} non si annulla per alcun {0}.", pen_.spoken(driver)));
-    else
-        told(of.empty()
-                 ? Words("det {J} vanishes for no {0}: the driven body makes full turns.",
-                         "det {J} non si annulla per alcun {0}: il membro movente compie giri completi.", pen_.spoken(driver))
-                 : Words("det {J} vanishes for no {0}; as for this loop, the driven body may make full turns.",
-                         "det {J} non si annulla per alcun {0}; per questa maglia il membro movente può compiere giri "
-                         "completi.",
-                         pen_.spoken(driver)));
+    if (!solved.change_points.empty()) told(change_points_of(solved, of.empty()));
+    if (solved.dead_points->empty() && solved.change_points.empty()) told(no_dead_point(of.empty()));
     for (const auto& [at, slide] : solved.standstills)
         told(Words("Crank and rod lie in one line at {0} = {1}, {2} = {3}: there {Λ} = 0, and {2} could not drive.",
                    "Manovella e biella sono allineate per {0} = {1}, {2} = {3}: lì {Λ} = 0, e {2} non potrebbe essere movente.",
                    pen_.spoken(driver), pen_.amount_of(driver, at, 0), pen_.spoken(loop.sides[at_index(solved.second)].length),
                    pen_.amount_of(loop.sides[at_index(solved.second)].length, slide, 0)));
+}
+
+Words DeadPointText::no_dead_point(bool is_only_loop) const {
+    const LetterIndex driver = e_.free.front();
+    if (!pen_.letter(driver).is_angle)
+        return {"det {J} vanishes for no {0}.", "det {J} non si annulla per alcun {0}.", pen_.spoken(driver)};
+    if (is_only_loop)
+        return {"det {J} vanishes for no {0}: the driven body makes full turns.",
+                "det {J} non si annulla per alcun {0}: il membro movente compie giri completi.", pen_.spoken(driver)};
+    return {"det {J} vanishes for no {0}; as for this loop, the driven body may make full turns.",
+            "det {J} non si annulla per alcun {0}; per questa maglia il membro movente può compiere giri completi.",
+            pen_.spoken(driver)};
+}
+
+Words DeadPointText::change_points_of(const Equations::Solved& solved, bool is_only_loop) const {
+    const LetterIndex driver = e_.free.front();
+    const Words what = solved.change_points.size() == 1 ? Words("a change point", "un punto di biforcazione")
+                                                        : Words("change points", "punti di biforcazione");
+    const bool turns_fully = pen_.letter(driver).is_angle && solved.dead_points->empty();
+    const Words so =
+        !turns_fully   ? Words("the driven body goes on beyond", "il membro movente prosegue oltre")
+        : is_only_loop ? Words("the driven body passes and makes full turns", "il membro movente vi passa e compie giri completi")
+                       : Words("the driven body passes and, as for this loop, may make full turns",
+                               "il membro movente vi passa e, per questa maglia, può compiere giri completi");
+    return {"det {J} = 0 at {0} = {1}: {2}, where the branch is a choice; {3}.",
+            "det {J} = 0 per {0} = {1}: {2}, dove il ramo è una scelta; {3}.",
+            pen_.spoken(driver),
+            list_of(solved.change_points, driver),
+            what,
+            so};
 }
 
 std::string DeadPointText::list_of(const std::vector<double>& values, LetterIndex of) const {

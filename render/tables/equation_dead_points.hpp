@@ -21,6 +21,9 @@ public:
 private:
     /// Of several loops each speaks for itself alone: another may stop the driver.
     void write_dead_points_of(const Equations::Loop& loop, std::size_t index);
+    Words no_dead_point(bool is_only_loop) const;
+    /// They stop no driver.
+    Words change_points_of(const Equations::Solved& solved, bool is_only_loop) const;
     std::string list_of(const std::vector<double>& values, LetterIndex of) const;
 
     const Equations& e_;
