@@ -95,6 +95,29 @@ std::optional<std::string> Receipt::answer() const {
     return text->substr(begin, text->size() - begin - 2);
 }
 
+std::vector<std::string> Receipt::files_of(const std::string& kind) const {
+    if (::access(path_.c_str(), R_OK) != 0) return {};
+    const auto text = read_whole(path_, {"receipt", "ricevuta"});
+    if (!text) return {};
+    const auto json = JsonSource::read(*text);
+    if (!json) return {};
+    const JsonValue files = json->root()["answer"]["files"], sizes = json->root()["sizes"];
+    if (files.size() != sizes.size()) return {};
+    std::vector<std::string> found;
+    auto size = sizes.begin();
+    for (const JsonValue file : files) {
+        // The folder may be called otherwise today, or have been moved.
+        const std::filesystem::path name = std::filesystem::path(file.text()).filename();
+        if (!name.string().starts_with(kind)) return {};
+        const std::string here = (std::filesystem::path(folder_).parent_path() / name).string();
+        std::error_code absent;
+        const auto bytes = std::filesystem::file_size(here, absent);
+        if (!absent && std::to_string(bytes) == (*size).text()) found.push_back(here);
+        ++size;
+    }
+    return found;
+}
+
 std::optional<NotWritten> Receipt::make_room() const {
     if (auto failure = make_folder(folder_)) return failure;
     return take_away(path_);

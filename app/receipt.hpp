@@ -27,8 +27,12 @@ public:
 
     /// The answer, where the same was asked before and its files are there as they were.
     std::optional<std::string> answer() const;
+    /// The files of whatever was asked before, as far as they are there with the sizes that they were written with, and nothing
+    /// where this is the receipt of something else than `kind`, which the names of its files begin with.
+    std::vector<std::string> files_of(const std::string& kind) const;
     /// Makes the folder, and takes away the receipt of what was asked before. What cannot be written, if it cannot.
     std::optional<NotWritten> make_room() const;
+    const std::string& path() const { return path_; }
     /// The receipt as an output, to be written after `outputs`.
     Output of(const std::vector<Output>& outputs, const std::string& answer) const;
 

@@ -202,6 +202,7 @@ public:
         }
         if (key_.size() > 0)
             if (const auto status = write_key()) return *status;
+        if (key_.size() > 0 && Stopping::asked() == 0) take_away_what_no_key_lists();
         return report();
     }
 
@@ -254,9 +255,36 @@ private:
         outputs.push_back({path(number + "-results.json"), results_json(variant.solution, false, in_english)});
         std::vector<std::string> paths;
         for (const Output& each : outputs) paths.push_back(each.path);
+        const std::vector<std::string> before = receipt.files_of(number);
         if (const auto failure = receipt.make_room()) return not_put(*failure);
         outputs.push_back(receipt.of(outputs, "{\"files\": " + quoted(paths) + "}"));
-        return put(outputs);
+        if (const auto status = put(outputs)) return status;
+        // Of another format, or merged now: sheets of what this number no longer is.
+        for (const std::string& each : before)
+            if (std::none_of(paths.begin(), paths.end(), [&](const std::string& now) { return same_file(now, each); }))
+                take_away(each);
+        return std::nullopt;
+    }
+    /// Variants beyond the last, which an earlier run has left: they would be handed out without a solution in the key. What has
+    /// been altered since then stays.
+    void take_away_what_no_key_lists() {
+        std::error_code trouble;
+        std::vector<std::size_t> beyond;
+        for (const auto& entry : std::filesystem::directory_iterator(path(".kinegraph"), trouble)) {
+            const std::string name = entry.path().filename().string();
+            std::size_t number = 0;
+            const auto end = std::from_chars(name.data(), name.data() + name.size(), number).ptr;
+            if (end == name.data() + name.size() && number > key_.size() && name == number_of(number)) beyond.push_back(number);
+        }
+        std::sort(beyond.begin(), beyond.end());
+        for (const std::size_t each : beyond) {
+            const Receipt receipt(path(number_of(each)), "");
+            const std::vector<std::string> files = receipt.files_of(number_of(each));
+            if (files.empty()) continue;
+            for (const std::string& file : files) take_away(file);
+            take_away(receipt.path());
+            taken_away_.push_back(number_of(each));
+        }
     }
     /// By what a variant's files are known again: all that decides their bytes.
     std::string asked_of(const std::string& number, const std::string& name, const Variant& variant) const {
@@ -366,6 +394,13 @@ private:
         else if (there_before_ > 0)
             line({"{0} of them were there, whole, and stayed", "{0} di esse c’erano già, intere, e sono rimaste",
                   std::to_string(there_before_)});
+        if (taken_away_.size() == 1)
+            line({"{0} of an earlier run is taken away, for the key does not list it",
+                  "tolta la {0} di un’esecuzione precedente, che la chiave non elenca", taken_away_.front()});
+        else if (!taken_away_.empty())
+            line({"{0} to {1} of an earlier run are taken away, for the key does not list them",
+                  "tolte quelle da {0} a {1} di un’esecuzione precedente, che la chiave non elenca", taken_away_.front(),
+                  taken_away_.back()});
         for (const Variants::Rejection& each : variants_.rejections())
             line({"{0} rejected: {1}", each.count == 1 ? "{0} scartata: {1}" : "{0} scartate: {1}", std::to_string(each.count),
                   each.why});
@@ -400,6 +435,7 @@ private:
     Key key_;
     Quizzes quizzes_;
     std::size_t there_before_ = 0;
+    std::vector<std::string> taken_away_;  ///< numbers, ascending
     std::vector<render::Page> questions_, solutions_;
 };
 

@@ -136,6 +136,27 @@ TEST_F(VariantsCommand, TakesWholeNumbersThatCanBeCountedAlone) {
     EXPECT_EQ(run("variants train.json -o out --count 1 --format svg --seed 18446744073709551615").status, 0);
 }
 
+/// What the key does not list is not there: variants of an earlier run beyond the last, sheets of another format. What has been
+/// altered since stays.
+TEST_F(VariantsCommand, LeavesNothingOfAnEarlierRunThatTheKeyDoesNotList) {
+    ASSERT_EQ(run("variants train.json --count 5 --seed 1 --format svg -o st").status, 0);
+    write("st/notes.txt", "mine");
+    write("st/005-solution.svg", "altered by hand");
+    const Outcome made = run("variants train.json --count 3 --seed 2 --format png --dpi 40 -o st");
+    EXPECT_EQ(made.status, 0) << made.err;
+    EXPECT_NE(made.err.find("train.json: 004 to 005 of an earlier run are taken away, for the key does not list them\n"),
+              std::string::npos)
+        << made.err;
+    for (const std::string name :
+         {"004.json", "004-question.svg", "004-results.json", "005.json", ".kinegraph/004", "001-question.svg"})
+        EXPECT_FALSE(is_there("st/" + name)) << name;
+    for (const std::string name : {"notes.txt", "005-solution.svg", "003.json", "003-question.png", "key.csv", ".kinegraph/003"})
+        EXPECT_TRUE(is_there("st/" + name)) << name;
+    const Outcome italian = run("variants train.json --count 2 --seed 2 --format png --dpi 40 --resume --lang it -o st");
+    EXPECT_NE(italian.err.find("tolta la 003 di un’esecuzione precedente, che la chiave non elenca\n"), std::string::npos)
+        << italian.err;
+}
+
 TEST_F(VariantsCommand, NamesOfARosterAreNoFormulasInASpreadsheet) {
     write("students.csv", "name,surname\n=1+1,Rossi\n-Anna,Bianchi\n@SUM(A1),x\n+39,y\nEva,=z\n");
     const Outcome made = run("variants train.json --roster students.csv -o out --format svg --for csv");
