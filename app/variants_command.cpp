@@ -496,6 +496,15 @@ Status variants_command(const VariantsRequest& request) {
     }
     auto variants = Variants::of(*text, bare_name(request.file), request.set, request.seed);
     if (!variants) return say(spoken(request.file), variants.error(), language);
+    for (const Variation& each : variants->original().exercise->vary)
+        if (std::any_of(request.set.begin(), request.set.end(), [&](const Setting& set) { return set.name == each.parameter; }))
+            return refuse(
+                {"--set {0}: {0} varies in this exercise, and a value set would be lost; set another parameter, or take "
+                 "{0} out of \"vary\"",
+                 "--set {0}: {0} varia in questo esercizio, e un valore dato andrebbe perso; dare un altro parametro, o "
+                 "togliere {0} da \"vary\"",
+                 each.parameter},
+                language);
     auto press = Press::open({{"", Format::pdf}}, language);
     if (!press) return press.error();
     if (const auto status = folder_fails(request)) return *status;

@@ -157,6 +157,17 @@ TEST_F(VariantsCommand, LeavesNothingOfAnEarlierRunThatTheKeyDoesNotList) {
         << italian.err;
 }
 
+TEST_F(VariantsCommand, RefusesAValueForWhatVaries) {
+    const auto before = snapshot();
+    const Outcome refused = run("variants train.json --count 2 -o out --set z2=30 --set r2=40mm");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(
+        refused.err,
+        "kinegraph: --set z2: z2 varies in this exercise, and a value set would be lost; set another parameter, or take z2 out "
+        "of \"vary\"\n");
+    EXPECT_EQ(changed_since(before), "");
+}
+
 TEST_F(VariantsCommand, NamesOfARosterAreNoFormulasInASpreadsheet) {
     write("students.csv", "name,surname\n=1+1,Rossi\n-Anna,Bianchi\n@SUM(A1),x\n+39,y\nEva,=z\n");
     const Outcome made = run("variants train.json --roster students.csv -o out --format svg --for csv");
