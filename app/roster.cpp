@@ -41,15 +41,36 @@ std::string in_small_letters(std::string text) {
     return text;
 }
 
-bool is_heading(const std::vector<std::string>& fields) {
-    constexpr std::array<std::string_view, 20> headings{"name",        "surname", "first name", "last name", "given name",
-                                                        "family name", "student", "student id", "id",        "email",
-                                                        "e-mail",      "number",  "nome",       "cognome",   "studente",
-                                                        "matricola",   "numero",  "posta",      "full name", "nominativo"};
-    return std::any_of(fields.begin(), fields.end(), [&](const std::string& field) {
-        return std::find(headings.begin(), headings.end(), in_small_letters(field)) != headings.end();
-    });
+/// The words of a field in small letters: what stands between them are signs ("Matr.", "E-mail", "Nome e cognome").
+std::vector<std::string> words_of(const std::string& field) {
+    std::vector<std::string> words;
+    bool goes_on = false;
+    for (const char c : in_small_letters(field)) {
+        const bool is_letter = (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
+        if (is_letter && !goes_on) words.emplace_back();
+        if (is_letter) words.back() += c;
+        goes_on = is_letter;
+    }
+    return words;
 }
+
+/// A field that says what stands below it: made of nothing but words for that, one of which no student is called.
+bool is_head(const std::string& field) {
+    constexpr auto heads = std::to_array<std::string_view>(
+        {"name",    "names",   "surname",  "student",  "students",  "id",   "email",  "mail",        "number",     "nome",
+         "cognome", "cognomi", "studente", "studenti", "matricola", "matr", "numero", "elettronica", "nominativo", "nominativi"});
+    constexpr auto beside = std::to_array<std::string_view>({"first", "last", "given", "family", "full", "and", "or", "of", "the",
+                                                             "no", "nr", "s", "n", "nomi", "e", "o", "di", "dello", "posta"});
+    const std::vector<std::string> words = words_of(field);
+    const auto among = [](const auto& list) {
+        return [&list](const std::string& word) { return std::find(list.begin(), list.end(), word) != list.end(); };
+    };
+    return std::any_of(words.begin(), words.end(), among(heads)) &&
+           std::all_of(words.begin(), words.end(),
+                       [&](const std::string& word) { return among(heads)(word) || among(beside)(word); });
+}
+
+bool is_heading(const std::vector<std::string>& fields) { return std::any_of(fields.begin(), fields.end(), is_head); }
 
 /// The fields of one line; nothing where a quote is not closed.
 std::optional<std::vector<std::string>> fields_of(std::string_view line) {

@@ -136,6 +136,22 @@ TEST_F(VariantsCommand, TakesWholeNumbersThatCanBeCountedAlone) {
     EXPECT_EQ(run("variants train.json -o out --count 1 --format svg --seed 18446744073709551615").status, 0);
 }
 
+/// A heading is known by its words, however they are put together; a student by having others.
+TEST_F(VariantsCommand, KnowsTheHeadingOfARosterByItsWords) {
+    for (const std::string heading :
+         {"Cognome e nome", "Nome e cognome", "Student name", "Matr.;Cognome e Nome", "N. matricola\tStudente",
+          "STUDENT ID,Last name,First name", "\"Name, surname\"", "E-mail;Note"}) {
+        const auto separator = heading.find_first_of(";\t") == std::string::npos ? ',' : heading[heading.find_first_of(";\t")];
+        const auto fields = heading.starts_with('"') ? 0 : std::count(heading.begin(), heading.end(), separator);
+        write("list.csv", heading + "\nAnna Rossi" + std::string(static_cast<std::size_t>(fields), separator) + "\n");
+        const Outcome made = run("variants train.json --roster list.csv -o out --format svg");
+        EXPECT_EQ(made.status, 0) << made.err;
+        EXPECT_NE(made.err.find("1 variant in out"), std::string::npos) << heading << ": " << made.err;
+    }
+    write("list.csv", "Anna Name\nE. Di Nome-Rossi\n");
+    EXPECT_NE(run("variants train.json --roster list.csv -o out --format svg").err.find("2 variants in out"), std::string::npos);
+}
+
 /// What the key does not list is not there: variants of an earlier run beyond the last, sheets of another format. What has been
 /// altered since stays.
 TEST_F(VariantsCommand, LeavesNothingOfAnEarlierRunThatTheKeyDoesNotList) {
