@@ -265,13 +265,22 @@ Result<JsonSource> JsonSource::read(std::string_view text) {
                                            {"the file is larger than 1 GiB; no mechanism file is",
                                             "il file supera 1 GiB; nessun file di meccanismi è così grande"}}});
     }
+    // The parser takes a NUL between its signs for the end, whatever follows; within a string it refuses it.
+    const auto whole = [&](JsonTreeBuilder& builder) -> Result<JsonSource> {
+        const std::size_t nul = text.find('\0');
+        if (nul == std::string_view::npos) return builder.take();
+        return tl::make_unexpected(
+            Errors{{ErrorCode::bad_input,
+                    "",
+                    {"{0}: this is not JSON: a NUL byte", "{0}: non è JSON: un byte NUL", line_and_column(text, nul)}}});
+    };
     JsonTreeBuilder builder(text);
-    if (nlohmann::json::sax_parse(text, &builder)) return builder.take();
+    if (nlohmann::json::sax_parse(text, &builder)) return whole(builder);
     if (!builder.overflow()) return tl::make_unexpected(Errors{builder.fault()});
     Overflows harmless = without_overflows(text);
     JsonTreeBuilder second(harmless.text);
     second.use(std::move(harmless.literals));
-    if (nlohmann::json::sax_parse(harmless.text, &second)) return second.take();
+    if (nlohmann::json::sax_parse(harmless.text, &second)) return whole(second);
     return tl::make_unexpected(Errors{second.fault()});
 }
 

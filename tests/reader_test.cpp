@@ -407,6 +407,20 @@ TEST(JsonSource, KeepsLiteralsThatNoDoubleHolds) {
     EXPECT_EQ(literals, (std::vector<std::string>{"1", "-1e400", "1e400 \" 3", digits, "-" + digits + ".5e+3", "1e-400", "2E5"}));
 }
 
+/// The parser takes it for the end of the text; what stands behind it would be read by no one.
+TEST(JsonSource, RefusesANulWhereverItStands) {
+    using namespace std::string_literals;
+    for (const std::string& text : {"[1,\n 2]\0"s, "[1,\n 2]\0{\"garbage\": 1}"s, "[1e400,\n2]\0]"s}) {
+        const auto source = JsonSource::read(text);
+        ASSERT_FALSE(source);
+        const Words& said = source.error()[0].message;
+        EXPECT_TRUE(said.en.starts_with("line 2, column ") && said.en.ends_with(": this is not JSON: a NUL byte")) << said.en;
+        EXPECT_TRUE(said.it.ends_with(": non è JSON: un byte NUL")) << said.it;
+    }
+    EXPECT_FALSE(JsonSource::read("[1,\0 2]"s));
+    EXPECT_FALSE(JsonSource::read("[\"a\0b\"]"s));
+}
+
 TEST(JsonSource, TellsTheLineEvenBehindHugeNumbers) {
     const auto source = JsonSource::read("[1e400,\n -" + std::string(350, '1') + ".0,\n  x]");
     ASSERT_FALSE(source);
