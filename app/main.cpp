@@ -676,10 +676,11 @@ Status run(int count, char** arguments, Language language) {
     return action();
 }
 
-/// A closed standard stream would give its number to the next file that is opened, and messages would end in an output.
+/// A closed standard stream would give its number to the next file that is opened, and messages would end in an output. What
+/// takes its place fails as the closed one does: input cannot be read, output cannot be written.
 void hold_standard_streams() {
     for (int stream = 0; stream < 3; ++stream)
-        if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+        if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 /// Memory that is given back only at the end: a run takes milliseconds, and of those the heap's growing and shrinking takes more

@@ -305,6 +305,14 @@ TEST_F(Batch, WhatCannotBeWrittenIsSaid) {
     EXPECT_TRUE(lines_are(full.err, "standard output: cannot be written: .*"));
 }
 
+TEST_F(Batch, InputThatIsClosedCannotBeRead) {
+    const Outcome closed = run("batch <&-");
+    EXPECT_EQ(closed.status, 2);
+    EXPECT_TRUE(lines_are(closed.err, "standard input: cannot be read: .*")) << closed.err;
+    EXPECT_EQ(run("batch </dev/null").status, 0) << "input without a line";
+    EXPECT_EQ(run("check - <&-").status, 2);
+}
+
 TEST_F(Batch, MemoryDoesNotGrowWithTheLines) {
     if (unless_sanitized(0, 1) == 1) GTEST_SKIP() << "sanitizers hold on to what is freed, to see whether it is used again";
     const auto peak = [&](int count) {
