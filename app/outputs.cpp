@@ -116,8 +116,8 @@ bool names_clash(const std::vector<Output>& outputs, const std::string& file, La
             return true;
         }
         if (outputs[i].path != "-" && same_file(outputs[i].path, file)) {
-            refuse({"{0} (a further page) would overwrite the mechanism file itself",
-                    "{0} (una pagina seguente) sovrascriverebbe il file del meccanismo", outputs[i].path},
+            refuse({"{0} would overwrite the mechanism file itself; give the output another name",
+                    "{0} sovrascriverebbe il file del meccanismo; dare al risultato un altro nome", outputs[i].path},
                    language);
             return true;
         }

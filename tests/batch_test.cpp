@@ -313,6 +313,24 @@ TEST_F(Batch, InputThatIsClosedCannotBeRead) {
     EXPECT_EQ(run("check - <&-").status, 2);
 }
 
+/// Of one page, or of several: the file that would be lost is named, and no page that it is not.
+TEST_F(Batch, AResultNeverTakesTheMechanismsPlace) {
+    const std::string before = contents(folder_ / "crank.json");
+    const auto all = answers(batch(R"({"file": "crank.json", "to": "crank"}
+{"file": "crank.json", "to": "./crank.json"}
+)")
+                                 .out);
+    ASSERT_EQ(all.size(), 2U);
+    for (const json& each : all) {
+        EXPECT_EQ(each["status"], 2);
+        const auto said = each["errors"][0].get<std::string>();
+        EXPECT_NE(said.find("crank.json would overwrite the mechanism file itself; give the output another name"),
+                  std::string::npos)
+            << said;
+    }
+    EXPECT_EQ(contents(folder_ / "crank.json"), before);
+}
+
 TEST_F(Batch, MemoryDoesNotGrowWithTheLines) {
     if (unless_sanitized(0, 1) == 1) GTEST_SKIP() << "sanitizers hold on to what is freed, to see whether it is used again";
     const auto peak = [&](int count) {
