@@ -140,6 +140,11 @@ void ExerciseReader::read_variation(JsonValue member, Exercise& exercise) {
                "nulla dipende da {0}: copie che differiscono solo per esso sarebbero uguali; scrivere \"= {1}\" dove conta, o "
                "toglierlo da \"vary\"",
                quoted(member.key()), std::string(member.key())});
+    } else if (found->second.at.is_string() && is_formula(found->second.at.text())) {
+        fault(member,
+              {"{0} is a formula, and what varies has a value of its own; let vary what it hangs on, or give it a value",
+               "{0} è una formula, e ciò che varia ha un valore proprio; far variare ciò da cui dipende, o darle un valore",
+               quoted(member.key())});
     } else {
         own = own_value(member.key(), found->second, of_the_file);
     }

@@ -114,6 +114,10 @@ TEST(Vary, FaultsNameThePlaceAndTheRemedy) {
     EXPECT_EQ(faults(R"("vary": {"u": {"choose": [1, 2]}}, "require": ["u > 1"])", R"(, "u": 1)"), Lines{same});
     EXPECT_EQ(faults(R"("vary": {"u": {"choose": [1, 2]}})", R"(, "u": 1, "w": "= 2*u")"), Lines{same}) << "nor on w";
     EXPECT_EQ(faults(R"("vary": {"u": {"choose": [1, 2]}})", R"(, "u": 1, "w": "= 2*u", "q": "= w")", "q"), Lines{});
+    EXPECT_EQ(
+        faults(R"("vary": {"w": {"choose": [1, 2]}})", R"(, "u": 1, "w": "= 2*u")", "w"),
+        Lines{
+            "/vary/w: \"w\" is a formula, and what varies has a value of its own; let vary what it hangs on, or give it a value"});
     EXPECT_EQ(faults(R"("vary": {"k": {"from": 1, "to": 2}})").size(), 1U);
     EXPECT_EQ(faults(R"("vary": {})").size(), 1U);
     EXPECT_EQ(faults(R"("vary": {"k": {"choose": []}})").size(), 1U);
