@@ -251,6 +251,23 @@ TEST_F(TexFiles, PdflatexTakesWhateverAFileNames) {
     typeset("whole");
 }
 
+/// A name of thousands of letters is longer than any length that TeX knows: what of it is on the page is drawn.
+TEST_F(TexFiles, NamesLongerThanTexsLengthsAreDrawnAsFarAsThePageGoes) {
+    Page page;
+    set_text(page.marks, fonts().shape(one_piece(std::string(4000, 'A')), 12), {10, 20}, {0, 0, 0}, "text");
+    set_text(page.marks, fonts().shape(RichText{symbol("v", std::string(4000, 'B'))}, 12), {-5000, 60}, {0, 0, 0}, "text");
+    set_text(page.marks, fonts().shape(one_piece("short"), 12), {10, 90}, {0, 0, 0}, "text");
+    const std::string text = to_tex({page}, fonts());
+    EXPECT_NE(text.find("{short}"), std::string::npos);
+    const std::size_t pictures = text.find("\\begin{tikzpicture}");
+    EXPECT_EQ(text.substr(pictures).find("AAAA}"), std::string::npos);
+    EXPECT_NE(text.substr(pictures).find(".. controls"), std::string::npos) << "what is on the page";
+    EXPECT_LT(text.size(), 400'000U) << "and no more";
+    write("long.tex", text);
+    if (!typesets()) GTEST_SKIP() << "no pdflatex (texlive-latex-base, texlive-pictures) or no pdftoppm (poppler-utils)";
+    typeset("long");
+}
+
 TEST_F(TexFiles, EveryCommandThatDrawsWritesIt) {
     EXPECT_EQ(run("solve four_bar.json -o a.tex --lang it --theme dark --steps").status, 0);
     EXPECT_EQ(run("sweep four_bar.json -o b.tex --steps 4").status, 0);

@@ -22,10 +22,11 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr int digits = 4;            // of mm and degrees: 0.1 µm
-constexpr double blank = 0.25;       // between words, em
-constexpr double farthest = 4000;    // mm; TeX's longest length is 5.7 m
-constexpr double largest_arc = 500;  // mm; TikZ turns by its own sines, which are good to five digits
+constexpr int digits = 4;              // of mm and degrees: 0.1 µm
+constexpr double blank = 0.25;         // between words, em
+constexpr double farthest = 4000;      // mm; TeX's longest length is 5.7 m
+constexpr double longest_text = 1500;  // mm, from end to end and to either side of the page: TikZ adds such lengths
+constexpr double largest_arc = 500;    // mm; TikZ turns by its own sines, which are good to five digits
 
 std::string number(double value, int decimals = digits) {
     double power = 1;
@@ -361,6 +362,10 @@ private:
         const Glyph& base = **std::max_element(glyphs.begin(), glyphs.end(),
                                                [](const Glyph* a, const Glyph* b) { return a->size < b->size - 1e-9; });
         const std::vector<Span> spans = spans_of(*words, glyphs, base.size);
+        if (is_too_long(line, spans, base.origin.y)) {
+            outline(line);
+            return;
+        }
         std::string widths;
         for (const Span& span : spans) widths += (widths.empty() ? "" : " ") + number(span.end - span.begin, 3);
         const Spot at = turned(*line.first, {spans.front().begin, base.origin.y});
@@ -374,6 +379,16 @@ private:
     struct Span {
         double begin = 0, end = 0;
     };
+
+    /// More than TeX's lengths can hold, as the name of a joint may be that has a thousand letters.
+    static bool is_too_long(const LiveLine& line, const std::vector<Span>& spans, double y) {
+        const Spot from = turned(*line.first, {spans.front().begin, y}), to = turned(*line.first, {spans.back().end, y});
+        return std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y), length(to - from)}) > longest_text;
+    }
+    /// Whether ink this near to a spot can be seen.
+    bool is_on_the_page(Spot spot, double near) const {
+        return spot.x > -near && spot.y > -near && spot.x < page_.width + near && spot.y < page_.height + near;
+    }
 
     /// Of each word; a blank is between each two.
     std::vector<Span> spans_of(const std::vector<TexWord>& words, const std::vector<const Glyph*>& glyphs, double size) const {
@@ -404,6 +419,7 @@ private:
         for (const LiveRun& run : line.runs) {
             for (const Letter& letter : run.letters) {
                 const Glyph& glyph = letter.glyph;
+                if (!is_on_the_page(turned(*line.first, glyph.origin), 2 * glyph.size)) continue;
                 Path path;
                 path.filled = true;
                 path.fill = run.colour;
