@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
 #include "render/scene/polygon_scene.hpp"
+#include "render/scene/sentences.hpp"
 #include "tests/files.hpp"
 #include "tests/solved.hpp"
 #include "tests/told.hpp"
@@ -172,6 +174,28 @@ TEST(Workings, ADistributedLoadAndACoupleHaveTheirNumbers) {
     EXPECT_TRUE(has(said(solution, Sentence::known_resultant), "F_q, F_P")) << said(solution, Sentence::known_resultant);
     const std::string moved = said(solution, Sentence::inertia_moved);
     EXPECT_TRUE(has(moved, "12/46.4 =~0.259~m")) << moved;  // |(0, −42) + 5(cos 240°, sin 240°)| = 46.4
+}
+
+// A body whose ω a driver gives relative to another has no polygon yet: the first link of its image is set off, and closes it.
+TEST(Workings, TheFirstLinkOfAnImageIsDrawnAndValued) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
+        "points": {"O": [0, 0], "A": {"from": "O", "distance": 300, "angle": 40},
+                   "B": {"from": "A", "distance": 200, "angle": -30, "relative to": ["O", "A"]},
+                   "C": {"from": "A", "to": "B", "ratio": 2}},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}],
+        "drivers": [{"body": 2, "omega": 1.2}, {"body": 3, "relative to": 2, "omega": 2, "alpha": -0.5}]})");
+    const std::string velocity = said(solution, Sentence::image_velocity);
+    EXPECT_TRUE(has(velocity, "3.2~·~0.2 =~0.640~m/s")) << velocity;
+    EXPECT_FALSE(has(velocity, "v_CA")) << "later points follow by similar figures: " << velocity;
+    const std::string acceleration = said(solution, Sentence::image_acceleration);
+    EXPECT_TRUE(has(acceleration, "3.2^2~·~0.2 =~2.05~m/s")) << acceleration;
+    EXPECT_TRUE(has(acceleration, "0.5~·~0.2 =~0.100~m/s")) << acceleration;
+    const auto drawn = [&](const char* name) {
+        return std::count_if(solution.protocol.vectors.begin(), solution.protocol.vectors.end(),
+                             [&](const DrawnVector& vector) { return name_of(vector.symbol) == name; });
+    };
+    for (const char* name : {"v_BA", "a_BA_n", "a_BA_t"}) EXPECT_EQ(drawn(name), 1) << name;
 }
 
 TEST(Workings, AnImageTellsTheVelocityThatIsReadOff) {

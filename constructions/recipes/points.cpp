@@ -45,6 +45,12 @@ void PointRecipes<plane>::slide_by_driver(Track<plane>& track, const Step& step)
 }
 
 template <Plane plane>
+bool PointRecipes<plane>::begins_image(const Track<plane>& track, const Step& step) const {
+    const std::vector<NodeIndex>& own = chains_.structure().nodes_of(step.body);
+    return std::none_of(own.begin(), own.end(), [&](NodeIndex each) { return each != step.base && track.has(each); });
+}
+
+template <Plane plane>
 void PointRecipes<plane>::draw_image(Track<plane>& track, const Step& step) {
     if (!track.has(step.base) || !track.turns(step.body)) return;
     const bool rest = chains_.at_rest(step.base);
@@ -66,7 +72,11 @@ void PointRecipes<plane>::draw_image(Track<plane>& track, const Step& step) {
                 {pen_.body(step.body), PointName{chains_.node(step.node).label}, chains_.absolute<plane>(step.node)}};
         } else {
             const auto turned = board_.scale<plane>(track.spin(step.body), board_.turn(join));
-            tip = board_.carry(tip, turned);
+            const PointOn<plane> end = board_.carry(tip, turned);
+            if (!rest && begins_image(track, step))
+                pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base), chains_.turning(step.node, step.base), tip,
+                                 end, step.body, DrawnVector::Role::tangential);
+            tip = end;
             track.tangential[{step.base, step.node}] = turned;
         }
     } else {
@@ -82,13 +92,16 @@ void PointRecipes<plane>::draw_image(Track<plane>& track, const Step& step) {
             if (!board_.is_zero(tangential))
                 pen_.draw_vector(track, chains_.absolute<plane>(step.node, "t"), seen, middle, end, step.body,
                                  DrawnVector::Role::tangential);
-        } else if (chains_.node(step.node).bodies.size() > 1 && !pen_.drawn_between<plane>(step.node, step.base)) {
-            // A pin from which others go on: its parts are worth a reading.
+        } else if (const bool is_pin = chains_.node(step.node).bodies.size() > 1;
+                   (is_pin || begins_image(track, step)) && !pen_.drawn_between<plane>(step.node, step.base)) {
+            // A pin from which others go on, or the first of its body: its parts are worth a reading.
             const Seen seen = chains_.turning(step.node, step.base);
-            pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base, "n"), seen, tip, middle, step.body,
-                             DrawnVector::Role::normal);
-            pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base, "t"), seen, middle, end, step.body,
-                             DrawnVector::Role::tangential);
+            if (is_pin || !board_.is_zero(normal))
+                pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base, "n"), seen, tip, middle, step.body,
+                                 DrawnVector::Role::normal);
+            if (is_pin || !board_.is_zero(tangential))
+                pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base, "t"), seen, middle, end, step.body,
+                                 DrawnVector::Role::tangential);
         }
         tip = end;
     }

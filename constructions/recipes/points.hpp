@@ -24,6 +24,9 @@ public:
     void draw_auxiliary(Track<plane>& track, const Step& step);
 
 private:
+    /// Whether no point of the body has an image but the one that a step begins at: what leads on from it is drawn then, where
+    /// later ones follow by similar figures.
+    bool begins_image(const Track<plane>& track, const Step& step) const;
     /// Two circles curve apart where their centres are on different sides of the contact.
     RollingLever rolling_lever(const Joint& joint);
     /// Where the file asks that the motion be found through an observer, what the meet that follows is for him.
