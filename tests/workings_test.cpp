@@ -198,6 +198,21 @@ TEST(Workings, TheFirstLinkOfAnImageIsDrawnAndValued) {
     for (const char* name : {"v_BA", "a_BA_n", "a_BA_t"}) EXPECT_EQ(drawn(name), 1) << name;
 }
 
+TEST(Workings, AnAuxiliaryPointHasItsPlaceAndItsLever) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm", "velocity": "mm/s"},
+        "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 80, "angle": 70}, "O4": [150, 20],
+                   "B": {"meet": [{"circle": "A", "radius": 120}, {"circle": "O4", "radius": 100}], "near": [180, 140]},
+                   "P": {"from": "A", "to": "B", "ratio": 0.4}},
+        "bodies": {"2": ["O2", "A"], "3": ["A", "B", "P"], "4": ["O4", "B"]},
+        "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+                   {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [1, 4]}],
+        "drivers": [{"body": 3, "at": "P", "along": [-3, 1], "speed": "250 mm/s"}]})");
+    const std::string place = said(solution, Sentence::auxiliary_point);
+    EXPECT_TRUE(has(place, "⟂~O_2A") && has(place, "⟂~O_4B") && has(place, "x~=~117~mm, y~=~320~mm")) << place;
+    const std::string turning = said(solution, Sentence::omega_from_pair);
+    EXPECT_TRUE(has(turning, "252.1/231.6")) << turning;  // v_PS by PS
+}
+
 TEST(Workings, AnImageTellsTheVelocityThatIsReadOff) {
     const Solution solution = example("watt_six_bar");
     const std::string text = said(solution, Sentence::image_velocity);

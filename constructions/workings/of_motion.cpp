@@ -41,6 +41,7 @@ void OfMotion::slides(StatementIndex statement, const Recorded<Vector>& found, c
 
 void OfMotion::drawn(const DrawnVector& vector) {
     const Message& said = telling_.message(vector.statement);
+    if (said.sentence == Sentence::auxiliary_point) tell_place(vector);
     const bool alike = said.sentence == Sentence::translating_velocity || said.sentence == Sentence::translating_acceleration;
     // A crank that turns uniformly has its normal part alone, which is told.
     const bool uniform = said.sentence == Sentence::crank_acceleration && said.arguments.size() == 5;
@@ -58,6 +59,28 @@ void OfMotion::drawn(const DrawnVector& vector) {
                                     telling_.spin(vector.body, Symbol::Letter::omega));
     telling_.tell(vector.statement, vector.symbol, std::move(factors), std::nullopt, value, unit);
     if (vector.role == Role::coriolis) tell_direction(vector);
+}
+
+/// Where an auxiliary point is, which no file names: in the length of the file.
+void OfMotion::tell_place(const DrawnVector& of_auxiliary) {
+    std::vector<Argument>& arguments = telling_.message(of_auxiliary.statement).arguments;
+    constexpr std::size_t point_body_and_lines = 4;
+    const std::optional<Vector> place = auxiliary_named(std::get<Symbol>(arguments[0]).about);
+    if (arguments.size() != point_body_and_lines || !place) return;
+    for (const Exact& coordinate : {place->x, place->y})
+        arguments.emplace_back(Amount{in(coordinate.to_double(), units_.length), units_.length.symbol});
+}
+
+/// The place of an auxiliary point, known by the vector that was drawn for it.
+std::optional<Vector> OfMotion::auxiliary_named(const std::string& name) const {
+    for (const DrawnVector& vector : protocol_.vectors) {
+        if (vector.statement == none) continue;
+        const Message& said = protocol_.statements[at_index(vector.statement)].message;
+        if (said.sentence != Sentence::auxiliary_point || std::get<Symbol>(said.arguments[0]).about != name) continue;
+        if (vector.seen.of.place == none) continue;
+        if (const ProjectivePoint& point = protocol_.point(vector.seen.of.place); !point.at_infinity()) return point.place();
+    }
+    return std::nullopt;
 }
 
 void OfMotion::tell_direction(const DrawnVector& coriolis) {
@@ -149,7 +172,7 @@ std::optional<double> OfMotion::segment_length(const Segment& segment) const {
     const auto place = [&](std::string name) -> std::optional<Vector> {
         while (name.ends_with('*')) name.pop_back();
         const auto point = solution_.mechanism.point_named(name);
-        return point ? std::optional(solution_.pose.at(*point)) : std::nullopt;
+        return point ? std::optional(solution_.pose.at(*point)) : auxiliary_named(name);
     };
     const auto from = place(segment.from), to = place(segment.to);
     return from && to ? std::optional(distance(*from, *to)) : std::nullopt;

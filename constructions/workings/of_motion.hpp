@@ -31,6 +31,8 @@ public:
 private:
     void slides(StatementIndex statement, const Recorded<Vector>& found, const Unit& unit);
     void tell_direction(const DrawnVector& coriolis);
+    void tell_place(const DrawnVector& of_auxiliary);
+    std::optional<Vector> auxiliary_named(const std::string& name) const;
     bool is_known(const DrawnVector& vector) const;
     Factors factors_of(const DrawnVector& vector, double si);
     double lever_of(const DrawnVector& vector) const;
