@@ -213,6 +213,23 @@ TEST(Workings, AnAuxiliaryPointHasItsPlaceAndItsLever) {
     EXPECT_TRUE(has(turning, "252.1/231.6")) << turning;  // v_PS by PS
 }
 
+/// F = M/h of a couple, F·b/h of a force, ΣM/h of several.
+TEST(Workings, ParallelForcesHaveTheirMomentAndArm) {
+    const auto told = [](const std::string& loads) {
+        return said(tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
+            "points": {"O": [0, 0], "P": [100, 0], "B": [250, 0], "C": [250, 90]}, "bodies": {"2": ["O", "P", "B"], "3": ["B", "C"]},
+            "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "B", "bodies": [2, 3]}, {"revolute": "C", "bodies": [1, 3]}],
+            "loads": [)" + loads + "]}"),
+                    Sentence::parallel_forces);
+    };
+    const std::string couple = R"({"couple": "Q", "body": 2, "value": -12})",
+                      force = R"({"force": "P", "body": 2, "at": "P", "magnitude": 20, "along": -90})";
+    EXPECT_TRUE(has(told(couple), "12/0.25 =~48.0~N")) << told(couple);
+    EXPECT_TRUE(has(told(force), "20~·~100/250") && has(told(force), "=~8.00~N")) << told(force);
+    const std::string both = told(couple + ", " + force);
+    EXPECT_TRUE(has(both, "M_O") && has(both, "14/0.25 =~56.0~N")) << both;
+}
+
 TEST(Workings, AnImageTellsTheVelocityThatIsReadOff) {
     const Solution solution = example("watt_six_bar");
     const std::string text = said(solution, Sentence::image_velocity);
