@@ -230,6 +230,26 @@ TEST(Workings, ParallelForcesHaveTheirMomentAndArm) {
     EXPECT_TRUE(has(both, "M_O") && has(both, "14/0.25 =~56.0~N")) << both;
 }
 
+/// Every ✓ of an equation came from a sentence that a brief solution tells.
+TEST(Workings, KnownTermsOfEquationsAreToldInBrief) {
+    for (const std::string& name : tests::example_names()) {
+        const Solution solution = example(name);
+        const std::vector<Statement>& statements = solution.protocol.statements;
+        for (std::size_t which = 0; which < statements.size(); ++which) {
+            const Sentence sentence = statements[which].message.sentence;
+            if (sentence != Sentence::image_velocity && sentence != Sentence::image_acceleration) continue;
+            const Symbol& found = std::get<Symbol>(statements[which].message.arguments[2]);
+            bool is_known_term = false;
+            for (const Statement& other : statements)
+                if (other.equation)
+                    for (const std::vector<Term>& side : other.equation->sides)
+                        for (const Term& term : side)
+                            is_known_term = is_known_term || (term.symbol == found && term.magnitude_known);
+            EXPECT_FALSE(is_known_term && render::is_incidental(statements, which)) << name << ' ' << name_of(found);
+        }
+    }
+}
+
 TEST(Workings, AnImageTellsTheVelocityThatIsReadOff) {
     const Solution solution = example("watt_six_bar");
     const std::string text = said(solution, Sentence::image_velocity);

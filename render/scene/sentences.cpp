@@ -61,10 +61,29 @@ bool is_spoken_of(const std::vector<Statement>& statements, std::size_t which) {
     });
 }
 
+/// Whether it finds what another sentence's equation has as known: its ✓ came from here.
+bool leads_to_known_term(const std::vector<Statement>& statements, std::size_t which) {
+    const auto speaks_of = [&](const Symbol& term) {
+        const std::vector<Argument>& arguments = statements[which].message.arguments;
+        return std::any_of(arguments.begin(), arguments.end(), [&](const Argument& argument) {
+            const auto* symbol = std::get_if<Symbol>(&argument);
+            return symbol != nullptr && *symbol == term;
+        });
+    };
+    return std::any_of(statements.begin(), statements.end(), [&](const Statement& other) {
+        if (!other.equation) return false;
+        for (const std::vector<Term>& side : other.equation->sides)
+            for (const Term& term : side)
+                if (term.magnitude_known && speaks_of(term.symbol)) return true;
+        return false;
+    });
+}
+
 }  // namespace
 
 bool is_incidental(const std::vector<Statement>& statements, std::size_t which) {
-    return carries_on(statements[which].message.sentence) && !is_spoken_of(statements, which);
+    return carries_on(statements[which].message.sentence) && !is_spoken_of(statements, which) &&
+           !leads_to_known_term(statements, which);
 }
 
 }  // namespace kinegraph::render
