@@ -230,6 +230,21 @@ TEST(Workings, ParallelForcesHaveTheirMomentAndArm) {
     EXPECT_TRUE(has(both, "M_O") && has(both, "14/0.25 =~56.0~N")) << both;
 }
 
+// What is moved aside once, with its couple, is not moved again with the resultant.
+TEST(Workings, AnInertiaForceIsMovedOnce) {
+    const Solution solution = example("four_bar_inertia");
+    std::map<BodyIndex, int> moved;
+    for (const Statement& statement : solution.protocol.statements) {
+        if (statement.message.sentence == Sentence::inertia_moved)
+            for (const BodyIndex body : statement.bodies) ++moved[body];
+        if (statement.message.sentence != Sentence::known_resultant) continue;
+        for (const Symbol& added : std::get<Symbols>(statement.message.arguments[1]))
+            EXPECT_FALSE(added.letter == Symbol::Letter::M && added.about.starts_with("i")) << name_of(added);
+    }
+    ASSERT_FALSE(moved.empty());
+    for (const auto& [body, times] : moved) EXPECT_EQ(times, 1);
+}
+
 /// Every ✓ of an equation came from a sentence that a brief solution tells.
 TEST(Workings, KnownTermsOfEquationsAreToldInBrief) {
     for (const std::string& name : tests::example_names()) {

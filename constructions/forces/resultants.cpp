@@ -1,13 +1,37 @@
 #include "constructions/forces/resultants.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace kinegraph::statics {
+namespace {
+
+/// Of one mass: what d'Alembert adds as a force, and as a couple.
+bool are_of_one_mass(const Load& one, const Load& other) {
+    return one.kind == AppliedForce::Kind::inertia && other.kind == one.kind && one.member == other.member &&
+           one.given == other.given;
+}
+const Load* inertia_with(const Load& load, const std::vector<Load>& loads, bool force) {
+    const auto found = std::find_if(loads.begin(), loads.end(), [&](const Load& other) {
+        return are_of_one_mass(load, other) && load.force.has_value() != force && other.force.has_value() == force;
+    });
+    return found == loads.end() ? nullptr : &*found;
+}
+/// The force that was moved aside and stands for this couple, too: what is moved once is not moved again.
+const Load* inertia_force_with(const Load& couple, const std::vector<Load>& loads) { return inertia_with(couple, loads, true); }
+const Load* inertia_couple_with(const Load& force, const std::vector<Load>& loads) { return inertia_with(force, loads, false); }
+
+}  // namespace
 
 std::vector<Actor> Resultants::actors_on(const Group& group, const std::vector<Load>& loads, const Run& run) {
     std::vector<Actor> actors;
-    for (const Load& load : loads)
-        if (in(group, load.member) && !model_.is_inner(load, group)) actors.push_back({load.symbol, load.force, load.place, -1});
+    for (const Load& load : loads) {
+        if (!in(group, load.member) || model_.is_inner(load, group) || inertia_force_with(load, loads) != nullptr) continue;
+        const Load* const couple = inertia_couple_with(load, loads);
+        const PlaceOnDrawing place =
+            couple != nullptr ? board_.carry(load.place, board_.arm(*couple->couple, *load.force)) : load.place;
+        actors.push_back({load.symbol, load.force, place, -1});
+    }
     for (const int b : model_.outer_bonds(group)) {
         const Bond& bond = model_.bonds()[at(b)];
         const Reaction& reaction = run.reactions[at(b)];
