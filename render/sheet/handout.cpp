@@ -11,6 +11,7 @@
 #include "engine/exercise.hpp"
 #include "render/figures/caption.hpp"
 #include "render/figures/exercise_figure.hpp"
+#include "render/figures/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/loads_alone.hpp"
 #include "render/sheet/bands.hpp"
@@ -77,7 +78,11 @@ private:
     void place_figure() {
         Figure figure = drawn_.figures.front();
         Spot at = drawn_.caption;
-        if (is_question_) figure = question_in_place(figure, at);
+        if (is_question_) {
+            if (const auto finer = finer_than_solved(figure)) stand_at(figure, *finer);
+            figure = question_in_place(figure, at);
+            drawn_.figures.front().scale = figure.scale;  // the scales to draw at name it
+        }
         marks().emplace_back(GroupBegin{"band", "", "", {{"data-question", "given"}}});
         const double caption = set_caption(marks(), context_, figure, 1, at, drawn_.caption_width);
         marks().insert(marks().end(), figure.marks.begin(), figure.marks.end());
@@ -86,6 +91,32 @@ private:
         taken_.include(at);
         taken_.include(at + Spot{drawn_.caption_width, caption});
         if (figure.kind == "mechanism") scale_ = figure.scale;
+    }
+    /// The scale at which a question shows a mechanism that the solution, with its centres and beside its text, shows too small
+    /// for data; nothing: that of the solution is good enough, or asked for.
+    std::optional<double> finer_than_solved(const Figure& solved) const {
+        constexpr double readable = 20, for_data = 56;  // mm: of its longer side, round it
+        const std::vector<AskedScale>& asked = context_.solution.mechanism.scales;
+        const bool is_asked =
+            std::any_of(asked.begin(), asked.end(), [](const AskedScale& each) { return each.figure == "mechanism"; });
+        if (solved.kind != "mechanism" || is_asked) return std::nullopt;
+        const Box extent = extent_of_mechanism(context_.solution, false), room = room_for_mechanism();
+        if (std::max(extent.width(), extent.height()) >= readable * solved.scale) return std::nullopt;
+        const double finer = choose_scale(extent.width(), extent.height(), std::max(room.width() - for_data, 1.0),
+                                          std::max(room.height() - for_data, 1.0), std::nullopt);
+        return finer < solved.scale ? std::optional(finer) : std::nullopt;
+    }
+    /// Left of a column of text, above the title block.
+    Box room_for_mechanism() const {
+        const Box content = content_of(format_, true);
+        return {content.min, {content.max.x - format_.measure - gap, format_.block.min.y - round_figure}};
+    }
+    /// The figure is to be drawn anew at a scale, in the middle of that room.
+    void stand_at(Figure& figure, double scale) {
+        const Box extent = extent_of_mechanism(context_.solution, false), room = room_for_mechanism();
+        figure.scale = scale;
+        figure.origin = 0.5 * (room.min + room.max) - (0.5 / scale) * (extent.min + extent.max);
+        drawn_.caption_width = room.width();
     }
     /// The mechanism with its data where the solution has it. What needs the room of the caption, which stands at `caption`,
     /// sends that below; only what leaves the paper all the same moves the mechanism.
