@@ -421,6 +421,23 @@ TEST(Question, HasItsDataAsDimensions) {
            {"R 20 mm", "R 30 mm", "R 70 mm"});
 }
 
+/// By which others are placed and to which a dimension goes, though no body carries it.
+TEST(Question, DrawsWhatItsDataNames) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
+        "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 50, "angle": 30}, "O4": [150, 0],
+                   "T": {"from": "O4", "to": "A", "ratio": 0.5}, "far": [4000, 0],
+                   "B": {"meet": [{"circle": "T", "radius": 60}, {"circle": "O4", "radius": 100}], "side": "left"}},
+        "bodies": {"2": ["O2", "A"], "3": ["A"], "4": ["O4", "B"]},
+        "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+                   {"prismatic": "B", "bodies": [3, 4], "along": ["B", "A"]}, {"revolute": "O4", "bodies": [1, 4]}],
+        "drivers": [{"body": 2, "omega": "10 rad/s"}]})");
+    const Page page = lay_out(solution, of_kind(SheetKind::question), fonts()).front();
+    std::vector<std::string> names;
+    for (const TextMark* text : texts_of(page)) names.push_back(plain_of(text->words));
+    EXPECT_EQ(std::count(names.begin(), names.end(), "T"), 1);
+    EXPECT_EQ(std::count(names.begin(), names.end(), "far"), 0) << "it would make the mechanism a dot";
+}
+
 /// Far centres make the solution's mechanism small; they are no part of a question, which then has it as large as it may be.
 TEST(Question, ShowsAMechanismThatItsSolutionHasTooSmall) {
     const Solution solution = tests::solved(toggle_press);

@@ -32,6 +32,7 @@ public:
         clutter_.add(sketch_.ground);
         draw_accelerations_of_drivers(sketch_);
         clutter_.add(sketch_.arrows);
+        draw_auxiliary_points();
         for (const Load& load : mechanism_.loads) std::visit([&](const auto& each) { draw_load(each); }, load);
         if (mechanism_.motion) draw_motion(*mechanism_.motion);
     }
@@ -49,6 +50,24 @@ public:
     }
 
 private:
+    /// Points of the data that no body carries: others are placed by them, and a dimension may end there. What is far away is
+    /// told in words alone.
+    void draw_auxiliary_points() {
+        constexpr double radius = 0.6;
+        const Box near = grown(sketch_.mechanism_box(), 0.15 * sketch_.size());
+        for (const PointIndex point : indices_of(mechanism_.points)) {
+            const Spot at = sketch_.spot(point);
+            if (sketch_.subject.shows(point) || !contains(near, at) || shows_another_at(at)) continue;
+            sketch_.construction.emplace_back(ring(at, radius, sketch_.theme.text, sketch_.thin()));
+            clutter_.add(at - Spot{radius, 0}, at + Spot{radius, 0});
+            sketch_.add_label(sketch_.name_of_point(point), sketch_.theme.text, at, radius + 0.8);
+        }
+    }
+    bool shows_another_at(Spot at) const {
+        for (const PointIndex other : indices_of(mechanism_.points))
+            if (sketch_.subject.shows(other) && coincide(sketch_.spot(other), at)) return true;
+        return false;
+    }
     RichText value(const Exact& si, const Unit& unit) const {
         return with_powers(" = " + given_number((si / unit.si).to_double(), sketch_.context.language) + " " + unit.symbol);
     }
