@@ -123,6 +123,17 @@ private:
             const Paragraph& sentence = known->second.sentence;
             double height = sentence.height(measure_);
             for (const SharedBlock& equation : equations) height += equation.height() + under_equation;
+            // What would be a page by itself may be divided before its equations.
+            constexpr double too_high = 90;
+            if (height > too_high) {
+                rows.emplace_back(measure_, sentence.height(measure_), [&sentence, measure = measure_, i] {
+                    return step(sentence.set(measure), {}, StatementIndex(i));
+                });
+                for (const SharedBlock& equation : equations)
+                    rows.emplace_back(measure_, equation.height() + under_equation,
+                                      [equation, i] { return step({}, {equation}, StatementIndex(i)); });
+                continue;
+            }
             rows.emplace_back(measure_, height, [&sentence, measure = measure_, equations = std::move(equations), i] {
                 return step(sentence.set(measure), equations, StatementIndex(i));
             });

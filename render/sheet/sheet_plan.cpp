@@ -118,10 +118,11 @@ void SheetPlan::rejoin() {
     bands_.list = std::move(whole);
 }
 
-/// Half of its figures go on without text.
+/// Half of its figures go on without text; of a single one, whose names leave no room beside it, all of the text does.
 void SheetPlan::part_figures(std::size_t index) {
     Band& band = bands_.list[index];
-    KG_ASSERT(band.figures.size() > 1, "a page holds a figure with a row of its text");
+    if (band.figures.size() == 1 && band.first_row < std::min(band.end_row, texts_.rows(band))) return divide(index, 0);
+    KG_ASSERT(band.figures.size() > 1, "a page holds a figure, and two rows of text");
     Band rest = band;
     const auto half = static_cast<std::ptrdiff_t>((band.figures.size() + 1) / 2);
     rest.figures.assign(band.figures.begin() + half, band.figures.end());

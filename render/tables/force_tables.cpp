@@ -11,7 +11,9 @@
 #include "render/page/shapes.hpp"
 #include "render/scene/polygon_scene.hpp"
 #include "render/tables/checked_numbers.hpp"
+#include "render/tables/long_names.hpp"
 #include "render/tables/truss_table.hpp"
+#include "render/text/joined_names.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -79,7 +81,7 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
             if (other.point == joint.point || (solution.pose.at(other.point) - own).is_zero()) continue;
             if (std::find(other.bodies.begin(), other.bodies.end(), applied.from) == other.bodies.end()) continue;
             if (!on_line(applied, solution.pose.at(other.point), solution.pose)) continue;
-            append(text, point(mechanism, other.point, language));
+            append_point(text, point(mechanism, other.point, language));
             return text;
         }
     // Its own concurrency, or that of the body it comes from.
@@ -89,7 +91,7 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     for (const FreeBody::Meet& meet : meets)
         if (on_line(applied, meet.place, solution.pose) &&
             kinegraph::length(meet.place - own) > least_share(solution.pose, 0) * solution.pose.size.to_double()) {
-            append(text, typeset(Symbol{Symbol::Letter::point, meet.name, ""}, language));
+            append_point(text, typeset(Symbol{Symbol::Letter::point, meet.name, ""}, language));
             return text;
         }
     return std::nullopt;
@@ -408,7 +410,8 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         }
         return parts.empty() ? one_piece("–") : all;
     };
-    // As wide as the words ask.
+    // As wide as the words ask, and no name takes the room of what acts.
+    constexpr double most_of_name = 0.3;
     double name_width = context.fonts.shape(one_piece(word("body", language)), theme.small).width,
            active_width = context.fonts.shape(one_piece(word("active forces", language)), theme.small).width;
     for (const FreeBody& body : solution.free_bodies) {
@@ -426,23 +429,31 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
     name_width = std::max(
         name_width,
         context.fonts.shape(one_piece(body_name(mechanism, frame) + " " + word("frame", language)), theme.body_text).width);
+    name_width = std::min(name_width, most_of_name * width);
     const double active_left = name_width + 4, active_room = std::min(active_width + 0.5, 0.4 * width);
     const double reactions_left = active_left + active_room + 4;
     const auto add = [&](const std::string& name, Colour colour, const RichText& active, const RichText& reactions,
                          bool rule_above) {
         Block block;
         if (rule_above) block.marks.emplace_back(line({0, 0}, {width, 0}, {theme.thin, theme.secondary, {}, false}));
-        set_text(block.marks, context.fonts.shape(one_piece(name), theme.body_text), {0, 3.6}, colour, "text");
         double deepest = 0;
-        for (const auto& [text, left, room] :
-             {std::tuple(active, active_left, active_room), std::tuple(reactions, reactions_left, width - reactions_left)}) {
+        // A narrow column in which words must shrink is too narrow for the table, as it then turns out.
+        constexpr double narrow = 60;
+        const auto broken = [&](const RichText& text, double room) {
+            return width < narrow ? context.fonts.wrap(text, theme.body_text, room)
+                                  : lines_in_cell(text, theme.body_text, context.fonts, room);
+        };
+        const auto fill = [&](const RichText& text, double left, double room, Colour letters) {
             double baseline = 3.6;
-            for (ShapedLine& each : context.fonts.wrap(text, theme.body_text, room)) {
-                set_text(block.marks, std::move(each), {left, baseline}, theme.text, "text");
+            for (ShapedLine& each : broken(text, room)) {
+                set_text(block.marks, std::move(each), {left, baseline}, letters, "text");
                 baseline += 4.3;
             }
             deepest = std::max(deepest, baseline);
-        }
+        };
+        fill(one_piece(name), 0, name_width, colour);
+        fill(active, active_left, active_room, theme.text);
+        fill(reactions, reactions_left, width - reactions_left, theme.text);
         block.width = width;
         block.height = deepest - 3.6 + 0.5;
         lines.push_back(std::move(block));

@@ -14,6 +14,8 @@
 #include "render/page/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
+#include "render/tables/long_names.hpp"
+#include "render/text/joined_names.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -96,7 +98,9 @@ public:
         double size, line_size, least_column, gap, operation;
     };
 
-    EquationTable(const DrawingContext& context, const Equation& equation, const Setting& setting)
+    /// `most`: mm, of a term beside the names of the rows; its line is broken then, its symbol smaller.
+    EquationTable(const DrawingContext& context, const Equation& equation, const Setting& setting,
+                  std::optional<double> most = std::nullopt)
         : context_(context), setting_(setting) {
         for (std::size_t side = 0; side < equation.sides.size(); ++side)
             for (std::size_t i = 0; i < equation.sides[side].size(); ++i) {
@@ -104,15 +108,20 @@ public:
                 Column column;
                 column.term = &term;
                 column.operation = i > 0 ? "+" : side > 0 ? "=" : "";
-                column.symbol = context.fonts.shape(typeset(term.symbol, context.language), setting.size);
-                if (term.line.kind != LineReason::Kind::known)
-                    column.line = context.fonts.shape(typeset(term.line, context.language), setting.line_size);
-                column.width =
-                    std::max({setting.least_column, column.symbol.width + setting.gap, column.line.width + setting.gap});
+                const RichText symbol = typeset(term.symbol, context.language);
+                column.symbol =
+                    most ? line_in_cell(symbol, setting.size, context.fonts, *most) : context.fonts.shape(symbol, setting.size);
+                if (term.line.kind != LineReason::Kind::known) {
+                    const RichText line = typeset(term.line, context.language);
+                    column.lines = most ? lines_in_cell(line, setting.line_size, context.fonts, *most)
+                                        : std::vector{context.fonts.shape(line, setting.line_size)};
+                }
+                column.width = std::max(setting.least_column, column.symbol.width + setting.gap);
+                for (const ShapedLine& line : column.lines) column.width = std::max(column.width, line.width + setting.gap);
                 columns_.push_back(std::move(column));
             }
         std::vector<std::string> names{word("magnitude", context.language), word("direction", context.language)};
-        if (std::any_of(columns_.begin(), columns_.end(), [](const Column& c) { return c.line.width > 0; }))
+        if (std::any_of(columns_.begin(), columns_.end(), [](const Column& c) { return !c.lines.empty(); }))
             names.push_back(word("line", context.language));
         for (const std::string& name : names) {
             names_.push_back(context.fonts.shape(one_piece(name), setting.line_size));
@@ -120,6 +129,10 @@ public:
         }
     }
 
+    /// What the names of the rows and a sign take beside a term.
+    double beside_terms() const { return names_width_ + 2.0 + 1.1 * setting_.operation + setting_.gap / 2; }
+    /// What each of two terms in a row has of the room of one.
+    double half_of(double room) const { return (room - 1.1 * setting_.operation - setting_.gap / 2) / 2; }
     /// Of all terms in one row.
     double width() const { return width(0, columns_.size()); }
     /// In rows none of which is wider than `most` mm, as far as one term a row allows.
@@ -142,7 +155,8 @@ private:
     struct Column {
         const Term* term = nullptr;
         std::string operation;  // what stands before it
-        ShapedLine symbol, line;
+        ShapedLine symbol;
+        std::vector<ShapedLine> lines;
         double width = 0;
     };
 
@@ -194,6 +208,7 @@ private:
             end = middle + column.symbol.width / 2;
         }
         const double top = 6.6;
+        double lowest = top;
         block.marks.emplace_back(rule(0, block.width, top, theme.thin, theme.text));
         for (std::size_t row = 0; row < names_.size(); ++row) {
             baseline = top + 3.4 + 4.1 * static_cast<double>(row);
@@ -204,11 +219,17 @@ private:
                     const bool known = row == 0 ? column.term->magnitude_known : column.term->direction_known;
                     set_centred(block.marks, known ? tick : question, middles[c - from], baseline, theme.text);
                 } else {
-                    set_centred(block.marks, column.line, middles[c - from], baseline, theme.secondary);
+                    double under = baseline;
+                    for (const ShapedLine& line : column.lines) {
+                        set_centred(block.marks, line, middles[c - from], under, theme.secondary);
+                        lowest = std::max(lowest, under);
+                        under += 3.4;
+                    }
                 }
             }
+            lowest = std::max(lowest, baseline);
         }
-        block.height = baseline + 1.8;
+        block.height = lowest + 1.8;
         block.marks.emplace_back(rule(0, block.width, block.height, theme.thin, theme.text));
         return block;
     }
@@ -230,7 +251,15 @@ Block equation_block(const DrawingContext& context, const Equation& equation, do
     for (const Setting& setting : settings)
         if (const EquationTable table(context, equation, setting); setting.size >= least && table.width() <= most)
             return table.set(most);
-    return EquationTable(context, equation, settings[1]).set(most);
+    const EquationTable in_rows(context, equation, settings[1]);
+    const Block block = in_rows.set(most);
+    if (block.width <= most) return block;
+    // A single term is wider: names of words. Under each other they may be too high for a page: then two stand in a row.
+    constexpr double highest = 90;  // mm
+    const double room = most - in_rows.beside_terms();
+    Block broken = EquationTable(context, equation, settings[1], room).set(most);
+    if (broken.height <= highest) return broken;
+    return EquationTable(context, equation, settings[1], in_rows.half_of(room)).set(most);
 }
 
 namespace {
@@ -354,11 +383,13 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
 
 /// What its rows say, and how wide its columns are.
 struct ResultsTable::Parts {
-    static constexpr std::size_t columns = 6;  // quantity, mm, drawing, numeric, unit, difference
+    static constexpr double least_gap = 1.6, name_pitch = 3.9;  // mm
+    static constexpr std::size_t columns = 6;                   // quantity, mm, drawing, numeric, unit, difference
     using Widths = std::array<double, columns>;
     struct Line {
         std::array<RichText, columns> cells;
         bool begins = false;  ///< a group, with a rule over it
+        double name = 0;      ///< mm, of the first cell
     };
 
     Parts(const DrawingContext& drawing, const std::vector<ResultRow>& rows) : context(drawing) {
@@ -387,14 +418,28 @@ struct ResultsTable::Parts {
     }
 
     double symbol_size() const { return context.theme.body_text + 0.5; }
-    void measure(const Line& line, double first_size, double size) {
-        for (std::size_t c = 0; c < columns; ++c)
-            widths[c] = std::max(widths[c], context.fonts.width(line.cells[c], c == 0 ? first_size : size));
+    void measure(Line& line, double first_size, double size) {
+        for (std::size_t c = 0; c < columns; ++c) {
+            const double width = context.fonts.width(line.cells[c], c == 0 ? first_size : size);
+            if (c == 0) line.name = width;
+            widths[c] = std::max(widths[c], width);
+        }
+    }
+    /// What the names may take of `width` mm beside the numbers; a longer one stands over them. That is for words: symbols rather
+    /// ask for a wider column.
+    double room_of_names(double width) const {
+        constexpr double of_symbols = 22;
+        double rest = width - least_gap * (columns - 1);
+        for (std::size_t c = 1; c < columns; ++c) rest -= widths[c];
+        return std::max(rest, of_symbols);
     }
     /// `most`: the largest number of its group.
     Line line_of(const ResultRow& row, double most) const;
     /// The marks of a line whose columns begin at `left`.
     void set(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const;
+    /// … and of one whose name stands over its numbers, in `whole` mm.
+    void set_over(std::vector<Mark>& marks, const Line& line, const Widths& left, double whole, double baseline) const;
+    void set_numbers(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const;
 
     const DrawingContext& context;
     Line head;
@@ -435,13 +480,23 @@ ResultsTable::Parts::Line ResultsTable::Parts::line_of(const ResultRow& row, dou
 }
 
 void ResultsTable::Parts::set(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const {
+    const double size = &line == &head ? context.theme.small : symbol_size();
+    set_text(marks, context.fonts.shape(line.cells[0], size), {left[0], baseline}, context.theme.text, "text");
+    set_numbers(marks, line, left, baseline);
+}
+
+void ResultsTable::Parts::set_over(std::vector<Mark>& marks, const Line& line, const Widths& left, double whole,
+                                   double baseline) const {
+    set_text(marks, line_in_cell(line.cells[0], symbol_size(), context.fonts, whole), {left[0], baseline}, context.theme.text,
+             "text");
+    set_numbers(marks, line, left, baseline + name_pitch);
+}
+
+void ResultsTable::Parts::set_numbers(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const {
     const Theme& theme = context.theme;
     const bool is_head = &line == &head;
     const Colour colour = is_head ? theme.secondary : theme.text;
-    const auto shape = [&](std::size_t c) {
-        return context.fonts.shape(line.cells[c], is_head ? theme.small : c == 0 ? symbol_size() : theme.body_text);
-    };
-    set_text(marks, shape(0), {left[0], baseline}, theme.text, "text");
+    const auto shape = [&](std::size_t c) { return context.fonts.shape(line.cells[c], is_head ? theme.small : theme.body_text); };
     set_text(marks, shape(4), {left[4], baseline}, colour, "text");
     for (const std::size_t c : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{5}}) {
         ShapedLine shaped = shape(c);
@@ -458,22 +513,33 @@ ResultsTable::ResultsTable(const DrawingContext& context, const std::vector<Resu
 
 std::vector<SharedBlock> ResultsTable::lines(double width) const {
     constexpr double head_height = 4.8, over_group = 0.4, under_last = 0.8;
-    const Parts::Widths& widths = parts_->widths;
+    Parts::Widths widths = parts_->widths;
+    const double most_of_name = parts_->room_of_names(width);
+    const auto is_over = [most_of_name](const Parts::Line& each) { return each.name > most_of_name; };
+    if (widths[0] > most_of_name) {
+        widths[0] = 0;
+        for (const Parts::Line& each : parts_->lines)
+            if (!is_over(each)) widths[0] = std::max(widths[0], each.name);
+    }
     double total = 0;
     for (const double w : widths) total += w;
-    const double gap = std::clamp((width - total) / 5, 1.6, 9.0);
+    const double gap = std::clamp((width - total) / 5, Parts::least_gap, 9.0);
     Parts::Widths left{};
     for (std::size_t c = 1; c < Parts::columns; ++c) left[c] = left[c - 1] + widths[c - 1] + gap;
     const double whole = left.back() + widths.back();
 
-    const auto line = [parts = parts_, left, whole](const Parts::Line& each, double height, bool is_last) {
+    const auto line = [parts = parts_, left, whole, is_over](const Parts::Line& each, double height, bool is_last) {
         const Theme& theme = parts->context.theme;
         std::vector<Mark> marks;
         marks.reserve(Parts::columns + 3);  // with rules
         const bool is_head = &each == &parts->head;
         if (is_head) marks.emplace_back(rule(0, whole, 0, theme.outline, theme.text));
         if (each.begins) marks.emplace_back(rule(0, whole, over_group, theme.thin, theme.secondary));
-        parts->set(marks, each, left, is_head ? 3.4 : (each.begins ? over_group : 0) + 3.3);
+        const double baseline = is_head ? 3.4 : (each.begins ? over_group : 0) + 3.3;
+        if (is_over(each))
+            parts->set_over(marks, each, left, whole, baseline);
+        else
+            parts->set(marks, each, left, baseline);
         if (is_head) marks.emplace_back(rule(0, whole, head_height, theme.thin, theme.text));
         if (is_last) marks.emplace_back(rule(0, whole, height + 0.6, theme.outline, theme.text));
         return marks;
@@ -484,7 +550,8 @@ std::vector<SharedBlock> ResultsTable::lines(double width) const {
     std::vector<SharedBlock> set;
     add(set, parts_->head, head_height, parts_->lines.empty());
     for (const Parts::Line& each : parts_->lines)
-        add(set, each, pitch + (each.begins ? over_group : 0), &each == &parts_->lines.back());
+        add(set, each, pitch + (each.begins ? over_group : 0) + (is_over(each) ? Parts::name_pitch : 0),
+            &each == &parts_->lines.back());
     return set;
 }
 
@@ -534,8 +601,9 @@ RichText how_found(const InstantCentre& centre, const Solution& solution, Langua
     };
     for (const auto& [first, second] : centre.through) {
         join();
-        append(text, in_a_line(solution.centres[static_cast<std::size_t>(first)], mechanism, language));
-        append(text, in_a_line(solution.centres[static_cast<std::size_t>(second)], mechanism, language));
+        RichText line = in_a_line(solution.centres[static_cast<std::size_t>(first)], mechanism, language);
+        append_point(line, in_a_line(solution.centres[static_cast<std::size_t>(second)], mechanism, language));
+        append(text, line);
     }
     const bool to_relative_velocities = centre.how == InstantCentre::How::velocities && centre.first != frame;
     for (const PointIndex p : to_relative_velocities ? std::vector<PointIndex>{} : centre.normals) {
@@ -674,8 +742,10 @@ RichText describe(BodyIndex index, const Solution& solution, Language language) 
     std::vector<PointIndex> points = hinges;
     for (const PointIndex p : body.points)
         if (std::find(points.begin(), points.end(), p) == points.end() && points.size() < 6) points.push_back(p);
+    RichText joined;
     for (const PointIndex p : points)
-        append(text, typeset(Symbol{Symbol::Letter::point, point_name(mechanism, p), ""}, language));
+        append_point(joined, typeset(Symbol{Symbol::Letter::point, point_name(mechanism, p), ""}, language));
+    append(text, joined);
     if (points.size() == 2 && !slides && !slides_on_frame) {
         const Unit& unit = mechanism.units.length;
         const Vector between = solution.pose.at(points[1]) - solution.pose.at(points[0]);
@@ -692,6 +762,7 @@ RichText describe(BodyIndex index, const Solution& solution, Language language) 
 
 struct CentresTable::Parts {
     struct Line {
+        RichText name;
         ShapedLine symbol;
         RichText how;
         double how_wide;  // in one line
@@ -706,13 +777,13 @@ struct CentresTable::Parts {
         std::stable_sort(centres.begin(), centres.end(),
                          [](const InstantCentre* a, const InstantCentre* b) { return a->order < b->order; });
         for (const InstantCentre* centre : centres) {
-            ShapedLine symbol =
-                context.fonts.shape(typeset(symbol_of(*centre, solution.mechanism), context.language), theme.derived);
+            RichText name = typeset(symbol_of(*centre, solution.mechanism), context.language);
+            ShapedLine symbol = context.fonts.shape(name, theme.derived);
             symbols = std::max(symbols, symbol.width + 2.5);
             RichText how = how_found(*centre, solution, context.language);
             if (centre->depends_on_drivers) append(how, " (" + word("depends on drivers", context.language) + ")");
             const double wide = context.fonts.width(how, theme.body_text);
-            lines.push_back({std::move(symbol), std::move(how), wide,
+            lines.push_back({std::move(name), std::move(symbol), std::move(how), wide,
                              context.fonts.shape(where_found(*centre, solution, context.language), theme.body_text),
                              centre->statement});
         }
@@ -725,13 +796,11 @@ struct CentresTable::Parts {
         const Theme& theme = context.theme;
         Block block;
         const double room = width - indent(width);
-        std::vector<ShapedLine> wrapped;
-        for (double size = theme.body_text; size > 4; size -= 0.5) {
-            wrapped = context.fonts.wrap(line.how, size, room);
-            if (std::none_of(wrapped.begin(), wrapped.end(), [&](const ShapedLine& l) { return l.width > room; })) break;
-        }
+        std::vector<ShapedLine> wrapped = lines_in_cell(line.how, theme.body_text, context.fonts, room);
         double baseline = first_baseline(line, width);
-        set_text(block.marks, line.symbol, {0, 3.2}, theme.text, "text");
+        set_text(block.marks,
+                 line.symbol.width > width ? line_in_cell(line.name, theme.derived, context.fonts, width) : line.symbol, {0, 3.2},
+                 theme.text, "text");
         for (std::size_t k = 0; k < wrapped.size(); ++k) {
             // The coordinates end the last line, or stand on their own.
             const bool goes_on = k + 1 < wrapped.size() || wrapped[k].width + between + line.where.width > room;

@@ -5,6 +5,8 @@
 
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
+#include "render/tables/long_names.hpp"
+#include "render/text/joined_names.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -76,28 +78,35 @@ std::vector<Block> bar_lines(const DrawingContext& context, double width) {
     const Theme& theme = context.theme;
     const Columns columns = columns_of(context, width);
     const double si = context.solution.mechanism.units.force.si.to_double();
+    // A name that has no room before the numbers stands over them.
+    constexpr double first_baseline = 3.6, pitch = 3.9, apart = 0.5, room_of_force = 16;
     std::vector<Block> lines{head_of(context, width)};
     for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {
         Block row;
         const double value = truss.tension(bar, context.solution.pose.points) / si;
         RichText name;
         for (const int pin : truss.structure.bars[bar].pins)
-            append(name, typeset(Symbol{Symbol::Letter::point, truss.structure.name_of(context.solution.mechanism, pin), ""},
+            append_point(name,
+                         typeset(Symbol{Symbol::Letter::point, truss.structure.name_of(context.solution.mechanism, pin), ""},
                                  context.language));
-        put(row, context, name, 0, false, theme.body_text, theme.text, 3.6);
+        const double room = has_plan(context.solution) ? columns.spaces - apart : columns.force_end - room_of_force;
+        const bool is_over = context.fonts.width(name, theme.body_text) > room;
+        const double baseline = is_over ? first_baseline + pitch : first_baseline;
+        set_text(row.marks, line_in_cell(name, theme.body_text, context.fonts, is_over ? width : room), {0, first_baseline},
+                 theme.text, "text");
         if (has_plan(context.solution)) {
             const std::string spaces =
                 truss.spaces[at_index(truss.bars[bar].left)].letter + "–" + truss.spaces[at_index(truss.bars[bar].right)].letter;
-            put(row, context, one_piece(spaces), columns.spaces, false, theme.body_text, theme.text, 3.6);
+            put(row, context, one_piece(spaces), columns.spaces, false, theme.body_text, theme.text, baseline);
         }
         const bool idle = truss.bars[bar].force->is_zero();
         put(row, context, one_piece(idle ? "0" : number(value, 4, context.language)), columns.force_end, true, theme.body_text,
-            theme.text, 3.6);
+            theme.text, baseline);
         put(row, context, one_piece(word(sense_word(truss, bar, value), context.language)), columns.sense, false, theme.body_text,
-            theme.text, 3.6);
+            theme.text, baseline);
         belong(row.marks, 0, truss.bars[bar].statement);
         row.width = width;
-        row.height = 4.4;
+        row.height = baseline + 0.8;
         lines.push_back(std::move(row));
     }
     return lines;

@@ -499,6 +499,33 @@ const RichText& with_raised_digits(const RichText& text, RichText& changed) {
     return changed;
 }
 
+/// The same text with long subscripts in pieces between which a line may end: of two names that are words each.
+const RichText& with_long_scripts_divided(const RichText& text, RichText& divided) {
+    constexpr std::size_t longest = 36, least = 12;  // bytes
+    const auto concerns = [](const Piece& piece) { return piece.sub.size() > longest; };
+    if (std::none_of(text.begin(), text.end(), concerns)) return text;
+    for (const Piece& piece : text) {
+        divided.push_back(piece);
+        const std::string sub = concerns(piece) ? std::exchange(divided.back().sub, {}) : std::string();
+        for (std::size_t at = 0; at < sub.size();) {
+            std::size_t end = std::min(sub.find_first_of(" ,", std::min(at + least, sub.size())), sub.size());
+            const bool at_comma = end < sub.size() && sub[end] == ',';
+            if (at > 0) {
+                const Piece whole = divided.back();
+                divided.push_back(Piece{});
+                divided.back().text = " ";
+                divided.push_back(whole);
+                divided.back().text.clear();
+                divided.back().sup.clear();
+                divided.back().dots = 0;
+            }
+            divided.back().sub = sub.substr(at, end + (at_comma ? 1 : 0) - at);
+            at = std::min(end + 1, sub.size());
+        }
+    }
+    return divided;
+}
+
 }  // namespace
 
 RichText with_powers(const std::string& given) {
@@ -615,11 +642,11 @@ void break_lines(const std::vector<Stretch>& stretches, double measure, Set set)
         while (end < stretches.size() && !stretches[end].blank) to_end += stretches[end++].width;
         if (word == end) break;  // nothing but blanks is left
         if (to_end - to_word > measure + tolerance && end - word > 1) {
-            // What no line holds is divided before its symbols: a formula of long names.
+            // What no line holds is divided before its symbols and behind them: a formula of long names.
             const std::size_t whole = end;
             for (end = word, to_end = to_word; end < whole; ++end) {
                 const bool fits = to_end - to_word + stretches[end].width <= measure + tolerance;
-                if (end > word && !fits && stretches[end].symbol) break;
+                if (end > word && !fits && (stretches[end].symbol || stretches[end - 1].symbol)) break;
                 to_end += stretches[end].width;
             }
         }
@@ -698,7 +725,9 @@ MeasuredText Fonts::measured(RichText text, double size_points) const {
     KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
     RichText changed;
     const bool is_changed = &with_raised_digits(text, changed) == &changed;
-    RichText set = std::move(is_changed ? changed : text);
+    RichText whole = std::move(is_changed ? changed : text), divided;
+    const bool is_divided = &with_long_scripts_divided(whole, divided) == &divided;
+    RichText set = std::move(is_divided ? divided : whole);
     const double size = millimetres(size_points);
     std::vector<Stretch> stretches = stretches_of(*state_, set, size);
     return MeasuredText(
@@ -712,8 +741,8 @@ ShapedLine Fonts::set(const MeasuredText& text, const MeasuredText::Line& line) 
 
 std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, double measure) const {
     KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
-    RichText changed;
-    const RichText& text = with_raised_digits(given, changed);
+    RichText changed, divided;
+    const RichText& text = with_long_scripts_divided(with_raised_digits(given, changed), divided);
     const double size = millimetres(size_points);
     const std::vector<Stretch> stretches = stretches_of(*state_, text, size);
     std::vector<ShapedLine> lines;

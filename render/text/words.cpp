@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "engine/assert.hpp"
+#include "render/text/joined_names.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -1357,7 +1358,7 @@ RichText argument(const Argument& arg, Language language, Setting setting) {
                 return in_a_row(members);
             } else if constexpr (std::is_same_v<T, kinegraph::Segment>) {
                 RichText text = name(value.from);
-                append(text, name(value.to));
+                append_point(text, name(value.to));
                 return text;
             } else if constexpr (std::is_same_v<T, std::string>) {
                 return {piece(value)};
@@ -1471,16 +1472,20 @@ bool is_one(const Argument& arg) {
     return false;
 }
 
+void append_words(RichText& to, const RichText& words) { append(to, words); }
+
 /// Sets a stretch of a pattern; true where every argument it names is given.
 bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Language language, Setting setting, RichText& to,
           const BeforeLine& before_line = {}) {
     bool all_given = true;
+    bool behind_point = false;  // at once: two points name a line
     std::string plain_text;
     const auto flush = [&] {
         if (!plain_text.empty()) to.push_back(piece(plain_text));
         plain_text.clear();
     };
     for (std::size_t i = 0; i < pattern.size();) {
+        if (pattern[i] != '{') behind_point = false;
         if (pattern[i] == '{') {
             const auto index = static_cast<std::size_t>(pattern[i + 1] - '0');
             const std::size_t end = pattern.find('}', i), bar = pattern.find('|', i);
@@ -1493,7 +1498,11 @@ bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Lang
                 flush();
                 const auto* line = std::get_if<LineReason>(&arguments[index]);
                 if (line && before_line) to.push_back(piece(before_line(*line)));
-                append(to, argument(arguments[index], language, setting));
+                const bool is_point = std::holds_alternative<PointName>(arguments[index]);
+                (is_point && behind_point ? append_point : append_words)(to, argument(arguments[index], language, setting));
+                behind_point = is_point;
+                i = end + 1;
+                continue;
             } else {
                 all_given = false;
             }
@@ -1765,7 +1774,7 @@ RichText typeset(const LineReason& reason, Language language) {
         case Kind::perpendicular_to_segment:
         case Kind::parallel_to_segment:
             append(text, point_name(reason.from));
-            append(text, point_name(reason.to));
+            append_point(text, point_name(reason.to));
             return text;
         case Kind::parallel_to_guide:
         case Kind::perpendicular_to_guide:
