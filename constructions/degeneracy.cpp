@@ -94,4 +94,14 @@ std::vector<Message> remarks_on_lengths(const Mechanism& mechanism, const Pose& 
     return remarks;
 }
 
+std::vector<Message> remarks_on_gravity(const Mechanism& mechanism) {
+    if (!mechanism.gravity || mechanism.masses.empty()) return {};
+    // From dwarf planets (Ceres has 0.28 m/s²) to the Sun (274 m/s²).
+    constexpr double least = 0.1, most = 300;
+    const double size = length(*mechanism.gravity);
+    if (size == 0 || (size >= least && size <= most)) return {};
+    const Unit& unit = mechanism.units.acceleration;
+    return {{Sentence::strange_gravity, {Amount{size / unit.si.to_double(), unit.symbol}}}};
+}
+
 }  // namespace kinegraph

@@ -20,4 +20,7 @@ std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobil
 /// Links of which all pins lie at one place: each is told with their names, since a crank of length zero was hardly meant.
 std::vector<Message> remarks_on_lengths(const Mechanism& mechanism, const Pose& pose);
 
+/// Gravity as it is on no planet: most likely a bare number in a unit that was not thought of.
+std::vector<Message> remarks_on_gravity(const Mechanism& mechanism);
+
 }  // namespace kinegraph

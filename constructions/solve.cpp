@@ -253,6 +253,7 @@ private:
         for (Message& remark : remarks_on_mobility(mechanism_, solution_.mobility, solution_.instant_motion))
             solution_.remarks.push_back(std::move(remark));
         for (Message& remark : remarks_on_lengths(mechanism_, solution_.pose)) solution_.remarks.push_back(std::move(remark));
+        for (Message& remark : remarks_on_gravity(mechanism_)) solution_.remarks.push_back(std::move(remark));
     }
 
     /// What is not determined for want of drivers or efforts most likely wants what was forgotten: that is said first.

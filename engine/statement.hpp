@@ -198,6 +198,7 @@ enum class Sentence {
     hangs_on_a_hair,         ///< {0} symbol, {1} change in per cent, {2} given point, {3} distance by which it moves
     repeated_constraints,    ///< {0} joint, {1} count
     link_without_length,     ///< {0} body, {1} names of its pins, which all lie at one place
+    strange_gravity,         ///< {0} amount: of no planet's size
     lift_off,                ///< {0} joint
     change_point,            ///< {0} count of freedoms by the rank, {1} by Grübler, {2} count of branches
     branch,                  ///< {0} its number, {1} ratios

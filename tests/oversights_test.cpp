@@ -69,6 +69,27 @@ TEST(Oversights, BodiesThatNothingConnectsWithTheFrame) {
                     "perhaps {\"revolute\": \"O2\", \"bodies\": [\"1\", \"2\"]}."});
 }
 
+TEST(Gravity, OfNoPlanetIsARemark) {
+    const auto said = [](const std::string& unit, const std::string& gravity, render::Language language) {
+        const std::string more = R"("masses": {"2": {"mass": 1, "centre": "A"}}, "gravity": [0, )" + gravity + "]";
+        std::string text = four_bar(bodies, crank + "," + pin_b + "," + pin_o4, ", " + more);
+        const std::string length = R"("length": "mm")";
+        text.replace(text.find(length), length.size(), length + R"(, "acceleration": ")" + unit + "\"");
+        std::vector<std::string> all;
+        for (const Message& each : solved(text).remarks)
+            if (each.sentence == Sentence::strange_gravity) all.push_back(render::tell(each, language));
+        return all;
+    };
+    using render::Language;
+    EXPECT_EQ(said("mm/s²", "-9.81", Language::en),
+              Lines{"Gravity is 9.81 mm/s², as on no planet; if that is not meant, write it with its unit: \"9.81 m/s²\"."});
+    EXPECT_EQ(said("mm/s²", "-9.81", Language::it),
+              Lines{"La gravità è 9,81 mm/s², come su nessun pianeta; se non è voluto, scriverla con l’unità: \"9.81 m/s²\"."});
+    EXPECT_EQ(said("m/s²", "-9810", Language::en).size(), 1U);
+    for (const std::string gravity : {"-9.81", "\"-162 cm/s²\"", "0", "-25"})
+        EXPECT_EQ(said("m/s²", gravity, Language::en), Lines{});
+}
+
 TEST(Lengths, ALinkWhosePinsCoincideIsNamed) {
     const auto said = [](const Solution& solution, render::Language language) {
         std::vector<std::string> all;

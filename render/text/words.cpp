@@ -461,6 +461,8 @@ constexpr std::array
             "La coppia {0} ripete {1} {1|vincolo|vincoli} che le altre impongono già in questa configurazione."},
         Row{Sentence::link_without_length, "Link {0} has no length: its pins {1} lie at one place.",
             "Il corpo {0} non ha lunghezza: i suoi perni {1} coincidono."},
+        Row{Sentence::strange_gravity, "Gravity is {0}, as on no planet; if that is not meant, write it with its unit: \"9.81 m/s²\".",
+            "La gravità è {0}, come su nessun pianeta; se non è voluto, scriverla con l’unità: \"9.81 m/s²\"."},
         Row{Sentence::lift_off, "The contact at {0} would have to pull: there the bodies lift off.",
             "Il contatto in {0} dovrebbe tirare: lì i corpi si staccano."},
         Row{Sentence::change_point,
