@@ -95,14 +95,14 @@ std::optional<std::string> Receipt::answer() const {
     return text->substr(begin, text->size() - begin - 2);
 }
 
-std::vector<std::string> Receipt::files_of(const std::string& kind) const {
+std::vector<std::string> Receipt::files_of(const std::string& kind, const std::string& same) const {
     if (::access(path_.c_str(), R_OK) != 0) return {};
     const auto text = read_whole(path_, {"receipt", "ricevuta"});
     if (!text) return {};
     const auto json = JsonSource::read(*text);
     if (!json) return {};
-    const JsonValue files = json->root()["answer"]["files"], sizes = json->root()["sizes"];
-    if (files.size() != sizes.size()) return {};
+    const JsonValue answer = json->root()["answer"], files = answer["files"], sizes = json->root()["sizes"];
+    if (files.size() != sizes.size() || (!same.empty() && answer["of"] && answer["of"].text() == same)) return {};
     std::vector<std::string> found;
     auto size = sizes.begin();
     for (const JsonValue file : files) {

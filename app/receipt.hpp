@@ -28,8 +28,9 @@ public:
     /// The answer, where the same was asked before and its files are there as they were.
     std::optional<std::string> answer() const;
     /// The files of whatever was asked before, as far as they are there with the sizes that they were written with, and nothing
-    /// where this is the receipt of something else than `kind`, which the names of its files begin with.
-    std::vector<std::string> files_of(const std::string& kind) const;
+    /// where this is the receipt of something else than `kind`, which the names of its files begin with. Nothing, too, where the
+    /// answer says that they are of `same`.
+    std::vector<std::string> files_of(const std::string& kind, const std::string& same = {}) const;
     /// Makes the folder, and takes away the receipt of what was asked before. What cannot be written, if it cannot.
     std::optional<NotWritten> make_room() const;
     const std::string& path() const { return path_; }

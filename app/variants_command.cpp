@@ -223,6 +223,7 @@ private:
         const std::size_t index = key_.size();
         const std::string number = number_of(index + 1), name = index < names_.size() ? names_[index] : "";
         variant.solution.mechanism.source = number + ".json";
+        const std::string drawn = hash_of(told_of(number, name, variant));
         const Receipt receipt(path(number), asked_of(number, name, variant));
         // A theme from standard input is read once, and is not known again.
         const bool is_there = request_.resume && request_.theme != "-" && receipt.answer();
@@ -232,7 +233,7 @@ private:
         if (!is_there || request_.merge) add_sheets(variant, number, options, outputs);
         if (is_there)
             ++there_before_;
-        else if (const auto status = put(variant, number, receipt, std::move(outputs)))
+        else if (const auto status = put(variant, number, drawn, receipt, std::move(outputs)))
             return status;
         if (quizzes_.are_wanted()) add_quiz(variant, number, name);
         key_.add(number, name, variant);
@@ -246,7 +247,7 @@ private:
         options.grid = false;
         print(render::lay_out(variant.solution, options, press_.fonts()), number + "-solution", solutions_, outputs);
     }
-    std::optional<Status> put(const Variant& variant, const std::string& number, const Receipt& receipt,
+    std::optional<Status> put(const Variant& variant, const std::string& number, const std::string& drawn, const Receipt& receipt,
                               std::vector<Output> outputs) {
         std::vector<Setting> set = variant.values;
         set.insert(set.end(), request_.set.begin(), request_.set.end());
@@ -255,11 +256,11 @@ private:
         outputs.push_back({path(number + "-results.json"), results_json(variant.solution, false, in_english)});
         std::vector<std::string> paths;
         for (const Output& each : outputs) paths.push_back(each.path);
-        const std::vector<std::string> before = receipt.files_of(number);
+        const std::vector<std::string> before = receipt.files_of(number, drawn);
         if (const auto failure = receipt.make_room()) return not_put(*failure);
-        outputs.push_back(receipt.of(outputs, "{\"files\": " + quoted(paths) + "}"));
+        outputs.push_back(receipt.of(outputs, "{\"files\": " + quoted(paths) + ", \"of\": \"" + drawn + "\"}"));
         if (const auto status = put(outputs)) return status;
-        // Of another format, or merged now: sheets of what this number no longer is.
+        // Sheets in another format of what this number no longer is; those of what it still is stay beside the new ones.
         for (const std::string& each : before)
             if (std::none_of(paths.begin(), paths.end(), [&](const std::string& now) { return same_file(now, each); }))
                 take_away(each);
@@ -286,14 +287,19 @@ private:
             taken_away_.push_back(number_of(each));
         }
     }
-    /// By what a variant's files are known again: all that decides their bytes.
-    std::string asked_of(const std::string& number, const std::string& name, const Variant& variant) const {
-        std::vector<std::string> fields{
-            "variant", number, name, text_, theme_text_, request_.format, std::to_string(request_.dpi)};
+    /// What a variant is, whatever its sheets look like.
+    std::vector<std::string> told_of(const std::string& number, const std::string& name, const Variant& variant) const {
+        std::vector<std::string> fields{"variant", number, name, text_};
         for (const std::vector<Setting>* settings : {&variant.values, &request_.set}) {
             fields.push_back(std::to_string(settings->size()));
             for (const Setting& each : *settings) fields.insert(fields.end(), {each.name, each.value});
         }
+        return fields;
+    }
+    /// By what a variant's files are known again: all that decides their bytes.
+    std::string asked_of(const std::string& number, const std::string& name, const Variant& variant) const {
+        std::vector<std::string> fields = told_of(number, name, variant);
+        fields.insert(fields.end(), {theme_text_, request_.format, std::to_string(request_.dpi)});
         for (const int each :
              {static_cast<int>(options_.paper), static_cast<int>(options_.language), static_cast<int>(options_.orientation),
               static_cast<int>(options_.dimensions), static_cast<int>(options_.detail), static_cast<int>(options_.grid),

@@ -168,6 +168,9 @@ TEST_F(VariantsCommand, LeavesNothingOfAnEarlierRunThatTheKeyDoesNotList) {
         EXPECT_FALSE(is_there("st/" + name)) << name;
     for (const std::string name : {"notes.txt", "005-solution.svg", "003.json", "003-question.png", "key.csv", ".kinegraph/003"})
         EXPECT_TRUE(is_there("st/" + name)) << name;
+    // The same variants in another format are no others.
+    ASSERT_EQ(run("variants train.json --count 3 --seed 2 --format svg -o st").status, 0);
+    EXPECT_TRUE(is_there("st/001-question.png") && is_there("st/001-question.svg"));
     const Outcome italian = run("variants train.json --count 2 --seed 2 --format png --dpi 40 --resume --lang it -o st");
     EXPECT_NE(italian.err.find("tolta la 003 di un’esecuzione precedente, che la chiave non elenca\n"), std::string::npos)
         << italian.err;
