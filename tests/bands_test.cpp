@@ -257,7 +257,8 @@ TEST(Bands, AreReadInTheOrderOfTheSolutionAndNoneIsTorn) {
     // 183 before there were bands, 186 with the arithmetic in the sentences; 23 more of examples that came later.
     // 178 before text stood under and beside its figures, 173 after; 12 more of trusses, virtual work and a moving frame.
     // 185 before rooms were made for what letters really take and text was set in narrower columns.
-    EXPECT_LE(pages_in_all, 153);
+    // 153 before two linkages of Stephenson's, in which tips are found apart, showed the vectors between them.
+    EXPECT_LE(pages_in_all, 155);
 }
 
 TEST(Bands, OfAFourBarsKinematicsFillOneSheet) { EXPECT_EQ(lay_out(example("four_bar"), {}, fonts()).size(), 1U); }

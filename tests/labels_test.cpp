@@ -164,17 +164,19 @@ TEST(Labels, numbers_leave_the_tint_of_another_body) {
 
 /// "m = 0.5 kg" and "F" behind it would be read as one.
 TEST(Labels, that_tell_values_keep_more_than_a_blank_between_them) {
-    Figure figure;
-    figure.marks.emplace_back(line({-30, 0}, {30, 0}, {0.7, {}, {}, false}));
-    figure.labels = {named("m = 0.5 kg", {-4, 0}), named("F = 2500 N", {4, 0})};
-    place_labels(figure, fonts());
-    std::vector<Box> boxes;
-    for (const Mark& mark : figure.marks)
-        if (std::holds_alternative<TextMark>(mark)) boxes.push_back(box_of(std::span(&mark, 1)));
-    ASSERT_EQ(boxes.size(), 2U);
-    const bool side_by_side = boxes[0].min.y < boxes[1].max.y && boxes[1].min.y < boxes[0].max.y;
-    const double gap = std::max(boxes[1].min.x - boxes[0].max.x, boxes[0].min.x - boxes[1].max.x);
-    EXPECT_TRUE(!side_by_side || gap > 2.5) << gap;
+    for (double apart = 4; apart <= 24; apart += 0.5) {
+        Figure figure;
+        figure.marks.emplace_back(line({-60, 1}, {60, 1}, {0.7, {}, {}, false}));
+        figure.labels = {named("m = 0.5 kg", {0, 0}), named("F = 2500 N", {apart, 0})};
+        place_labels(figure, fonts());
+        std::vector<Box> boxes;
+        for (const Mark& mark : figure.marks)
+            if (std::holds_alternative<TextMark>(mark)) boxes.push_back(box_of(std::span(&mark, 1)));
+        ASSERT_EQ(boxes.size(), 2U);
+        const bool side_by_side = boxes[0].min.y < boxes[1].max.y && boxes[1].min.y < boxes[0].max.y;
+        const double gap = std::max(boxes[1].min.x - boxes[0].max.x, boxes[0].min.x - boxes[1].max.x);
+        EXPECT_TRUE(!side_by_side || gap > 2.5) << gap << " mm, anchors " << apart << " mm apart";
+    }
 }
 
 TEST(Labels, of_a_crowd_of_points_do_not_meet) {

@@ -129,7 +129,7 @@ const char* const toggle_press =
 TEST(Data, SaysHowASupportRuns) {
     const Solution beam = tests::solved(overhanging_beam), roof = example("truss_roof_wind");
     EXPECT_TRUE(has(data_in(beam, Language::en), "At B body 1 rests on the frame by a roller that runs along 20°."));
-    EXPECT_TRUE(has(data_in(beam, Language::it), "In B il corpo 1 è appoggiato al telaio con un carrello che scorre lungo 20°."));
+    EXPECT_TRUE(has(data_in(beam, Language::it), "In B il corpo 1 poggia sul telaio con un carrello che scorre lungo 20°."));
     EXPECT_TRUE(has(data_in(roof, Language::en), "by a roller that runs along the direction of (4, −3)"));
     EXPECT_TRUE(has(data_in(roof, Language::en), "can only push bar EG, along the direction of (3, 4)"));
     EXPECT_TRUE(has(data_in(roof, Language::it), "con un carrello che scorre lungo la direzione di (4; −3)"));

@@ -1107,7 +1107,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"data curved slot", "At {0} a pin {1} slides in a slot {2} that is curved about {3}.",
                "In {0} un perno {1} scorre in un glifo {2} curvo con centro {3}."},
     FixedWords{"data support", "At {0} {1} rests on the frame by a roller that runs along {2}.",
-               "In {0} {1} è appoggiato al telaio con un carrello che scorre lungo {2}."},
+               "In {0} {1} poggia sul telaio con un carrello che scorre lungo {2}."},
     FixedWords{"data slides", "At {0} {1} and {2} touch and slide on each other: {3}.",
                "In {0} {1} e {2} si toccano e strisciano l’uno sull’altro: {3}."},
     FixedWords{"data rolls", "At {0} {1} and {2} roll on each other without slip: {3}.",
