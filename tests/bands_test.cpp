@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/index.hpp"
@@ -259,6 +260,19 @@ TEST(Bands, AreReadInTheOrderOfTheSolutionAndNoneIsTorn) {
     // 185 before rooms were made for what letters really take and text was set in narrower columns.
     // 153 before two linkages of Stephenson's, in which tips are found apart, showed the vectors between them.
     EXPECT_LE(pages_in_all, 155);
+}
+
+/// The diagram of a truss and the table of its bars stand on two pages.
+TEST(Bands, ThatGoOnSayWhereTheirFiguresStand) {
+    for (const auto& [language, words] :
+         {std::pair{Language::en, "Fig. 1–3, sheet 1"}, std::pair{Language::it, "Fig. 1–3, foglio 1"}}) {
+        SheetOptions options;
+        options.language = language;
+        const auto pages = lay_out(example("truss_simple"), options, fonts());
+        ASSERT_EQ(pages.size(), 2U);
+        EXPECT_FALSE(says(pages[0], words));
+        EXPECT_TRUE(says(pages[1], words));
+    }
 }
 
 TEST(Bands, OfAFourBarsKinematicsFillOneSheet) { EXPECT_EQ(lay_out(example("four_bar"), {}, fonts()).size(), 1U); }

@@ -32,7 +32,7 @@ public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
     BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
              const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations,
-             const std::vector<LineNumbers>& lines, MadeOnce& made, const WantedFigures& wanted)
+             const std::vector<LineNumbers>& lines, MadeOnce& made, const WantedFigures& wanted, const std::string& figures_stand)
         : context_(context),
           solution_(context.solution),
           measure_(measure),
@@ -43,7 +43,8 @@ public:
           equations_(equations),
           lines_(lines),
           made_(made),
-          wanted_(wanted) {}
+          wanted_(wanted),
+          figures_stand_(figures_stand) {}
 
     /// Of all but the results.
     Passage passage_of(const Band::Part& part, const std::map<std::string, RichText>& on_figures) const {
@@ -98,10 +99,12 @@ private:
         passage.take_table(std::move(lines));
         return passage;
     }
-    /// The heading again where a passage goes on, which few do.
+    /// The heading again where a passage goes on, which few do, and where the figures are that it speaks of.
     SharedBlock continued(const std::string& words, const RichText& note = {}) const {
-        return {measure_, heading_height, [&context = context_, measure = measure_, words, note] {
-                    return heading_block(context, measure, words + ", " + word("continued", context.language), note).marks;
+        return {measure_, heading_height, [&context = context_, &stand = figures_stand_, measure = measure_, words, note] {
+                    RichText all = note;
+                    if (!stand.empty()) append(all, one_piece((note.empty() ? "" : "  ") + stand));
+                    return heading_block(context, measure, words + ", " + word("continued", context.language), all).marks;
                 }};
     }
     Block paragraph(const RichText& text) const { return paragraph_block(context_, measure_, text); }
@@ -301,6 +304,7 @@ private:
     const std::vector<LineNumbers>& lines_;
     MadeOnce& made_;
     const WantedFigures& wanted_;
+    const std::string& figures_stand_;  // told late, once all is planned
 };
 
 /// Whether "likewise" can be said of it: its number says the rest, or the body that it names.
@@ -719,10 +723,28 @@ Block Bands::equations(const Band& band, double most) const {
     return all;
 }
 
+void Bands::tell_figures(const std::string& question, int first, int last, std::size_t page) {
+    std::string& words = figures_stand_[question];
+    words = word("figure", context_.language) + " " + std::to_string(first);
+    if (last > first) words += "–" + std::to_string(last);
+    words += ", " + word("on sheet", context_.language) + " " + std::to_string(page + 1);
+}
+
+/// Of the first band that says it; what goes on is a part of it.
+const std::string& Bands::question_of(const Band::Part& part) const {
+    const auto is_said = [&](const Band& band) {
+        return std::any_of(band.parts.begin(), band.parts.end(),
+                           [&](const Band::Part& own) { return own.kind == part.kind && own.which == part.which; });
+    };
+    const auto found = std::find_if(list.begin(), list.end(), is_said);
+    KG_ASSERT(found != list.end(), "a part is some band's");
+    return found->question;
+}
+
 Passage Bands::text(const Band::Part& part, double measure, bool equations_apart, const std::vector<ResultRow>& results) const {
     if (part.kind == Kind::results) return table(part.which, results, measure);
     const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, lines_,
-                          made_, wanted_);
+                          made_, wanted_, figures_stand_[question_of(part)]);
     return writer.passage_of(part, remarks_);
 }
 

@@ -87,6 +87,9 @@ public:
     /// A remark on a figure, once it is drawn; false where it is made already.
     bool remark(const std::string& figure, const RichText& text);
 
+    /// What goes on from another page says where its figures are: numbered so, on a page counted from 0.
+    void tell_figures(const std::string& question, int first, int last, std::size_t page);
+
     /// Rows of all results, lengths measured on the figures where there are some.
     std::vector<ResultRow> results_on(const std::vector<Figure>& drawn) const;
     /// The same with no length measured: as wide and as high as they will be.
@@ -116,6 +119,7 @@ private:
     void deal_out_results();
     Passage table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results, double measure) const;
     void add_remarks();
+    const std::string& question_of(const Band::Part& part) const;
 
     const DrawingContext& context_;
     const Solution& solution_;
@@ -124,7 +128,8 @@ private:
     std::map<std::size_t, int> step_;                           // number of a statement
     std::map<std::size_t, std::vector<std::size_t>> likewise_;  // statements that say the same of others, by the first
     std::vector<ResultRow> results_;
-    std::map<std::string, RichText> remarks_;  // on figures as drawn
+    std::map<std::string, RichText> remarks_;                   // on figures as drawn
+    mutable std::map<std::string, std::string> figures_stand_;  // by question, in words
     std::vector<EquationItem> equations_;
     std::vector<LineNumbers> lines_;  // of the polygons of motion
     mutable MadeOnce made_;

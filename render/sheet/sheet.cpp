@@ -38,6 +38,7 @@ public:
     DrawnSheet drawn() && {
         settle();
         figures_.enrich();
+        tell_where_figures_stand();
         SheetPages pages(context_, format_, signature_, {plan_, bands_, figures_, *text_});
         DrawnSheet sheet{pages.set(after_), {}, pages.first_caption(), pages.first_caption_width()};
         std::map<int, Figure*> by_number;
@@ -68,6 +69,26 @@ private:
             text_.emplace(bands_, figures_, format_, plan_.texts());
             if (!may_go_on || !has_wider_tables()) return;
         }
+    }
+    /// To who reads on, on another page than the figures.
+    void tell_where_figures_stand() {
+        struct Standing {
+            std::size_t page;
+            int first, last;
+        };
+        std::map<std::string, Standing> standing;
+        const auto look = [&](std::size_t page, const PlacedBand& placed) {
+            const std::string& question = bands_.list[placed.band].question;
+            const auto drawn = figures_.by_band().find(placed.band);
+            if (drawn != figures_.by_band().end() && !drawn->second.empty())
+                standing.try_emplace(question, Standing{page, drawn->second.front().number, drawn->second.back().number});
+            else if (const auto found = standing.find(question); found != standing.end() && found->second.page != page)
+                bands_.tell_figures(question, found->second.first, found->second.last, found->second.page);
+        };
+        for (std::size_t page = 0; page < plan_.pages().size(); ++page)
+            for (const PlannedRow& row : plan_.pages()[page])
+                for (const PlannedCell& cell : row)
+                    for (const PlacedBand& placed : cell) look(page, placed);
     }
     /// What a figure or the common scale of forces would want a page more for, they do without.
     void make_plan() {

@@ -792,6 +792,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"absolute centre", "absolute", "CIR"},
     FixedWords{"results", "Results", "Risultati"},
     FixedWords{"continued", "continued", "seguito"},
+    FixedWords{"on sheet", "sheet", "foglio"},
     FixedWords{"velocities", "Velocities", "Velocità"},
     FixedWords{"accelerations", "Accelerations", "Accelerazioni"},
     FixedWords{"relative motion", "Relative motion", "Moto relativo"},
