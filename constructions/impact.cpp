@@ -220,27 +220,36 @@ std::vector<ProblemValue> values_of(const ImpactProblem& problem, const ImpactSo
                          const char* unit = "") {
         values.push_back({std::move(name), std::move(symbol), kind, value.to_double(), numeric, false, unit, {}});
     };
+    // By their keys in the results file; readers are told of which body, and that it is after the impact.
+    const Words first = called(mechanism.body(problem.bodies[0].body));
     add({"impulse x", "impulso x"}, "J_x", dimensionless, found.impulse.x, check.impulse[0], "N s");
+    values.back().spoken = Words("{0}: impulse received, along x", "{0}: impulso ricevuto, lungo x", first);
     add({"impulse y", "impulso y"}, "J_y", dimensionless, found.impulse.y, check.impulse[1], "N s");
+    values.back().spoken = Words("{0}: impulse received, along y", "{0}: impulso ricevuto, lungo y", first);
     for (std::size_t i = 0; i < 2; ++i) {
         const ImpactSolution::Body& body = found.bodies.at(i);
         const ImpactCheck::Body& checked = check.bodies.at(i);
         if (body.fixed) continue;
         const kinegraph::Body& given = mechanism.body(problem.bodies.at(i).body);
         const std::string n = std::to_string(i + 1);
-        // By its key in the results file, by its label for readers.
-        const auto add_of = [&](const char* english, const char* italian, std::string symbol, QuantityKind kind,
-                                const Exact& value, double numeric, const char* unit = "") {
-            add(Words(english, italian, given.name), std::move(symbol), kind, value, numeric, unit);
-            if (!given.label.empty()) values.back().spoken = Words(english, italian, given.label);
+        const auto add_of = [&](const Words& key, const Words& spoken, std::string symbol, QuantityKind kind, const Exact& value,
+                                double numeric, const char* unit = "") {
+            add(Words(key.en, key.it, given.name), std::move(symbol), kind, value, numeric, unit);
+            values.back().spoken = Words(spoken.en, spoken.it, called(given));
         };
-        add_of("velocity {0} x", "velocità {0} x", "v_" + n + "x", velocity, body.after.x, checked.velocity[0]);
-        add_of("velocity {0} y", "velocità {0} y", "v_" + n + "y", velocity, body.after.y, checked.velocity[1]);
+        add_of({"velocity {0} x", "velocità {0} x"}, {"{0}: velocity afterwards, along x", "{0}: velocità dopo l’urto, lungo x"},
+               "v′_" + n + "x", velocity, body.after.x, checked.velocity[0]);
+        add_of({"velocity {0} y", "velocità {0} y"}, {"{0}: velocity afterwards, along y", "{0}: velocità dopo l’urto, lungo y"},
+               "v′_" + n + "y", velocity, body.after.y, checked.velocity[1]);
         if (!body.inverse_inertia.is_zero())
-            add_of("angular velocity {0}", "velocità angolare {0}", "ω_" + n, angular_velocity, body.omega_after, checked.omega);
+            add_of({"angular velocity {0}", "velocità angolare {0}"},
+                   {"{0}: angular velocity afterwards", "{0}: velocità angolare dopo l’urto"}, "ω′_" + n, angular_velocity,
+                   body.omega_after, checked.omega);
         if (!body.reaction) continue;
-        add_of("pivot {0} x", "cerniera {0} x", "R_" + n + "x", dimensionless, body.reaction->x, checked.reaction[0], "N s");
-        add_of("pivot {0} y", "cerniera {0} y", "R_" + n + "y", dimensionless, body.reaction->y, checked.reaction[1], "N s");
+        add_of({"pivot {0} x", "cerniera {0} x"}, {"{0}: impulse of the pivot, along x", "{0}: impulso della cerniera, lungo x"},
+               "R_" + n + "x", dimensionless, body.reaction->x, checked.reaction[0], "N s");
+        add_of({"pivot {0} y", "cerniera {0} y"}, {"{0}: impulse of the pivot, along y", "{0}: impulso della cerniera, lungo y"},
+               "R_" + n + "y", dimensionless, body.reaction->y, checked.reaction[1], "N s");
     }
     add({"energy lost", "energia perduta"}, "T", dimensionless, found.energy_lost, check.energy_lost, "J");
     return values;

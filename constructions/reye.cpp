@@ -1,6 +1,7 @@
 #include "constructions/reye.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -139,48 +140,73 @@ private:
     ReyeSolution found_;
 };
 
+/// Where the two ends of the contact are, for readers: as each kind's data has them.
+std::array<Words, 2> ends_of(Kind kind) {
+    switch (kind) {
+        case Kind::disc:
+            return {Words("at the inner radius", "al raggio interno"), Words("at the outer radius", "al raggio esterno")};
+        case Kind::shoe:
+            return {Words("at the first end", "al primo estremo"), Words("at the second end", "al secondo estremo")};
+        case Kind::pad:
+        case Kind::block:
+            break;
+    }
+    return {Words("at the end where x = 0", "all’estremo x = 0"), Words("at the other end", "all’altro estremo")};
+}
+
+/// By their keys in the results file; for readers with what each is of, since a question has nothing else to say it.
 std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSolution& found, const ReyeCheck& check) {
     using enum QuantityKind;
     std::vector<ProblemValue> values;
-    values.push_back({{"pressure 1", "pressione 1"}, "p_1", pressure, found.first, check.first, false});
-    values.push_back({{"pressure 2", "pressione 2"}, "p_2", pressure, found.second, check.second, false});
+    const auto add = [&](Words name, const char* symbol, QuantityKind kind, double value, double numeric, Words spoken,
+                         bool in_file = true) {
+        values.push_back({std::move(name), symbol, kind, value, numeric, in_file, "", std::move(spoken)});
+    };
+    const std::array<Words, 2> ends = ends_of(problem.kind);
+    const auto at_end = [&](std::size_t end, const char* english, const char* italian) {
+        return Words(english, italian, ends.at(end));
+    };
+    add({"pressure 1", "pressione 1"}, "p_1", pressure, found.first, check.first, at_end(0, "pressure {0}", "pressione {0}"),
+        false);
+    add({"pressure 2", "pressione 2"}, "p_2", pressure, found.second, check.second, at_end(1, "pressure {0}", "pressione {0}"),
+        false);
     if (problem.kind == Kind::shoe)
-        values.push_back({{"greatest pressure", "pressione massima"}, "p_max", pressure, found.greatest, check.greatest});
+        add({"greatest pressure", "pressione massima"}, "p_max", pressure, found.greatest, check.greatest, {});
     if (problem.kind == Kind::pad && found.m)
-        values.push_back({Words(std::string("m")), "m", dimensionless, found.m->to_double(), check.second / check.first - 1});
+        add(Words(std::string("m")), "m", dimensionless, found.m->to_double(), check.second / check.first - 1,
+            {"relative gain in pressure from end to end", "aumento relativo di pressione fra gli estremi"});
     if (found.resultant)
-        values.push_back({{"resultant at", "risultante in"}, "x_R", length, found.resultant->to_double(), check.resultant});
+        add({"resultant at", "risultante in"}, "x_R", length, found.resultant->to_double(), check.resultant,
+            {"place x of the resultant of the pressures", "ascissa x della risultante delle pressioni"});
     if (found.lifts) {
-        values.push_back({{"contact from", "contatto da"}, "x_1", length, found.begin, check.begin});
-        values.push_back({{"contact to", "contatto fino a"}, "x_2", length, found.end, check.end});
+        add({"contact from", "contatto da"}, "x_1", length, found.begin, check.begin, {});
+        add({"contact to", "contatto fino a"}, "x_2", length, found.end, check.end, {});
     }
-    if (found.friction_force)
-        values.push_back({{"friction force", "forza d’attrito"}, "T", force, *found.friction_force, check.friction});
-    if (found.torque) values.push_back({{"torque", "momento"}, "M", moment, *found.torque, check.torque});
+    if (found.friction_force) add({"friction force", "forza d’attrito"}, "T", force, *found.friction_force, check.friction, {});
+    if (found.torque)
+        add({"torque", "momento"}, "M", moment, *found.torque, check.torque,
+            problem.kind == Kind::disc ? Words("torque when worn in (Reye)", "momento a rodaggio avvenuto (Reye)")
+                                       : Words("torque on the drum", "momento sul tamburo"));
     if (found.uniform_torque) {
-        values.push_back(
-            {{"uniform pressure", "pressione uniforme"}, "p_u", pressure, *found.uniform_pressure, check.uniform_pressure});
-        values.push_back({{"torque at uniform pressure", "momento a pressione uniforme"},
-                          "M_u",
-                          moment,
-                          *found.uniform_torque,
-                          check.uniform_torque});
+        add({"uniform pressure", "pressione uniforme"}, "p_u", pressure, *found.uniform_pressure, check.uniform_pressure,
+            {"pressure when new, uniform", "pressione da nuovo, uniforme"});
+        add({"torque at uniform pressure", "momento a pressione uniforme"}, "M_u", moment, *found.uniform_torque,
+            check.uniform_torque, {"torque when new, at uniform pressure", "momento da nuovo, a pressione uniforme"});
     }
     if (problem.kind == Kind::shoe) {
-        values.push_back({{"normal force", "forza normale"},
-                          "N",
-                          force,
-                          std::hypot(found.normal_force.x, found.normal_force.y),
-                          check.normal});
-        values.push_back(
-            {{"centre of pressure", "centro di pressione"}, "r_C", length, found.pressure_radius, check.pressure_radius});
+        add({"normal force", "forza normale"}, "N", force, std::hypot(found.normal_force.x, found.normal_force.y), check.normal,
+            {"resultant of the pressures", "risultante delle pressioni"});
+        add({"centre of pressure", "centro di pressione"}, "r_C", length, found.pressure_radius, check.pressure_radius,
+            {"distance of the centre of pressure from O", "distanza del centro di pressione da O"});
         if (problem.leading && found.locking_friction)
-            values.push_back(
-                {{"locking friction", "attrito di bloccaggio"}, "f_lim", dimensionless, *found.locking_friction, check.locking});
+            add({"locking friction", "attrito di bloccaggio"}, "f_lim", dimensionless, *found.locking_friction, check.locking,
+                {"friction from which the shoe locks itself", "attrito da cui il ceppo si blocca da sé"});
     }
     if (found.worn) {
-        values.push_back({{"worn 1", "usura 1"}, "h_1", length, (*found.worn)[0], check.worn[0], false});
-        values.push_back({{"worn 2", "usura 2"}, "h_2", length, (*found.worn)[1], check.worn[1], false});
+        add({"worn 1", "usura 1"}, "h_1", length, (*found.worn)[0], check.worn[0],
+            at_end(0, "depth worn off {0}", "profondità d’usura {0}"), false);
+        add({"worn 2", "usura 2"}, "h_2", length, (*found.worn)[1], check.worn[1],
+            at_end(1, "depth worn off {0}", "profondità d’usura {0}"), false);
     }
     return values;
 }

@@ -30,14 +30,18 @@ public:
             Words line("{0}: {m_" + n + "} = {1}", "{0}: {m_" + n + "} = {1}", name, given(body.mass, QuantityKind::mass));
             if (body.inertia)
                 line += Words(", {I_" + n + "} = {0}", ", {I_" + n + "} = {0}", given(*body.inertia, QuantityKind::inertia));
+            if (found_.bodies.at(i).centre != found_.at)
+                line += Words(", centre {G_" + n + "} {0}", ", baricentro {G_" + n + "} {0}", place(found_.bodies.at(i).centre));
             line += Words(", {v_" + n + "} = {0}", ", {v_" + n + "} = {0}",
                           vector(found_.bodies.at(i).before, QuantityKind::velocity, as_given));
             if (!body.omega.is_zero())
                 line +=
                     Words(", {ω_" + n + "} = {0}", ", {ω_" + n + "} = {0}", given(body.omega, QuantityKind::angular_velocity));
-            if (body.pivot) line += Words("; it turns about {O}", "; ruota intorno a {O}");
+            if (body.pivot)
+                line += Words("; it turns about {O} {0}", "; ruota intorno a {O} {0}", place(*found_.bodies.at(i).pivot));
             said.push_back(line + std::string("."));
         }
+        said.push_back(contact());
         said.emplace_back(
             "Restitution {e} = {0}{1}.", "Restituzione {e} = {0}{1}.", numeral(found_.restitution.to_double(), as_given),
             found_.friction.is_zero()
@@ -158,6 +162,17 @@ private:
     }
     Words impulse(const Exact& scaled) const { return numeral(scaled.to_double() * size_) + std::string(" N s"); }
     Words per_mass(const Exact& scaled) const { return numeral(scaled.to_double() / (size_ * size_)); }
+    Words place(const Vector& at) const { return vector(at, QuantityKind::length, as_given); }
+    /// Where and in which direction the bodies strike, and on which of them the impulse acts that is called J.
+    Words contact() const {
+        const Words first = called(mechanism_.body(problem_.bodies[0].body)),
+                    second = called(mechanism_.body(problem_.bodies[1].body));
+        const double along = std::atan2(found_.normal.y.to_double(), found_.normal.x.to_double());
+        return Words(
+            "The bodies touch at {P} {0}; the normal {n}, from {2} to {1}, stands at {3} to the axis {x}. The impulse {J} acts on {1}, −{J} on {2}. The axis {x} points to the right, {y} upwards, and angular velocities count counter-clockwise positive.",
+            "I corpi si toccano in {P} {0}; la normale {n}, da {2} verso {1}, è inclinata di {3} sull’asse {x}. L’impulso {J} agisce su {1}, −{J} su {2}. L’asse {x} è rivolto a destra, {y} in alto, e le velocità angolari sono positive in senso antiorario.",
+            place(found_.at), first, second, amount(along, QuantityKind::angle, mechanism_.units, as_given));
+    }
     bool has_pivot() const { return found_.bodies[0].pivot || found_.bodies[1].pivot; }
     Words classes() const {
         return Words("The impact is {0} ({1}) and {2}.", "L’urto è {0} ({1}) e {2}.",

@@ -25,8 +25,8 @@ public:
         switch (problem_.kind) {
             case Kind::pad:
                 said.emplace_back(
-                    "A pad of length {a} = {0} and width {b} = {1}, free to tilt, is pressed by {Q} = {2} at {d} = {3} from its end.",
-                    "Un pattino lungo {a} = {0} e largo {b} = {1}, libero di inclinarsi, è premuto da {Q} = {2} a {d} = {3} dal suo estremo.",
+                    "A pad of length {a} = {0} and width {b} = {1}, free to tilt, is pressed by {Q} = {2} at {d} = {3} from its end {x} = 0.",
+                    "Un pattino lungo {a} = {0} e largo {b} = {1}, libero di inclinarsi, è premuto da {Q} = {2} a {d} = {3} dal suo estremo {x} = 0.",
                     length(problem_.length), length(problem_.width), force, length(problem_.offset));
                 break;
             case Kind::block:
@@ -43,8 +43,8 @@ public:
                 break;
             case Kind::shoe:
                 said.emplace_back(
-                    "A shoe {0} a drum of radius {r} = {1}, {b} = {2} wide, from {θ_1} = {3} to {θ_2} = {4}, turns about a pivot at {h} = {5} from the drum’s centre {O}. The force {Q} = {6} has the arm {c} = {7}; the drum turns so that the shoe is {8}.",
-                    "Un ceppo {0} a un tamburo di raggio {r} = {1}, largo {b} = {2}, da {θ_1} = {3} a {θ_2} = {4}, ruota intorno a una cerniera a {h} = {5} dal centro {O}. La forza {Q} = {6} ha braccio {c} = {7}; il tamburo ruota così che il ceppo è {8}.",
+                    "A shoe {0} a drum of radius {r} = {1}, {b} = {2} wide, from {θ_1} = {3} to {θ_2} = {4} (at {O}, from the direction of the pivot), turns about a pivot at {h} = {5} from the drum’s centre {O}. The force {Q} = {6} has the arm {c} = {7}; the drum turns so that the shoe is {8}.",
+                    "Un ceppo {0} a un tamburo di raggio {r} = {1}, largo {b} = {2}, da {θ_1} = {3} a {θ_2} = {4} (in {O}, dalla direzione della cerniera), ruota intorno a una cerniera a {h} = {5} dal centro {O}. La forza {Q} = {6} ha braccio {c} = {7}; il tamburo ruota così che il ceppo è {8}.",
                     problem_.inside ? Words("in", "interno") : Words("on", "esterno"), length(problem_.radius),
                     length(problem_.width), given(problem_.from, QuantityKind::angle), given(problem_.to, QuantityKind::angle),
                     length(problem_.pivot), force, length(problem_.arm),
@@ -54,6 +54,13 @@ public:
         if (problem_.friction)
             said.emplace_back("Coefficient of friction {f} = {0}.", "Coefficiente d’attrito {f} = {0}.",
                               numeral(problem_.friction->to_double(), as_given));
+        if (problem_.wear)
+            said.emplace_back("Coefficient of wear {k} = {0}; {1} = {2} for {t} = {3}.",
+                              "Coefficiente d’usura {k} = {0}; {1} = {2} per {t} = {3}.",
+                              given(*problem_.wear, QuantityKind::wear), std::string(turns() ? "{ω}" : "{v}"), speed(),
+                              given(*problem_.time, QuantityKind::time));
+        said.emplace_back("Wear follows Reye’s hypothesis{0}.", "L’usura segue l’ipotesi di Reye{0}.",
+                          problem_.kind == Kind::disc ? Words("; the rings are worn in", "; le corone sono rodate") : Words());
         return said;
     }
 
@@ -103,19 +110,18 @@ public:
 
     std::vector<Words> wear() const {
         const auto& worn = *found_.worn;
-        const bool turns = problem_.kind == Kind::disc || problem_.kind == Kind::shoe;
-        const Words speed =
-            turns ? given(*problem_.speed, QuantityKind::angular_velocity) : given(*problem_.speed, QuantityKind::velocity);
-        const std::string way = problem_.kind == Kind::disc ? "{ω}{r}" : turns ? "{ω}{r}" : "{v}";
-        return {{"With the coefficient of wear {k} = {0}, " + std::string(turns ? "{ω}" : "{v}") +
+        const std::string way = turns() ? "{ω}{r}" : "{v}";
+        return {{"With the coefficient of wear {k} = {0}, " + std::string(turns() ? "{ω}" : "{v}") +
                      " = {1} and {t} = {2}:\n{h} = {k}{p}" + way + "{t} = {3} at the first end, {4} at the second.",
-                 "Con il coefficiente d’usura {k} = {0}, " + std::string(turns ? "{ω}" : "{v}") +
+                 "Con il coefficiente d’usura {k} = {0}, " + std::string(turns() ? "{ω}" : "{v}") +
                      " = {1} e {t} = {2}:\n{h} = {k}{p}" + way + "{t} = {3} al primo estremo, {4} al secondo.",
-                 given(*problem_.wear, QuantityKind::wear), speed, given(*problem_.time, QuantityKind::time), length(worn[0]),
+                 given(*problem_.wear, QuantityKind::wear), speed(), given(*problem_.time, QuantityKind::time), length(worn[0]),
                  length(worn[1])}};
     }
 
 private:
+    bool turns() const { return problem_.kind == Kind::disc || problem_.kind == Kind::shoe; }
+    Words speed() const { return given(*problem_.speed, turns() ? QuantityKind::angular_velocity : QuantityKind::velocity); }
     Words given(const Exact& si, QuantityKind kind) const { return amount(si.to_double(), kind, mechanism_.units, as_given); }
     Words length(const Exact& si) const { return given(si, QuantityKind::length); }
     Words length(double si) const { return amount(si, QuantityKind::length, mechanism_.units); }
