@@ -571,64 +571,84 @@ tl::expected<Travel, TravelFault> travel_of_law(const Positions& positions, cons
 
 namespace {
 
-/// A driven body, its coupler and the follower: pins A and B, and the follower's hinge on the frame, or its guide there.
+/// A coupler, the follower that it pushes at the pin B, the pin A by which it is pushed itself, and the follower's hinge on the
+/// frame, or its guide there.
 struct Chain {
     PointIndex a, b, hinge;
     JointIndex guide;
     BodyIndex coupler, follower;
 };
-std::optional<Chain> chain_of(const Mechanism& mechanism, int driver) {
-    const Driver& given = mechanism.drivers[at_index(driver)];
-    BodyIndex driven;
-    if (const auto* spin = std::get_if<SpinDriver>(&given)) driven = spin->body;
-    if (const auto* slide = std::get_if<SlideDriver>(&given)) driven = mechanism.joint(slide->joint).bodies[0];
-    if (const auto* point = std::get_if<PointDriver>(&given)) driven = point->body;
-    const auto joins = [](const Joint& joint, BodyIndex one, BodyIndex other) {
-        return joint.connects(one) && joint.connects(other);
-    };
-    const auto on_frame = [&](BodyIndex body) {
-        return std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
-                           [&](const Joint& joint) { return joins(joint, body, frame); });
-    };
-    for (const Joint& a : mechanism.joints) {
-        if (!a.pair().is_hinge() || !a.connects(driven)) continue;
-        for (const Joint& b : mechanism.joints) {
-            if (!b.pair().is_hinge() || &a == &b) continue;
-            for (const BodyIndex coupler : a.bodies) {
-                if (coupler == driven || coupler == frame || !b.connects(coupler) || on_frame(coupler)) continue;
-                for (const BodyIndex follower : b.bodies) {
-                    if (follower == coupler || follower == driven || follower == frame) continue;
-                    for (const Joint& foot : mechanism.joints) {
-                        if (!joins(foot, follower, frame)) continue;
-                        if (foot.pair().is_hinge()) return Chain{a.point, b.point, foot.point, none, coupler, follower};
-                        if (foot.pair().is_sleeve())
-                            return Chain{a.point, b.point, none, mechanism.index_of(foot), coupler, follower};
-                    }
+
+/// From the driven body onwards: a coupler is pushed by the first pin at which the way reaches it, and pushes all followers at
+/// its other pins; from these the way goes on.
+class Couplers {
+public:
+    Couplers(const Mechanism& mechanism, int driver) : mechanism_(mechanism) {
+        const Driver& given = mechanism.drivers[at_index(driver)];
+        BodyIndex driven;
+        if (const auto* spin = std::get_if<SpinDriver>(&given)) driven = spin->body;
+        if (const auto* slide = std::get_if<SlideDriver>(&given)) driven = mechanism.joint(slide->joint).bodies[0];
+        if (const auto* point = std::get_if<PointDriver>(&given)) driven = point->body;
+        reached_.push_back(driven);
+        for (std::size_t i = 0; i < reached_.size(); ++i) go_on_from(reached_[i]);
+    }
+    std::vector<Chain> all() && { return std::move(chains_); }
+
+private:
+    void go_on_from(BodyIndex body) {
+        for (const Joint& pin : mechanism_.joints) {
+            if (!pin.pair().is_hinge() || !pin.connects(body)) continue;
+            for (const BodyIndex coupler : pin.bodies)
+                if (coupler != frame && !is_reached(coupler) && !on_frame(coupler)) {
+                    reached_.push_back(coupler);
+                    push_followers(coupler, pin);
                 }
+        }
+    }
+    void push_followers(BodyIndex coupler, const Joint& from) {
+        for (const Joint& pin : mechanism_.joints) {
+            if (!pin.pair().is_hinge() || &pin == &from || !pin.connects(coupler)) continue;
+            for (const BodyIndex follower : pin.bodies) {
+                const Joint* foot = follower == frame || is_reached(follower) ? nullptr : foot_of(follower);
+                if (foot == nullptr) continue;
+                const bool hinged = foot->pair().is_hinge();
+                chains_.push_back({from.point, pin.point, hinged ? foot->point : PointIndex(none),
+                                   hinged ? JointIndex(none) : mechanism_.index_of(*foot), coupler, follower});
+                reached_.push_back(follower);
             }
         }
     }
-    return std::nullopt;
-}
+    bool is_reached(BodyIndex body) const { return std::find(reached_.begin(), reached_.end(), body) != reached_.end(); }
+    bool on_frame(BodyIndex body) const {
+        return std::any_of(mechanism_.joints.begin(), mechanism_.joints.end(),
+                           [&](const Joint& joint) { return joint.connects(body) && joint.connects(frame); });
+    }
+    const Joint* foot_of(BodyIndex follower) const {
+        for (const Joint& joint : mechanism_.joints)
+            if (joint.connects(follower) && joint.connects(frame) && (joint.pair().is_hinge() || joint.pair().is_sleeve()))
+                return &joint;
+        return nullptr;
+    }
 
-}  // namespace
+    const Mechanism& mechanism_;
+    std::vector<BodyIndex> reached_;
+    std::vector<Chain> chains_;
+};
 
-std::optional<Transmission> transmission_of(const Mechanism& mechanism, Positions positions, int driver, const Travel& travel) {
-    const auto chain = chain_of(mechanism, driver);
-    if (!chain) return std::nullopt;
+Transmission least_of(const Chain& chain, Positions positions, const Travel& travel) {
     Places places;
     const auto angle = [&](double coordinate) -> double {
         if (!positions.move_to(coordinate)) return std::numbers::pi;
         positions.read(places);
         const auto at = [&](PointIndex point) { return places.points[at_index(point)]; };
-        const Spot rod = at(chain->b) - at(chain->a);
+        const Spot rod = at(chain.b) - at(chain.a);
         const Spot link =
-            chain->guide == none ? at(chain->hinge) - at(chain->b) : quarter_turn(places.guides[at_index(chain->guide)]);
+            chain.guide == none ? at(chain.hinge) - at(chain.b) : quarter_turn(places.guides[at_index(chain.guide)]);
         return std::atan2(std::abs(cross(rod, link)), std::abs(dot(rod, link)));
     };
     constexpr int samples = 360;
     const double step = (travel.to - travel.from) / samples;
-    Transmission found{chain->coupler, chain->follower, std::numbers::pi, 0};
+    Transmission found{chain.coupler, chain.follower, std::numbers::pi, 0};
     for (int i = 0; i <= samples; ++i) {
         const double coordinate = i == samples ? travel.to : travel.from + i * step;
         if (const double here = angle(coordinate); here < found.least) found.least = here, found.at = coordinate;
@@ -644,6 +664,16 @@ std::optional<Transmission> transmission_of(const Mechanism& mechanism, Position
     const double middle = (low + high) / 2;
     if (const double here = angle(middle); here < found.least) found.least = here, found.at = middle;
     return found;
+}
+
+}  // namespace
+
+std::optional<Transmission> transmission_of(const Mechanism& mechanism, const Positions& positions, int driver,
+                                            const Travel& travel) {
+    std::optional<Transmission> least;
+    for (const Chain& chain : Couplers(mechanism, driver).all())
+        if (const Transmission found = least_of(chain, positions, travel); !least || found.least < least->least) least = found;
+    return least;
 }
 
 std::optional<std::pair<Positions, Travel>> own_travel(const Mechanism& mechanism, const Pose& pose) {

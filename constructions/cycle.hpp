@@ -33,9 +33,11 @@ tl::expected<Travel, TravelFault> travel_of_law(const Positions& positions, cons
 /// The travel of the first driver, as far as it goes or as its law says, and the positions; nothing where there is none.
 std::optional<std::pair<Positions, Travel>> own_travel(const Mechanism& mechanism, const Pose& pose);
 
-/// Of the first coupler that a driven body pushes by a pin, and that pushes by a pin a body hinged or sliding on the frame: the
-/// least angle between it and the follower's link (or the normal of its guide). Nothing where there is none.
-std::optional<Transmission> transmission_of(const Mechanism& mechanism, Positions positions, int driver, const Travel& travel);
+/// Of all couplers that are pushed at one pin, from the driven body onwards, and push at another a body hinged or sliding on the
+/// frame: the least angle between the line of both pins and the follower's link (or the normal of its guide). Nothing where there
+/// is none.
+std::optional<Transmission> transmission_of(const Mechanism& mechanism, const Positions& positions, int driver,
+                                            const Travel& travel);
 
 class Cycle {
 public:

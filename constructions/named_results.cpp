@@ -45,13 +45,11 @@ std::string subject_of(const Quantity& q, const Solution& solution) {
     return joint.name + (shared ? " (" + body(joint.bodies[0]) + " on " + body(joint.bodies[1]) + ")" : "");
 }
 
-/// Of a body: the direction from its first point to the first that is elsewhere.
 double angle_of(const Body& body, const Pose& pose) {
-    for (std::size_t i = 1; i < body.points.size(); ++i) {
-        const Spot along = rough(pose.at(body.points[i]) - pose.at(body.points[0]));
-        if (along.x != 0 || along.y != 0) return std::atan2(along.y, along.x);
-    }
-    return 0;
+    const auto line = line_of(body, pose);
+    if (!line) return 0;
+    const Spot along = rough(pose.at((*line)[1]) - pose.at((*line)[0]));
+    return std::atan2(along.y, along.x);
 }
 
 /// The values of a solution in its own position.
@@ -128,7 +126,14 @@ std::optional<NamedResult> transmission_result(const Solution& solution) {
     if (!travel) return std::nullopt;
     const auto found = transmission_of(solution.mechanism, travel->first, 0, travel->second);
     if (!found) return std::nullopt;
-    return NamedResult{{Column::Kind::named, {}, transmission_angle_name, QuantityKind::angle}, found->least};
+    Quantity where;
+    where.body = found->driven;
+    where.other = found->coupler;
+    for (const JointIndex index : indices_of(solution.mechanism.joints)) {
+        const Joint& joint = solution.mechanism.joint(index);
+        if (joint.pair().is_hinge() && joint.connects(found->driven) && joint.connects(found->coupler)) where.joint = index;
+    }
+    return NamedResult{{Column::Kind::named, where, transmission_angle_name, QuantityKind::angle}, found->least};
 }
 
 }  // namespace

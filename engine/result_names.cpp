@@ -189,4 +189,12 @@ std::vector<Column> asked_columns(const Mechanism& mechanism) {
     return columns;
 }
 
+std::optional<std::array<PointIndex, 2>> line_of(const Body& body, const Pose& pose) {
+    for (const PointIndex point : body.points) {
+        const Vector along = pose.at(point) - pose.at(body.points[0]);
+        if (along.x.to_double() != 0 || along.y.to_double() != 0) return std::array{body.points[0], point};
+    }
+    return std::nullopt;
+}
+
 }  // namespace kinegraph

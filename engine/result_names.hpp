@@ -2,12 +2,14 @@
 // values.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/column.hpp"
 #include "engine/mechanism.hpp"
+#include "engine/pose.hpp"
 #include "engine/statement.hpp"
 
 namespace kinegraph {
@@ -36,6 +38,10 @@ std::optional<Quantity> bar_of(const Column& column, const Mechanism& mechanism)
 /// What the file asks for, in its order, forces of pins on the bars of a truss as those in the bars. What has no column in a
 /// sweep (a value of a problem, the transmission angle) has its name alone.
 std::vector<Column> asked_columns(const Mechanism& mechanism);
+
+/// The line whose direction is the "angle" of a body: from its first point to the first that is elsewhere; nothing of a body that
+/// has no two.
+std::optional<std::array<PointIndex, 2>> line_of(const Body& body, const Pose& pose);
 
 /// The least angle between a coupler and what it drives, over the whole travel of the first driver (Transmission).
 inline constexpr const char* transmission_angle_name = "transmission angle";
