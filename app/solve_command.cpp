@@ -235,6 +235,8 @@ tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solutio
         return std::move(key.pages);
     }
     if (request.steps) return render::lay_out_steps(solution, options, fonts);
+    if (request.sheet == render::SheetKind::question && !stands_for_joints(solution.mechanism))
+        return render::lay_out_handout(solution, options, fonts, asked_values(solution));
     if (request.figure.empty()) return render::lay_out(solution, options, fonts);
     if (auto page = render::lay_out_alone(solution, options, request.figure, fonts)) return std::vector{*std::move(page)};
     std::string names;

@@ -46,16 +46,38 @@ std::string relative_name(const std::string& of, const std::string& to) {
 bool is_of_sliding(const Quantity& vector, JointIndex index, bool second_order, const Mechanism& mechanism) {
     const Joint& joint = mechanism.joint(index);
     const Quantity::Kind kind = second_order ? Quantity::Kind::acceleration : Quantity::Kind::velocity;
-    if (vector.kind != kind || vector.point != joint.point || vector.component != Quantity::Component::whole) return false;
-    if (!are_pinned(mechanism, joint.point, vector.body, joint.bodies[0])) return false;
-    if (joint.bodies[1] == frame) return vector.part == Quantity::Part::whole;
-    return vector.part == Quantity::Part::sliding && are_pinned(mechanism, joint.point, vector.other, joint.bodies[1]);
+    if (vector.kind != kind || vector.component != Quantity::Component::whole || vector.point == none) return false;
+    // What translates on the other body has one velocity relative to it, at whichever point that is drawn.
+    const bool is_between_moving = joint.bodies[1] != frame;
+    if (vector.point != joint.point && !(is_between_moving && joint.pair().is_sleeve())) return false;
+    if (!are_pinned(mechanism, vector.point, vector.body, joint.bodies[0])) return false;
+    if (!is_between_moving) return vector.part == Quantity::Part::whole;
+    return vector.part == Quantity::Part::sliding && are_pinned(mechanism, vector.point, vector.other, joint.bodies[1]);
 }
 
 std::optional<Symbol> symbol_of_sliding(const Solution& solution, JointIndex joint, bool second_order) {
-    for (const DrawnVector& vector : solution.protocol.vectors)
-        if (is_of_sliding(vector.quantity, joint, second_order, solution.mechanism)) return vector.symbol;
-    return std::nullopt;
+    // Before all at the joint's own point.
+    const DrawnVector* elsewhere = nullptr;
+    for (const DrawnVector& vector : solution.protocol.vectors) {
+        if (!is_of_sliding(vector.quantity, joint, second_order, solution.mechanism)) continue;
+        if (vector.quantity.point == solution.mechanism.joint(joint).point) return vector.symbol;
+        if (elsewhere == nullptr) elsewhere = &vector;
+    }
+    return elsewhere == nullptr ? std::nullopt : std::optional(elsewhere->symbol);
+}
+
+Symbol name_of_sliding(const Solution& solution, JointIndex index, bool second_order) {
+    if (auto symbol = symbol_of_sliding(solution, index, second_order)) return *std::move(symbol);
+    const Mechanism& mechanism = solution.mechanism;
+    const Joint& joint = mechanism.joint(index);
+    const bool is_of_point = std::any_of(mechanism.points.begin(), mechanism.points.end(),
+                                         [&](const NamedPoint& point) { return point.name == joint.name; });
+    return {second_order ? Symbol::Letter::a : Symbol::Letter::v, joint.name,
+            is_of_point && joint.bodies[1] != frame ? "rel" : ""};
+}
+
+Symbol along_drive(Symbol::Letter letter, const PointDriver& driver, const Mechanism& mechanism) {
+    return {letter, mechanism.point(driver.at).name, "∥"};
 }
 
 }  // namespace kinegraph

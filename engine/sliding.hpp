@@ -22,5 +22,9 @@ bool is_of_sliding(const Quantity& vector, JointIndex joint, bool second_order, 
 
 /// What a solution calls that vector: v_AA*, a_AA*^rel; v_B where the second is the frame. Nothing where it draws no such vector.
 std::optional<Symbol> symbol_of_sliding(const Solution& solution, JointIndex joint, bool second_order);
+/// The same, or the joint's own name where the solution draws none: v_cyl; v_D^rel, where that is the name of a point, too.
+Symbol name_of_sliding(const Solution& solution, JointIndex joint, bool second_order);
+/// What a driver gives of a point: the component along its line, v_P∥, as solutions call it.
+Symbol along_drive(Symbol::Letter letter, const PointDriver& driver, const Mechanism& mechanism);
 
 }  // namespace kinegraph

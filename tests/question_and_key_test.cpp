@@ -129,7 +129,8 @@ const char* const toggle_press =
 TEST(Data, SaysHowASupportRuns) {
     const Solution beam = tests::solved(overhanging_beam), roof = example("truss_roof_wind");
     EXPECT_TRUE(has(data_in(beam, Language::en), "At B body 1 rests on the frame by a roller that runs along 20°."));
-    EXPECT_TRUE(has(data_in(beam, Language::it), "In B il corpo 1 poggia sul telaio con un carrello che scorre lungo 20°."));
+    EXPECT_TRUE(
+        has(data_in(beam, Language::it), "In B il corpo 1 poggia sul telaio con un carrello che scorre in direzione 20°."));
     EXPECT_TRUE(has(data_in(roof, Language::en), "by a roller that runs along the direction of (4, −3)"));
     EXPECT_TRUE(has(data_in(roof, Language::en), "can only push bar EG, along the direction of (3, 4)"));
     EXPECT_TRUE(has(data_in(roof, Language::it), "con un carrello che scorre lungo la direzione di (4; −3)"));
@@ -142,7 +143,7 @@ TEST(Data, SaysWhichBodiesMeetInAHinge) {
     const Solution pump = tests::solved(drag_link);
     EXPECT_TRUE(has(data_in(pump, Language::en), "At D body 6 slides on a guide of the frame along 0°."));
     EXPECT_TRUE(has(data_in(pump, Language::en), "on the left of the way from A to O"));
-    EXPECT_TRUE(has(data_in(pump, Language::it), "In D il corpo 6 scorre su una guida del telaio lungo 0°."));
+    EXPECT_TRUE(has(data_in(pump, Language::it), "In D il corpo 6 scorre su una guida del telaio in direzione 0°."));
 }
 
 /// Beyond its coordinates.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/sliding.hpp"
 #include "render/mechanism/clutter.hpp"
 #include "render/mechanism/sketch.hpp"
 
@@ -136,10 +137,10 @@ struct Straight {
     const Unit& unit;
     BodyIndex body = none;
 };
-Straight straight(const Sketch& sketch, Given given, Spot along, const auto& driver, BodyIndex body, const std::string& about) {
+Straight straight(const Sketch& sketch, Given given, Spot along, const auto& driver, BodyIndex body, Symbol symbol) {
     const Units& units = sketch.mechanism.units;
-    if (given == Given::rate) return {along, driver.speed.to_double(), {Symbol::Letter::v, about, ""}, units.velocity, body};
-    return {along, driver.acceleration.to_double(), {Symbol::Letter::a, about, ""}, units.acceleration, body};
+    if (given == Given::rate) return {along, driver.speed.to_double(), std::move(symbol), units.velocity, body};
+    return {along, driver.acceleration.to_double(), std::move(symbol), units.acceleration, body};
 }
 
 constexpr double half_of_straight = 7;  // mm
@@ -170,7 +171,8 @@ Spot free_place(const Sketch& sketch, Spot at, const Straight& arrow, const std:
 void draw_driver(Sketch& sketch, const SlideDriver& slide, Given given, Clutter* clutter) {
     const Joint& joint = sketch.mechanism.joint(slide.joint);
     const Spot along = sketch.guide(joint), at = sketch.spot(joint);
-    const Straight arrow = straight(sketch, given, along, slide, joint.bodies[0], reader_name(sketch.mechanism, joint).name);
+    const Symbol symbol = name_of_sliding(sketch.subject.solution, slide.joint, given != Given::rate);
+    const Straight arrow = straight(sketch, given, along, slide, joint.bodies[0], symbol);
     if (arrow.value == 0) return;
     Spot side = turned(along);
     if (side.y > 0 || (side.y == 0 && side.x > 0)) side = -1.0 * side;
@@ -184,7 +186,8 @@ void draw_driver(Sketch& sketch, const SlideDriver& slide, Given given, Clutter*
 /// Ahead of the point, or beside it where a body or a line runs that way.
 void draw_driver(Sketch& sketch, const PointDriver& point, Given given, Clutter* clutter) {
     const Spot along = paper_direction(direction_of(point.along, sketch.subject.solution.pose)), at = sketch.spot(point.at);
-    const Straight arrow = straight(sketch, given, along, point, point.body, sketch.mechanism.point(point.at).name);
+    const Symbol::Letter letter = given == Given::rate ? Symbol::Letter::v : Symbol::Letter::a;
+    const Straight arrow = straight(sketch, given, along, point, point.body, along_drive(letter, point, sketch.mechanism));
     if (arrow.value == 0) return;
     std::vector<std::pair<Spot, double>> places;
     for (const Spot aside : {11.0 * along, 5.0 * turned(along), -5.0 * turned(along), 8.0 * turned(along), -8.0 * turned(along)})

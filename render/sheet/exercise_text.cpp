@@ -58,14 +58,17 @@ public:
             const Quantity& q = column.quantity;
             bars = bars || q.kind == Quantity::Kind::bar;
             if (column.kind == Column::Kind::along) say("sense of sliding", sliding(q.joint, symbol_asked(column)));
+            if (q.kind == Quantity::Kind::effort) add_sense(mechanism_.efforts[at_index(q.given)]);
         }
+        if (asked_of(mechanism_).empty())
+            for (const Effort& effort : mechanism_.efforts) add_sense(effort);
         if (bars || (solution_.truss && asked_of(mechanism_).empty())) say("sense of bars", {});
         return std::move(rows_);
     }
 
-    std::vector<RichText> sought() && {
+    std::vector<RichText> sought(const std::vector<AskedValue>& found) && {
         if (!asked_of(mechanism_).empty()) {
-            add_asked();
+            add_asked(found);
             return std::move(rows_);
         }
         const Find& find = mechanism_.find;
@@ -303,20 +306,24 @@ private:
         const PlanePair& pair = joint.pair();
         if (pair.touches()) add_contact(joint);
         if (pair.is_sleeve())
-            say("data guide", {name(joint.point), subject(joint.bodies[0]), owner(joint.bodies[1]), way(*joint.along)});
+            say("data guide", {name(joint.point), subject(joint.bodies[0]), owner(joint.bodies[1]), course(*joint.along)});
         if (pair.is_slot())
             say(joint.arc != none ? "data curved slot" : "data slot",
                 {name(joint.point), owner(joint.bodies[0]), owner(joint.bodies[1]),
-                 joint.arc != none ? name(joint.arc) : way(*joint.along)});
+                 joint.arc != none ? name(joint.arc) : course(*joint.along)});
         if (joint.pressure_angle) say("data pressure angle", {name(joint.point), angle(*joint.pressure_angle)});
         if (joint.pushes) say("data pushes", {name(joint.point), subject(joint.bodies[0]), way(Bearing{*joint.pushes})});
     }
     /// A bearing, components told from a place by their words.
     RichText way(const Bearing& of) const { return std::holds_alternative<Vector>(of.form) ? direction(of) : bearing(of); }
+    /// "along AB", "along 0°".
+    RichText course(const Bearing& of) const {
+        return filled(std::holds_alternative<Angle>(of.form) ? "along an angle" : "along a line", {way(of)});
+    }
     /// Of a support of the frame, along which it slides; else what the bodies show each other.
     void add_contact(const Joint& joint) {
         if (const Bearing* along = support_of(joint))
-            return say("data support", {name(joint.point), subject(joint.other_than(frame)), way(*along)});
+            return say("data support", {name(joint.point), subject(joint.other_than(frame)), course(*along)});
         RichText shapes;
         const auto add_shape = [&](const RichText& shape) {
             if (!shapes.empty()) append(shapes, one_piece("; "));
@@ -366,17 +373,24 @@ private:
              equation(letter(Symbol::Letter::alpha, about), amount(spin.alpha, per_second_squared)),
              plain_words(mechanism_.body(spin.relative_to).name)});
     }
+    RichText scalar(const Symbol& of) const { return letter(of.letter, of.about, of.term); }
     void add_driver(const SlideDriver& slide) {
         const Joint& joint = mechanism_.joint(slide.joint);
-        const std::string about = mechanism_.point(joint.point).name;
-        say("data slide", {name(joint.point), equation(letter(Symbol::Letter::v, about), amount(slide.speed, units_.velocity)),
-                           equation(letter(Symbol::Letter::a, about), amount(slide.acceleration, units_.acceleration))});
+        const RichText speed = scalar(name_of_sliding(solution_, slide.joint, false)),
+                       acceleration = scalar(name_of_sliding(solution_, slide.joint, true));
+        say("data slide", {name(joint.point), subject(joint.bodies[0]),
+                           called(joint.bodies[1], "relative to the frame", "relative to the body"),
+                           equation(speed, amount(slide.speed, units_.velocity)),
+                           equation(acceleration, amount(slide.acceleration, units_.acceleration)), positive_sense(slide.joint)});
     }
+    /// What drives is the component along the line, not the velocity: that is found.
     void add_driver(const PointDriver& point) {
-        const std::string& about = mechanism_.point(point.at).name;
-        say("data driven point",
-            {name(point.at), equation(letter(Symbol::Letter::v, about), amount(point.speed, units_.velocity)),
-             equation(letter(Symbol::Letter::a, about), amount(point.acceleration, units_.acceleration)), bearing(point.along)});
+        const auto given = [&](Symbol::Letter of, const Exact& si, const Unit& unit) {
+            return equation(scalar(along_drive(of, point, mechanism_)), amount(si, unit));
+        };
+        say("data driven point", {name(point.at), given(Symbol::Letter::v, point.speed, units_.velocity),
+                                  given(Symbol::Letter::a, point.acceleration, units_.acceleration), way(point.along),
+                                  plain_words(mechanism_.body(point.body).name)});
     }
     void add_motion(const ActOfMotion& motion) {
         for (const bool second : {false, true})
@@ -433,22 +447,41 @@ private:
                             amount(couple.value, units_.moment)});
     }
     void add_load(const SpringLoad& spring) {
+        const RichText symbol = symbol_of_force(spring.name, Symbol::Letter::F),
+                       first = called(spring.bodies[0], "frame", "data bare body"),
+                       second = called(spring.bodies[1], "frame", "data bare body");
         if (spring.elastic)
-            return say("data elastic spring",
-                       {symbol_of_force(spring.name, Symbol::Letter::F), name(spring.between[0]), name(spring.between[1]),
-                        amount(spring.elastic->stiffness, unit_of_force_per_length(units_)),
-                        amount(spring.elastic->free_length, units_.length)});
+            return say("data elastic spring", {symbol, name(spring.between[0]), name(spring.between[1]),
+                                               amount(spring.elastic->stiffness, unit_of_force_per_length(units_)),
+                                               amount(spring.elastic->free_length, units_.length), first, second});
         if (spring.magnitude.sign() < 0)
-            return say("data gas spring", {symbol_of_force(spring.name, Symbol::Letter::F), name(spring.between[0]),
-                                           name(spring.between[1]), amount(-spring.magnitude, units_.force)});
-        say("data spring", {symbol_of_force(spring.name, Symbol::Letter::F), name(spring.between[0]), name(spring.between[1]),
-                            amount(spring.magnitude, units_.force)});
+            return say("data gas spring", {symbol,
+                                           name(spring.between[0]),
+                                           name(spring.between[1]),
+                                           amount(-spring.magnitude, units_.force),
+                                           {},
+                                           first,
+                                           second});
+        say("data spring", {symbol,
+                            name(spring.between[0]),
+                            name(spring.between[1]),
+                            amount(spring.magnitude, units_.force),
+                            {},
+                            first,
+                            second});
     }
 
     // --- what is asked for by name --------------------------------------------------------------------------------------------
 
-    void add_asked() {
-        for (const Column& column : asked_columns(mechanism_)) rows_.push_back(ExerciseText(context_).asked(column).words);
+    /// Of `found` what only the results tell: at which joint the transmission angle is least.
+    void add_asked(const std::vector<AskedValue>& found) {
+        for (const Column& column : asked_columns(mechanism_)) {
+            const auto is_it = [&](const AskedValue& each) {
+                return column.kind == Column::Kind::named && each.column.name == column.name;
+            };
+            const auto told = std::find_if(found.begin(), found.end(), is_it);
+            rows_.push_back(ExerciseText(context_).asked(told == found.end() ? column : told->column).words);
+        }
     }
     AskedText asked_of_problem(const Column& column) const {
         AskedText text;
@@ -463,11 +496,8 @@ private:
     /// As the solution calls it, where it has the whole of it; its length in italics.
     RichText symbol_asked(const Column& column) const {
         const Quantity& q = column.quantity;
-        const auto scalar = [&](const Symbol& of) { return letter(of.letter, of.about, of.term); };
-        if (column.kind == Column::Kind::along) {
-            const auto symbol = symbol_of_sliding(solution_, q.joint, q.kind == Quantity::Kind::sliding_acceleration);
-            if (symbol) return scalar(*symbol);
-        }
+        if (column.kind == Column::Kind::along)
+            return scalar(name_of_sliding(solution_, q.joint, q.kind == Quantity::Kind::sliding_acceleration));
         if (q.kind == Quantity::Kind::bar) return letter(Symbol::Letter::F, bar(q.body));
         const bool acts = q.kind == Quantity::Kind::force || q.kind == Quantity::Kind::couple;
         if (acts && q.component == Quantity::Component::whole) return scalar(symbol_of_action(q, mechanism_));
@@ -488,20 +518,23 @@ private:
     /// Between points that the file names, else by its angle in the drawn position.
     RichText positive_sense(JointIndex index) const {
         const Joint& joint = mechanism_.joint(index);
-        if (joint.along)
-            if (const auto* between = std::get_if<Bearing::Between>(&joint.along->form))
-                return filled("positive from", {name(between->from), name(between->to)});
+        if (joint.along && std::holds_alternative<Bearing::Between>(joint.along->form)) return positive_sense(*joint.along);
         const VectorOf<double> way = direction_of_sliding(solution_.pose, index);
         const double degrees = std::round(std::atan2(way.y, way.x) * 1800 / std::numbers::pi) / 10;
         RichText angle = number_of(degrees == 0 ? 0 : degrees);
         append(angle, "°");
         return filled("positive along", {angle});
     }
+    RichText positive_sense(const Bearing& of) const {
+        if (const auto* between = std::get_if<Bearing::Between>(&of.form))
+            return filled("positive from", {name(between->from), name(between->to)});
+        return filled("positive along", {way(of)});
+    }
     void say_asked(const Column& column, const RichText& symbol) {
         const Quantity& q = column.quantity;
         switch (column.kind) {
             case Column::Kind::angle:
-                return say("asked angle", {symbol, plain_words(mechanism_.body(q.body).name)});
+                return say_asked_angle(q.body, symbol);
             case Column::Kind::place_x:
             case Column::Kind::place_y:
                 return say("asked place", {symbol, carried(column)});
@@ -516,7 +549,16 @@ private:
             case Column::Kind::named:
                 break;
         }
-        say(column.name == transmission_angle_name ? "asked transmission" : "asked by name", {symbol, plain_words(column.name)});
+        if (column.name != transmission_angle_name) return say("asked by name", {symbol, plain_words(column.name)});
+        if (q.joint == none) return say("asked transmission", {symbol});
+        say("asked transmission at", {symbol, name(mechanism_.joint(q.joint).point), plain_words(mechanism_.body(q.other).name),
+                                      plain_words(mechanism_.body(q.body).name)});
+    }
+    void say_asked_angle(BodyIndex index, const RichText& symbol) {
+        const Body& body = mechanism_.body(index);
+        if (const auto line = line_of(body, solution_.pose))
+            return say("asked angle of line", {symbol, plain_words(body.name), name((*line)[0]), name((*line)[1])});
+        say("asked angle", {symbol, plain_words(body.name)});
     }
     void say_asked_result(const Column& column, const RichText& symbol) {
         const Quantity& q = column.quantity;
@@ -558,14 +600,39 @@ private:
     }
 
     void add_effort(const CoupleEffort& effort) {
-        say("sought couple", {symbol_of_force(effort.name, Symbol::Letter::M), plain_words(mechanism_.body(effort.body).name)});
+        const RichText symbol = symbol_of_force(effort.name, Symbol::Letter::M);
+        const RichText on = plain_words(mechanism_.body(effort.body).name);
+        if (effort.from == frame) return say("sought couple", {symbol, on});
+        say("sought couple between", {symbol, on, plain_words(mechanism_.body(effort.from).name)});
     }
     void add_effort(const ForceEffort& effort) {
         say("sought force", {symbol_of_force(effort.name, Symbol::Letter::F), plain_words(mechanism_.body(effort.body).name),
-                             name(effort.at), bearing(effort.along)});
+                             name(effort.at), positive_sense(effort.along)});
     }
     void add_effort(const ActuatorEffort& effort) {
-        say("sought actuator", {symbol_of_force(effort.name, Symbol::Letter::F), name(mechanism_.joint(effort.joint).point)});
+        const Joint& joint = mechanism_.joint(effort.joint);
+        say("sought actuator",
+            {symbol_of_force(effort.name, Symbol::Letter::F), name(joint.point), subject_of_action(joint.bodies[0], "on"),
+             subject_of_action(joint.bodies[1], "from"), positive_sense(effort.joint)});
+    }
+    /// Of an effort that is a force, or a couple between two bodies: those from the frame have their sense in common with all
+    /// that turns.
+    void add_sense(const Effort& effort) {
+        if (const auto* couple = std::get_if<CoupleEffort>(&effort); couple != nullptr && couple->from != frame)
+            say("sense of couple between", {symbol_of_force(couple->name, Symbol::Letter::M),
+                                            subject_of_action(couple->body, "on"), subject_of_action(couple->from, "from")});
+        if (const auto* force = std::get_if<ForceEffort>(&effort))
+            say("sense of effort", {symbol_of_force(force->name, Symbol::Letter::F), subject_of_action(force->body, "on"),
+                                    positive_sense(force->along)});
+        if (const auto* actuator = std::get_if<ActuatorEffort>(&effort))
+            say("sense of effort",
+                {symbol_of_force(actuator->name, Symbol::Letter::F),
+                 subject_of_action(mechanism_.joint(actuator->joint).bodies[0], "on"), positive_sense(actuator->joint)});
+    }
+    /// "on body 3", "from the frame".
+    RichText subject_of_action(BodyIndex body, std::string_view preposition) const {
+        return preposition == "on" ? called(body, "on the frame", "on the body")
+                                   : called(body, "from the frame", "from the body");
     }
 
     const DrawingContext& context_;
@@ -582,8 +649,20 @@ RichText given_amount(const Exact& si, const Unit& unit, Language language) {
 }
 
 std::vector<RichText> data_of(const DrawingContext& context) { return ExerciseText(context).data(); }
-std::vector<RichText> sought_of(const DrawingContext& context) { return ExerciseText(context).sought(); }
+std::vector<RichText> sought_of(const DrawingContext& context, const std::vector<AskedValue>& found) {
+    return ExerciseText(context).sought(found);
+}
 std::vector<RichText> signs_of(const DrawingContext& context) { return ExerciseText(context).signs(); }
+bool has_turning_sense(const Mechanism& mechanism) {
+    const std::vector<Column> columns = asked_columns(mechanism);
+    const Find& find = mechanism.find;
+    if (columns.empty()) return !find.stated || find.velocity || find.acceleration || find.forces || find.virtual_work;
+    return std::any_of(columns.begin(), columns.end(), [](const Column& column) {
+        const QuantityKind kind = column.unit;
+        return column.kind != Column::Kind::named && (kind == QuantityKind::angle || kind == QuantityKind::angular_velocity ||
+                                                      kind == QuantityKind::angular_acceleration || kind == QuantityKind::moment);
+    });
+}
 AskedText asked_text(const DrawingContext& context, const Column& column) { return ExerciseText(context).asked(column); }
 
 std::string heading_of(Topic section, Language language) {

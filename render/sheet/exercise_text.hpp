@@ -15,8 +15,11 @@ namespace kinegraph::render {
 /// All data, a paragraph each, in the file's units: points, wheels, guides, drivers or given velocities, masses, loads.
 std::vector<RichText> data_of(const DrawingContext& context);
 /// What is asked for: by `ask`, else what the file states in `find`, else all that its data allow.
-std::vector<RichText> sought_of(const DrawingContext& context);
-/// For the key: in which sense what slides is positive, and the forces in bars; a paragraph each.
+/// `found`: the results asked for, of which the joint where a transmission angle is least is told.
+std::vector<RichText> sought_of(const DrawingContext& context, const std::vector<AskedValue>& found = {});
+/// Whether anything is sought that counts counter-clockwise positive.
+bool has_turning_sense(const Mechanism& mechanism);
+/// For the key: in which sense what slides, and what balances, is positive, and the forces in bars; a paragraph each.
 std::vector<RichText> signs_of(const DrawingContext& context);
 /// A result as an exercise asks for it: ω_3, "the angular velocity ω_3 of body 3".
 struct AskedText {

@@ -172,7 +172,11 @@ private:
     }
     std::vector<Passage> question() const {
         const std::vector<Answer> sought = answers_sought(context_.solution.mechanism, answers_of(context_, drawn_.figures));
-        return {passage("data", data_of(context_), ""), passage("sought", sought_of(context_), "–"),
+        Passage asked = passage("sought", sought_of(context_, asked_), "–");
+        if (has_turning_sense(context_.solution.mechanism))
+            asked.rows.emplace_back(
+                paragraph_block(context_, measure(), one_piece(word("quiz signs", context_.language)), 0, ""));
+        return {passage("data", data_of(context_), ""), std::move(asked),
                 passage("scales", scales_of(context_, drawn_.figures, sought), "–")};
     }
     std::vector<Passage> key() {
@@ -421,8 +425,9 @@ private:
 
 }  // namespace
 
-std::vector<Page> lay_out_handout(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    return Handout(solution, {}, options, fonts).pages();
+std::vector<Page> lay_out_handout(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
+                                  const std::vector<AskedValue>& asked) {
+    return Handout(solution, asked, options, fonts).pages();
 }
 
 Key lay_out_key_of(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options,

@@ -9,8 +9,10 @@
 
 namespace kinegraph::render {
 
-/// Of the kind that the options say, which is not the solution.
-std::vector<Page> lay_out_handout(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
+/// Of the kind that the options say, which is not the solution. `asked`: the results asked for; without them a question does not
+/// say at which joint a transmission angle is asked for.
+std::vector<Page> lay_out_handout(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
+                                  const std::vector<AskedValue>& asked = {});
 
 /// The key with what is to be said of it.
 struct Key {

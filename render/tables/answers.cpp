@@ -144,7 +144,7 @@ private:
                 });
                 if (own) radius = other.drawing * unit.si.to_double() / turning;
             } else if (is_omega && q.part == Quantity::Part::whole) {
-                for (const BodyIndex body : together) radius = std::max(radius, distance_from_pivot(body, q.point));
+                for (const BodyIndex body : together) radius = std::max(radius, distance_from_pivot(body, q));
             }
             if (!(radius > 0)) continue;
             const double share = reading_by_hand / *other.millimetres + reading_by_hand * *length_scale_ / radius;
@@ -165,8 +165,9 @@ private:
         return point != none && std::find(points.begin(), points.end(), point) != points.end();
     }
     /// Of a point of a body that turns about a pin of the frame, m; 0: it is none.
-    double distance_from_pivot(BodyIndex body, PointIndex point) const {
-        if (!carries(body, point)) return 0;
+    double distance_from_pivot(BodyIndex body, const Quantity& velocity) const {
+        const PointIndex point = velocity.point;
+        if (velocity.body != body && !carries(body, point)) return 0;
         for (const Joint& joint : mechanism_.joints)
             if (joint.pair().is_hinge() && joint.connects(body) && joint.connects(frame))
                 return kinegraph::length(solution_.pose.at(point) - solution_.pose.at(joint.point));
@@ -192,7 +193,24 @@ private:
                 for (const Truss::External& external : solution_.truss->externals)
                     if (external.joint == row.quantity.joint && !answer.direction) answer.direction = degrees_of(*external.force);
         }
+        if (kind == Kind::effort && !row.group.couples) count_along_its_line(answer);
         answers_.push_back(std::move(answer));
+    }
+    /// What balances as a force is asked for by its sense, so it is told in that, not by its length.
+    void count_along_its_line(Answer& answer) const {
+        const std::size_t e = at_index(answer.quantity.given);
+        if (e >= solution_.efforts.size() || !solution_.efforts[e].value) return;
+        answer.value = std::copysign(answer.value, solution_.efforts[e].value->to_double());
+        answer.direction = sense_of(mechanism_.efforts[e]);
+    }
+    /// Degrees; nothing of a couple.
+    std::optional<double> sense_of(const Effort& effort) const {
+        if (const auto* force = std::get_if<ForceEffort>(&effort)) return degrees_of(direction_of(force->along, solution_.pose));
+        if (const auto* actuator = std::get_if<ActuatorEffort>(&effort)) {
+            const VectorOf<double> along = direction_of_sliding(solution_.pose, actuator->joint);
+            return whole_turn(std::atan2(along.y, along.x) * 180 / std::numbers::pi);
+        }
+        return std::nullopt;
     }
     /// Those that virtual work found without reactions: positive along their lines, and calculated rather than read.
     void add_efforts() {
@@ -204,6 +222,7 @@ private:
             Answer answer{Symbol{couple ? Symbol::Letter::M : Symbol::Letter::F, efforts[e].name, ""}, Topic::forces,
                           efforts[e].value->to_double() / unit.si.to_double(), unit.symbol};
             answer.quantity = {.kind = Kind::effort, .given = static_cast<int>(e)};
+            answer.direction = sense_of(mechanism_.efforts[e]);
             answers_.push_back(std::move(answer));
         }
     }
@@ -366,7 +385,12 @@ double half_a_millimetre(const std::vector<Figure>& drawn, QuantityKind kind, co
     for (const Figure& figure : drawn) {
         if (!figure.has_scale) continue;
         const bool forces = figure.kind == "forces" || figure.kind == "closure";
-        const double scale = forces ? figure.scale * units.force.si.to_double() : figure.scale;
+        // Of polygons in the file's unit for each millimetre.
+        const Unit* unit = forces                          ? &units.force
+                           : figure.kind == "velocity"     ? &units.velocity
+                           : figure.kind == "acceleration" ? &units.acceleration
+                                                           : nullptr;
+        const double scale = unit == nullptr ? figure.scale : figure.scale * unit->si.to_double();
         const bool fits = kind == QuantityKind::length         ? figure.kind == "mechanism" && figure.unit == "m"
                           : kind == QuantityKind::velocity     ? figure.kind == "velocity"
                           : kind == QuantityKind::acceleration ? figure.kind == "acceleration"
@@ -503,9 +527,12 @@ std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figu
         const auto has_name = [&](const AskedValue& each) { return each.column.name == column.name; };
         const auto value = std::find_if(asked.begin(), asked.end(), has_name);
         const bool is_whole = column.kind == Column::Kind::result && column.quantity.component == Quantity::Component::whole;
-        if (place >= 0 && is_whole)
-            put(place, as_asked(*of, column, context.solution));
-        else if (value != asked.end())
+        if (place >= 0 && is_whole) {
+            Answer whole = as_asked(*of, column, context.solution);
+            if (!whole.tolerance && value != asked.end())
+                whole.tolerance = told_by_name(context, answers, drawn, *value).tolerance;
+            put(place, std::move(whole));
+        } else if (value != asked.end())
             put(place, told_by_name(context, answers, drawn, *value));
     }
     std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
