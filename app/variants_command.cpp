@@ -12,6 +12,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "app/asked_values.hpp"
 #include "app/commands.hpp"
 #include "app/csv_text.hpp"
 #include "app/json_text.hpp"
@@ -21,6 +22,9 @@
 #include "app/roster.hpp"
 #include "constructions/variants.hpp"
 #include "engine/file_text.hpp"
+#include "engine/problem.hpp"
+#include "render/sheet/exercise_text.hpp"
+#include "render/sheet/handout.hpp"
 #include "render/sheet/key_sheet.hpp"
 #include "render/sheet/readable.hpp"
 #include "render/text/words.hpp"
@@ -102,8 +106,8 @@ public:
         }
     }
 
-    void add(const std::string& number, const std::string& name, const Variant& variant) {
-        if (rows_.empty()) add_heads(variant);
+    void add(const std::string& number, const std::string& name, const Variant& variant, const render::Fonts& fonts) {
+        if (rows_.empty()) add_heads(variant, fonts);
         std::vector<std::string> row{number};
         csv_ += number;
         if (has_names_) {
@@ -132,11 +136,21 @@ public:
     render::KeyTable table(const std::string& title) const { return {title, columns_, rows_}; }
 
 private:
-    void add_heads(const Variant& variant) {
-        for (const NamedResult& each : variant.results) {
+    /// On paper by the symbols of the question, unless two have the same.
+    void add_heads(const Variant& variant, const render::Fonts& fonts) {
+        const render::Theme theme;
+        const render::DrawingContext context{variant.solution, theme, fonts, language_, render::Dimensions::off};
+        std::vector<render::RichText> symbols;
+        for (const NamedResult& each : variant.results) symbols.push_back(render::asked_text(context, each.column).symbol);
+        const auto is_told_apart = [&](const render::RichText& symbol) {
+            return std::count_if(symbols.begin(), symbols.end(),
+                                 [&](const auto& other) { return render::plain(other) == render::plain(symbol); }) == 1;
+        };
+        for (std::size_t i = 0; i < variant.results.size(); ++i) {
+            const NamedResult& each = variant.results[i];
             const std::string unit = told(each, units_).unit;
             names_.push_back(each.column.name);
-            columns_.push_back({each.column.name, unit, false});
+            columns_.push_back({each.column.name, unit, false, is_told_apart(symbols[i]) ? symbols[i] : render::RichText()});
             csv_ += "," + csv_cell(each.column.name + (unit.empty() ? "" : " [" + unit + "]"));
         }
         csv_ += "\n";
@@ -236,13 +250,17 @@ private:
         else if (const auto status = put(variant, number, drawn, receipt, std::move(outputs)))
             return status;
         if (quizzes_.are_wanted()) add_quiz(variant, number, name);
-        key_.add(number, name, variant);
+        key_.add(number, name, variant, press_.fonts());
         return std::nullopt;
     }
     void add_sheets(const Variant& variant, const std::string& number, render::SheetOptions options,
                     std::vector<Output>& outputs) {
         options.kind = render::SheetKind::question;
-        print(render::lay_out(variant.solution, options, press_.fonts()), number + "-question", questions_, outputs);
+        print(stands_for_joints(variant.solution.mechanism)
+                  ? render::lay_out(variant.solution, options, press_.fonts())
+                  : render::lay_out_handout(variant.solution, options, press_.fonts(),
+                                            asked_values(variant.results, variant.solution.mechanism.units)),
+              number + "-question", questions_, outputs);
         options.kind = render::SheetKind::solution;
         options.grid = false;
         print(render::lay_out(variant.solution, options, press_.fonts()), number + "-solution", solutions_, outputs);

@@ -61,10 +61,14 @@ Symbol velocity_of_coriolis(Symbol coriolis, bool observed) {
 bool has_own_name(const Symbol& symbol) {
     if (symbol.letter != Symbol::Letter::F && symbol.letter != Symbol::Letter::M) return false;
     const std::string_view name = symbol.about;
-    // A letter of its kind alone, with a script, or with a number: F, F_gas, F1. A torque is as often a T.
+    // A letter of its kind alone, with a script, a number or small letters: F, F_gas, F1, Fc. A torque is as often a T.
     const std::string_view letters = symbol.letter == Symbol::Letter::F ? "F" : "MT";
     if (name.empty() || letters.find(name[0]) == std::string_view::npos) return false;
-    return name.size() == 1 || name[1] == '_' || name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+    if (name.size() == 1 || name[1] == '_' || name.find_first_not_of("0123456789", 1) == std::string_view::npos) return true;
+    // Mr and Fc are M and F with short scripts, as one writes them without one.
+    constexpr std::size_t longest = 3;
+    const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+    return name.size() <= longest && std::all_of(name.begin() + 1, name.end(), is_small);
 }
 
 JointName reader_name(const Mechanism& mechanism, const Joint& joint) {

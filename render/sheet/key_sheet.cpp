@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "render/page/shapes.hpp"
+#include "render/sheet/title_block.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -19,7 +20,7 @@ public:
     KeySheet(const KeyTable& table, const SheetOptions& options, const Fonts& fonts)
         : table_(table), options_(options), fonts_(fonts), format_(format_of(options.paper, options.orientation)) {
         for (std::size_t c = 0; c < table_.columns.size(); ++c) {
-            double width = std::max(small(table_.columns[c].name).width, small(table_.columns[c].unit).width);
+            double width = std::max(head(table_.columns[c]).width, small(table_.columns[c].unit).width);
             for (const auto& row : table_.rows) width = std::max(width, cell(row[c]).width);
             widths_.push_back(width);
         }
@@ -40,8 +41,13 @@ public:
 
 private:
     ShapedLine small(const std::string& text) const { return fonts_.shape(with_powers(text), options_.theme.small); }
+    ShapedLine head(const KeyTable::Column& column) const {
+        return column.symbol.empty() ? small(column.name) : fonts_.shape(column.symbol, options_.theme.small);
+    }
     ShapedLine cell(const std::string& text) const {
-        return shaped_within(with_powers(text), options_.theme.body_text, fonts_, longest_cell);
+        const ShapedLine line = fonts_.shape(with_powers(text), options_.theme.body_text);
+        if (line.width <= longest_cell) return line;
+        return shaped_with_its_end(text, options_.theme.body_text, fonts_, longest_cell);
     }
 
     std::vector<Group> groups() const {
@@ -75,7 +81,7 @@ private:
                 const double x = table_.columns[c].is_text ? left : left + widths_[c] - text.width;
                 if (text.width > 0) set_text(marks, text, {x, y}, colour, "text");
             };
-            put(small(table_.columns[c].name), top + 3.8, theme.text);
+            put(head(table_.columns[c]), top + 3.8, theme.text);
             put(small(table_.columns[c].unit), top + 8, theme.secondary);
             for (std::size_t r = first; r < end; ++r)
                 put(cell(table_.rows[r][c]), top + head_height + row_height * static_cast<double>(r - first) + 3.4, theme.text);

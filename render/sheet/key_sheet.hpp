@@ -13,6 +13,7 @@ struct KeyTable {
     struct Column {
         std::string name, unit;
         bool is_text = false;  ///< set from the left; numbers stand on the right
+        RichText symbol = {};  ///< in place of the name, where there is one
     };
     std::vector<Column> columns;                 ///< the first tells the rows apart, and is repeated on every page
     std::vector<std::vector<std::string>> rows;  ///< a cell for each column

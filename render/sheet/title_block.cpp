@@ -29,6 +29,13 @@ ShapedLine fitted(const Fonts& fonts, const std::string& words, Face face, doubl
     return shaped_within(text, size, fonts, width);
 }
 
+/// The same, cut so that its end stays.
+ShapedLine fitted_with_its_end(const Fonts& fonts, const std::string& words, double size, double least, double width) {
+    for (; size > least; size -= 0.5)
+        if (ShapedLine line = fonts.shape(one_piece(words), size); line.width <= width) return line;
+    return shaped_with_its_end(words, size, fonts, width);
+}
+
 /// The title on as many lines as the height holds.
 void set_title(std::vector<Mark>& marks, const DrawingContext& context, const Box& room, double size, double small_print) {
     constexpr double least = 5, leading = 1.15;
@@ -92,15 +99,18 @@ void draw_strip(std::vector<Mark>& marks, const DrawingContext& context, const S
     set_text(marks, sheet, {room.max.x - sheet.width, room.max.y}, theme.secondary, "text");
     std::string words(first_characters(title_of(context.solution, context.language), most_characters));
     if (const std::string origin = origin_of(context.solution, signature); !origin.empty()) words += "  ·  " + origin;
-    set_text(marks, fitted(context.fonts, words, Face::regular, theme.block, 5, room.width() - sheet.width - 6),
+    set_text(marks, fitted_with_its_end(context.fonts, words, theme.block, 5, room.width() - sheet.width - 6),
              {room.min.x, room.max.y}, theme.secondary, "text");
 }
 
-/// Of a problem in place of joints: two that touch, one that is displaced, and a point is none.
+bool is_of_point(const Mechanism& mechanism) {
+    return stands_for_joints(mechanism) && std::holds_alternative<PointProblem>(mechanism.problem->of);
+}
+
+/// Of a problem in place of joints: two that touch, one that is displaced, or one point.
 std::string count_of_bodies(const Mechanism& mechanism) {
     if (!stands_for_joints(mechanism)) return std::to_string(mechanism.bodies.size());
-    if (std::holds_alternative<PointProblem>(mechanism.problem->of)) return "–";
-    return std::holds_alternative<PositionsProblem>(mechanism.problem->of) ? "1" : "2";
+    return is_of_point(mechanism) || std::holds_alternative<PositionsProblem>(mechanism.problem->of) ? "1" : "2";
 }
 
 std::string units_of(const Solution& solution) {
@@ -114,6 +124,19 @@ std::string units_of(const Solution& solution) {
 }
 
 }  // namespace
+
+ShapedLine shaped_with_its_end(const std::string& words, double size, const Fonts& fonts, double width) {
+    ShapedLine line = fonts.shape(one_piece(words), size);
+    const std::size_t whole = character_count(words);
+    constexpr std::size_t fewest = 8, many = 400;
+    for (std::size_t kept = whole; line.width > width && kept > fewest; kept -= kept > many ? 50 : 2) {
+        const std::size_t front = kept / 3, cut = whole - (kept - front);
+        const std::string end = words.substr(first_characters(words, cut).size());
+        line = fonts.shape(one_piece(std::string(first_characters(words, front)) + " … " + end), size);
+    }
+    line.words = words;
+    return line;
+}
 
 std::string title_of(const Solution& solution, Language language) {
     const std::string& given = in(solution.mechanism.title, language);
@@ -144,7 +167,8 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
         {word("block sheet", context.language), std::to_string(index) + "/" + std::to_string(count)},
         {word("block units", context.language), units_of(solution)},
         {word("block readings", context.language), fixed(0.1, 1, context.language) + " mm"},
-        {word("block bodies", context.language), count_of_bodies(solution.mechanism)}};
+        {word(is_of_point(solution.mechanism) ? "block points" : "block bodies", context.language),
+         count_of_bodies(solution.mechanism)}};
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const double x = cells_left + static_cast<double>(i % 3) * cells_width + 1.6;
         const double top = i < 3 ? format.block.min.y : half;
@@ -161,7 +185,7 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     std::string origin = origin_of(solution, signature);
     const double print = format.large ? theme.body_text : 7.5, line = 3.4;
     const auto small_print = [&](const std::string& words, double at) {
-        set_text(marks, fitted(context.fonts, words, Face::regular, print, 5, right - left), {left, at}, theme.secondary, "text");
+        set_text(marks, fitted_with_its_end(context.fonts, words, print, 5, right - left), {left, at}, theme.secondary, "text");
     };
     const std::string title = title_of(solution, context.language);
     const double size = format.large ? theme.title : 13;

@@ -12,6 +12,8 @@ namespace kinegraph::render {
 
 /// The mechanism's title, or that it has none.
 std::string title_of(const Solution& solution, Language language);
+/// On one line, cut in the middle where it is too wide: the end of a name from a list is the student’s number.
+ShapedLine shaped_with_its_end(const std::string& words, double size, const Fonts& fonts, double width);
 
 /// Who drew it and when, as given; empty: not said.
 struct Signature {

@@ -23,6 +23,12 @@ using Kind = AppliedForce::Kind;
 std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
 
 const std::string& body_name(const Mechanism& mechanism, BodyIndex body) { return mechanism.bodies[at_index(body)].name; }
+/// "1 frame"; its name alone where that says so itself.
+std::string frame_name(const Mechanism& mechanism, Language language) {
+    const std::string& name = body_name(mechanism, frame);
+    const bool says_so = name == word("frame", Language::en) || name == word("frame", Language::it);
+    return says_so ? name : name + " " + word("frame", language);
+}
 RichText point(const Mechanism& mechanism, PointIndex p, Language language) {
     return typeset(Symbol{Symbol::Letter::point, mechanism.points[at_index(p)].name, ""}, language);
 }
@@ -426,9 +432,7 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
             }
         active_width = std::max(active_width, context.fonts.shape(joined(active), theme.body_text).width);
     }
-    name_width = std::max(
-        name_width,
-        context.fonts.shape(one_piece(body_name(mechanism, frame) + " " + word("frame", language)), theme.body_text).width);
+    name_width = std::max(name_width, context.fonts.shape(one_piece(frame_name(mechanism, language)), theme.body_text).width);
     name_width = std::min(name_width, most_of_name * width);
     const double active_left = name_width + 4, active_room = std::min(active_width + 0.5, 0.4 * width);
     const double reactions_left = active_left + active_room + 4;
@@ -519,8 +523,7 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
                                                    : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
         add(name, theme.colour_of(body.body).letter, joined(active), joined(reactions), false);
     }
-    if (!on_frame.empty())
-        add(body_name(mechanism, frame) + " " + word("frame", language), theme.secondary, one_piece("–"), joined(on_frame), true);
+    if (!on_frame.empty()) add(frame_name(mechanism, language), theme.secondary, one_piece("–"), joined(on_frame), true);
     lines.back().marks.emplace_back(
         line({0, lines.back().height + 0.3}, {width, lines.back().height + 0.3}, {theme.outline, theme.text, {}, false}));
     lines.back().height += 0.6;

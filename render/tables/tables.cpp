@@ -700,11 +700,27 @@ bool goes_round(BodyIndex follower, const Solution& solution) {
     return *least + longest <= sum / 2 && std::min(lengths[0], lengths[3]) <= *least * (1 + rounding);
 }
 
+/// What drives a slide between two moving bodies, or an actuator there, is a cylinder with its rod.
+bool is_cylinder(JointIndex slide, const Mechanism& mechanism) {
+    if (mechanism.joint(slide).connects(frame)) return false;
+    const auto drives = [&](const Driver& driver) {
+        const auto* of = std::get_if<SlideDriver>(&driver);
+        return of != nullptr && of->joint == slide;
+    };
+    const auto pushes = [&](const Effort& effort) {
+        const auto* of = std::get_if<ActuatorEffort>(&effort);
+        return of != nullptr && of->joint == slide;
+    };
+    return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), drives) ||
+           std::any_of(mechanism.efforts.begin(), mechanism.efforts.end(), pushes);
+}
+
 RichText describe(BodyIndex index, const Solution& solution, Language language) {
     const Mechanism& mechanism = solution.mechanism;
     const Body& body = mechanism.bodies[at_index(index)];
     std::vector<PointIndex> hinges;
     bool on_frame = false, slides_on_frame = false, slides = false, carries_guide = false, driven = false;
+    bool is_rod = false, is_barrel = false;
     for (const Joint& joint : mechanism.joints) {
         const auto found = std::find(joint.bodies.begin(), joint.bodies.end(), index);
         if (found == joint.bodies.end()) continue;
@@ -716,6 +732,7 @@ RichText describe(BodyIndex index, const Solution& solution, Language language) 
         if (joint.pair().is_sleeve()) {
             slides_on_frame = slides_on_frame || with_frame;
             (found == joint.bodies.begin() ? slides : carries_guide) = true;
+            if (is_cylinder(mechanism.index_of(joint), mechanism)) (found == joint.bodies.begin() ? is_rod : is_barrel) = true;
         }
         if (joint.pair().is_slot() && found != joint.bodies.begin()) carries_guide = true;
     }
@@ -729,13 +746,15 @@ RichText describe(BodyIndex index, const Solution& solution, Language language) 
     } else {
         const char* kind = body.circle                       ? "disc"
                            : slides_on_frame                 ? "slider"
+                           : is_barrel                       ? "cylinder"
+                           : is_rod                          ? "rod"
                            : carries_guide                   ? "slotted link"
                            : slides                          ? "sleeve"
                            : on_frame && driven              ? "crank"
                            : goes_round(index, solution)     ? "crank"
                            : carries_wheel(index, solution)  ? "arm"
                            : on_frame && hinges.size() == 2  ? "rocker"
-                           : !on_frame && hinges.size() == 2 ? "coupler"
+                           : !on_frame && hinges.size() >= 2 ? "coupler"
                                                              : "link";
         append(text, word(kind, language) + " ");
     }
