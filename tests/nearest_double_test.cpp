@@ -90,7 +90,7 @@ TEST(NearestDouble, OfADifferenceIsThatOfTheExactOne) {
         ASSERT_EQ(difference_to_double(b, a), (b - a).to_double()) << b.to_fraction() << " - " << a.to_fraction();
         // Their difference is on, or beside, the middle.
         ASSERT_EQ(difference_to_double(middle + a, a), by_mpfr(middle)) << middle.to_fraction() << " + " << a.to_fraction();
-        ASSERT_EQ(distance({a, b}, {b, a}), length({b - a, a - b}));
+        ASSERT_EQ(distance(Vector{a, b}, Vector{b, a}), length({b - a, a - b}));
     }
     EXPECT_EQ(difference_to_double(2, 2), 0);
     EXPECT_EQ(difference_to_double(0, 2), -2);

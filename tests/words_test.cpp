@@ -140,10 +140,10 @@ TEST(Words, RowsAreSeparatedAndLeftOutWhereTheyAreEmpty) {
 TEST(Words, AVectorIsBoldItalicWithItsTermUpright) {
     const RichText text = typeset(Symbol{Symbol::Letter::a, "BA", "t"}, Language::en);
     ASSERT_EQ(text.size(), 1u);
-    EXPECT_EQ(text[0].face, Face::bold_italic);
+    EXPECT_EQ(text[0].face, render::Face::bold_italic);
     EXPECT_EQ(text[0].sub, "BA");
     EXPECT_EQ(text[0].sup, "t");
-    EXPECT_EQ(text[0].sup_face, Face::regular);
+    EXPECT_EQ(text[0].sup_face, render::Face::regular);
 }
 
 TEST(Words, AngularAccelerationIsADottedOmegaInItalian) {
@@ -151,7 +151,7 @@ TEST(Words, AngularAccelerationIsADottedOmegaInItalian) {
     EXPECT_EQ(typeset(alpha, Language::en)[0].text, "α");
     EXPECT_EQ(typeset(alpha, Language::it)[0].text, "ω");
     EXPECT_EQ(typeset(alpha, Language::it)[0].dots, 1);
-    EXPECT_EQ(typeset(alpha, Language::it)[0].sub_face, Face::regular) << "digits stand upright";
+    EXPECT_EQ(typeset(alpha, Language::it)[0].sub_face, render::Face::regular) << "digits stand upright";
 }
 
 TEST(Words, CentresArePInEnglishAndCInItalian) {
@@ -186,7 +186,7 @@ TEST(Words, AJointsNameIsNoPoint) {
     const LineReason own{LineReason::Kind::parallel_to_guide, "ram", "", true},
         word{LineReason::Kind::parallel_to_guide, "guide 2", "", true};
     EXPECT_EQ(plain(typeset(own, Language::en)), "∥\u00a0guide\u00a0ram");
-    EXPECT_EQ(typeset(own, Language::en).back().face, Face::regular);
+    EXPECT_EQ(typeset(own, Language::en).back().face, render::Face::regular);
     EXPECT_EQ(plain(typeset(word, Language::en)), "∥\u00a0guide 2");
 }
 
