@@ -25,9 +25,12 @@ const Load* inertia_couple_with(const Load& force, const std::vector<Load>& load
 
 std::vector<Actor> Resultants::actors_on(const Group& group, const std::vector<Load>& loads, const Run& run) {
     std::vector<Actor> actors;
+    // Of a body under all loads the sentence before tells that the one force stands for both; of others it stands elsewhere.
+    const bool is_moved_before = group.size() == 1 && said_.with_mark(Symbol{}) == Symbol{};
     for (const Load& load : loads) {
-        if (!in(group, load.member) || model_.is_inner(load, group) || inertia_force_with(load, loads) != nullptr) continue;
-        const Load* const couple = inertia_couple_with(load, loads);
+        if (!in(group, load.member) || model_.is_inner(load, group)) continue;
+        if (is_moved_before && inertia_force_with(load, loads) != nullptr) continue;
+        const Load* const couple = is_moved_before ? inertia_couple_with(load, loads) : nullptr;
         const PlaceOnDrawing place =
             couple != nullptr ? board_.carry(load.place, board_.arm(*couple->couple, *load.force)) : load.place;
         actors.push_back({load.symbol, load.force, place, -1});

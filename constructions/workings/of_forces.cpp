@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "engine/shifts.hpp"
 #include "engine/spring_force.hpp"
@@ -26,45 +27,33 @@ void OfForces::force_found(StatementIndex statement, const FreeBody& body, const
     }
 }
 
-/// F = F_k·b/h, or ΣM/h: the moments of all others about the line of that which the sum gives, by the distance h of the two.
+/// F = ΣM/h: the moments of all others about the line of that which the sum gives, by the distance h of the two.
 void OfForces::by_moments_of_parallels(StatementIndex statement, const FreeBody& body, const AppliedForce& found) {
     const Message& said = telling_.message(statement);
     if (said.sentence != Sentence::parallel_forces || std::get<Symbol>(said.arguments[1]) != found.symbol) return;
+    const auto is_of_it = [&](const Working& told) { return told.of == found.symbol; };
+    if (std::any_of(said.workings.begin(), said.workings.end(), is_of_it)) return;
     const auto other = std::find_if(body.forces.begin(), body.forces.end(), [&](const AppliedForce& each) {
         return each.symbol == std::get<Symbol>(said.arguments[2]) && each.joint != none;
     });
     if (other == body.forces.end()) return;
-    const double force = length(found.force);
-    const auto arm_of = [&](const AppliedForce& each) {
-        return std::abs(cross(each.at - other->at, each.force).to_double()) / length(each.force);
-    };
-    const double h = arm_of(found);
     std::vector<double> moments;
-    Factors product;
-    double divisor = in(h * units_.force.si.to_double(), units_.moment);
     for (const AppliedForce& each : body.forces) {
         if (&each == &found || &each == &*other) continue;
-        const double couple = each.couple.to_double(), moment = cross(each.at - other->at, each.force).to_double();
-        for (const double part : {couple, moment})
+        for (const double part : {each.couple.to_double(), cross(each.at - other->at, each.force).to_double()})
             if (part != 0) moments.push_back(in(part, units_.moment));
-        if (moment == 0) continue;
-        product = {{in(length(each.force), units_.force)}, {in(arm_of(each), units_.length)}};
     }
+    const double sum = std::accumulate(moments.begin(), moments.end(), 0.0), force = length(found.force);
+    const double h = std::abs(cross(found.at - other->at, found.force).to_double()) / force;
     if (moments.empty() || !(h > 0)) return;
     if (moments.size() > 1) {
         const std::string& about = solution_.mechanism.point(solution_.mechanism.joint(other->joint).point).name;
-        double sum = 0;
-        for (const double each : moments) sum += each;
         Working of_all{{Symbol::Letter::M, about, {}}, {}, std::nullopt, {sum, units_.moment.symbol}};
         of_all.summands = moments;
         telling_.message(statement).workings.push_back(std::move(of_all));
-        product = {{std::abs(sum)}};
-    } else if (product.empty()) {
-        product = {{std::abs(moments.front())}};
-    } else {
-        divisor = in(h, units_.length);
     }
-    telling_.tell(statement, found.symbol, std::move(product), divisor, in(force, units_.force), units_.force);
+    telling_.tell(statement, found.symbol, {{std::abs(sum)}}, in(h * units_.force.si.to_double(), units_.moment),
+                  in(force, units_.force), units_.force);
 }
 
 void OfForces::nothing_to_balance(StatementIndex statement, int effort) {

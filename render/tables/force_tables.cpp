@@ -440,25 +440,27 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
                          bool rule_above) {
         Block block;
         if (rule_above) block.marks.emplace_back(line({0, 0}, {width, 0}, {theme.thin, theme.secondary, {}, false}));
+        block.width = width;
         double deepest = 0;
-        // A narrow column in which words must shrink is too narrow for the table, as it then turns out.
-        constexpr double narrow = 60;
-        const auto broken = [&](const RichText& text, double room) {
-            return width < narrow ? context.fonts.wrap(text, theme.body_text, room)
-                                  : lines_in_cell(text, theme.body_text, context.fonts, room);
-        };
-        const auto fill = [&](const RichText& text, double left, double room, Colour letters) {
+        const auto fill = [&](std::vector<ShapedLine> set, double left, Colour letters) {
             double baseline = 3.6;
-            for (ShapedLine& each : broken(text, room)) {
+            for (ShapedLine& each : set) {
+                block.width = std::max(block.width, left + each.width);
                 set_text(block.marks, std::move(each), {left, baseline}, letters, "text");
                 baseline += 4.3;
             }
             deepest = std::max(deepest, baseline);
         };
-        fill(one_piece(name), 0, name_width, colour);
-        fill(active, active_left, active_room, theme.text);
-        fill(reactions, reactions_left, width - reactions_left, theme.text);
-        block.width = width;
+        const auto broken = [&](const RichText& text, double room) {
+            return lines_in_cell(text, theme.body_text, context.fonts, room);
+        };
+        fill(broken(one_piece(name), name_width), 0, colour);
+        fill(broken(active, active_room), active_left, theme.text);
+        // Reactions that would have to shrink in a narrow column leave it, by which it is known to be too narrow for the table.
+        constexpr double narrow = 60;
+        const double room = width - reactions_left;
+        fill(width < narrow ? context.fonts.wrap(reactions, theme.body_text, room) : broken(reactions, room), reactions_left,
+             theme.text);
         block.height = deepest - 3.6 + 0.5;
         lines.push_back(std::move(block));
     };

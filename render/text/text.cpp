@@ -642,11 +642,12 @@ void break_lines(const std::vector<Stretch>& stretches, double measure, Set set)
         while (end < stretches.size() && !stretches[end].blank) to_end += stretches[end++].width;
         if (word == end) break;  // nothing but blanks is left
         if (to_end - to_word > measure + tolerance && end - word > 1) {
-            // What no line holds is divided before its symbols and behind them: a formula of long names.
+            // What no line holds is divided before its symbols, and behind one that a line holds: a formula of long names.
             const std::size_t whole = end;
             for (end = word, to_end = to_word; end < whole; ++end) {
                 const bool fits = to_end - to_word + stretches[end].width <= measure + tolerance;
-                if (end > word && !fits && (stretches[end].symbol || stretches[end - 1].symbol)) break;
+                const bool behind = end > word && stretches[end - 1].symbol && stretches[end - 1].width <= measure;
+                if (end > word && !fits && (stretches[end].symbol || behind)) break;
                 to_end += stretches[end].width;
             }
         }
