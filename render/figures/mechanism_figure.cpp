@@ -181,7 +181,14 @@ struct MechanismFigure {
             choose_scale(extent.width(), extent.height(), std::max(room.x - 10, 10.0), std::max(room.y - 18, 10.0), asked);
         const FitPolicy policy{
             .room = room, .first = first, .asked = asked, .keeps_asked = true, .coarsest = coarsest, .names_stay_in_room = true};
-        return fit(policy, [&](const Trial& trial) { return drawn(trial, shows.arrows); });
+        const auto fitted_with = [&](const Arrows& arrows) {
+            return fit(policy, [&](const Trial& trial) { return drawn(trial, arrows); });
+        };
+        Figure figure = fitted_with(shows.arrows);
+        if (!shows.arrows.accelerations_of_drivers || accelerations_given() == 0) return figure;
+        // What is given stands there, but the mechanism comes no smaller for it.
+        Figure without = fitted_with({shows.arrows.found, false});
+        return without.scale < figure.scale ? without : figure;
     }
 
     /// The same with ω and α, or ω alone, where that costs it neither its scale nor a name or a dimension its place; else empty

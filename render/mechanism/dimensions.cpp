@@ -235,11 +235,14 @@ private:
                            name_of(vertex) + "." + name_of(to)});
     }
 
-    /// Of a line on which a point lies, from the place that the line goes through; behind that place the angle is another.
+    /// Of a line on which a point lies, from the place that the line goes through; behind that place the angle is another, and
+    /// that a line stands upright or lies is seen.
     void add_angle_of(const LineCurve& line, PointIndex point) {
         const auto* through = std::get_if<PointIndex>(&line.through);
         if (through == nullptr || line.by != LineCurve::By::angle) return;
         const Spot along = paper_direction(direction_of(Bearing{line.angle}, sketch_.subject.solution.pose));
+        constexpr double seen_upright = 1e-6;
+        if (std::min(std::abs(along.x), std::abs(along.y)) < seen_upright) return;
         if (dot(along, sketch_.spot(point) - sketch_.spot(*through)) > 1) add_angle(*through, point, line.angle, std::nullopt);
     }
 
@@ -738,7 +741,7 @@ private:
     bool draw_led_out(const AngleOf& datum, bool all) {
         const Text text = text_of(datum.text);
         std::vector<Trial> trials;
-        for (const double radius : {6.0, 7.5, 9.0, 12.0, 15.0, 18.5, 22.0, 26.0, 31.0}) {
+        for (const double radius : {6.0, 7.5, 9.0, 12.0, 15.0}) {
             if (std::abs(datum.sweep) * radius < 2.2) continue;
             const Trial arc = arc_of(datum, radius);
             for (const double share : {0.5, 0.35, 0.65})
