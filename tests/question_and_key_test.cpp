@@ -441,14 +441,20 @@ TEST(Question, DrawsWhatItsDataNames) {
 
 /// Far centres make the solution's mechanism small; they are no part of a question, which then has it as large as it may be.
 TEST(Question, ShowsAMechanismThatItsSolutionHasTooSmall) {
-    const Solution solution = tests::solved(toggle_press);
-    const auto span_on = [&](SheetKind kind) { return span_of(joints_of(lay_out(solution, of_kind(kind), fonts()).front())); };
-    ASSERT_LT(span_on(SheetKind::solution), too_small_for_data);
-    EXPECT_GT(span_on(SheetKind::question), 50);
+    const auto first_page = [](const Solution& solution, SheetKind kind, Language language) {
+        SheetOptions options = of_kind(kind);
+        options.language = language;
+        return lay_out(solution, options, fonts()).front();
+    };
+    const Solution linkage = example("peaucellier");  // in Italian its captions take the room
+    ASSERT_LT(span_of(joints_of(first_page(linkage, SheetKind::solution, Language::it))), too_small_for_data);
+    const Page question = first_page(linkage, SheetKind::question, Language::it);
+    EXPECT_GT(span_of(joints_of(question)), 50);
     std::string scales;
-    const Page page = lay_out(solution, of_kind(SheetKind::question), fonts()).front();
-    for (const TextMark* text : texts_of(page)) scales += plain_of(text->words) + "\n";
-    EXPECT_TRUE(has(scales, "Mechanism: 1 : 5")) << scales;
+    for (const TextMark* text : texts_of(question)) scales += plain_of(text->words) + "\n";
+    EXPECT_TRUE(has(scales, "Meccanismo: 1 : 1")) << scales;
+    // It came at 1 : 20 on an empty page.
+    EXPECT_GT(span_of(joints_of(first_page(tests::solved(toggle_press), SheetKind::question, Language::en))), 50);
 }
 
 /// A short offset has its arrows and its text outside.

@@ -92,7 +92,12 @@ private:
 
 std::vector<std::string> sentences_of(const Solution& solution) {
     std::vector<std::string> all;
-    for (const Statement& statement : solution.protocol.statements) all.push_back(english(statement.message));
+    for (const Statement& statement : solution.protocol.statements) {
+        Message said = statement.message;
+        constexpr std::size_t without_its_place = 4;  // which is another on another drawing
+        if (said.sentence == Sentence::auxiliary_point) said.arguments.resize(std::min(said.arguments.size(), without_its_place));
+        all.push_back(english(said));
+    }
     return all;
 }
 std::vector<std::string> unsolved_of(const Solution& solution) {
