@@ -44,8 +44,8 @@ draw equations slider_crank_offset 2 --dpi 110 --with equations
 draw virtual_work virtual_work 1 --dpi 110
 draw truss truss_simple 1 --dpi 100
 draw engine engine_inertia_gas 2 --dpi 100
-draw superposition four_bar_weights 3 --dpi 110
-draw gerber_beam gerber_beam 1 --dpi 110
+draw superposition four_bar_weights 3 --dpi 100
+draw gerber_beam gerber_beam 1 --dpi 105
 draw equilibrium plate_under_forces 1 --dpi 110
 draw redundant redundant/beam_on_two_hinges 1 --dpi 100
 draw point_motion motion/projectile 1 --dpi 110
