@@ -590,7 +590,7 @@ public:
         if (const auto* slide = std::get_if<SlideDriver>(&given)) driven = mechanism.joint(slide->joint).bodies[0];
         if (const auto* point = std::get_if<PointDriver>(&given)) driven = point->body;
         reached_.push_back(driven);
-        for (std::size_t i = 0; i < reached_.size(); ++i) go_on_from(reached_[i]);
+        for (std::size_t next = 0; next < reached_.size();) go_on_from(reached_[next++]);  // which finds more
     }
     std::vector<Chain> all() && { return std::move(chains_); }
 

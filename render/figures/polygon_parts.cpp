@@ -505,7 +505,7 @@ private:
         for (const PolygonVector& vector : parts.vectors)
             if (statement == none || vector.statement < statement) statement = vector.statement;
         open_group(inset, statement);
-        inset.marks.push_back(circle_of(detail, context_.theme));
+        inset.marks.emplace_back(circle_of(detail, context_.theme));
         draw_parts(inset, context_, parts, inner);
         for (DrawnAxis& each : inset.axes) each.detail = detail.letter;
         inset.box = {{-radius, -radius}, {radius, radius}};
@@ -662,7 +662,7 @@ bool may_hold_details(const Figure& strokes, const DrawingContext& context, cons
     return std::all_of(details.begin(), details.end(), [&](const Detail& detail) {
         // Its circle at least, and of a free stretch the whole millimetres.
         Figure inset = blank_inset(strokes, context, detail);
-        inset.marks.push_back(circle_of(detail, context.theme));
+        inset.marks.emplace_back(circle_of(detail, context.theme));
         add_legend(inset, context, radius_of(detail));
         const Box least = box_of(inset.marks);
         return occupancy.has_free(static_cast<int>(least.width() + 2 * apart.x) - 1,

@@ -45,7 +45,7 @@ private:
         return column.symbol.empty() ? small(column.name) : fonts_.shape(column.symbol, options_.theme.small);
     }
     ShapedLine cell(const std::string& text) const {
-        const ShapedLine line = fonts_.shape(with_powers(text), options_.theme.body_text);
+        ShapedLine line = fonts_.shape(with_powers(text), options_.theme.body_text);
         if (line.width <= longest_cell) return line;
         return shaped_with_its_end(text, options_.theme.body_text, fonts_, longest_cell);
     }
