@@ -252,7 +252,7 @@ Block equation_block(const DrawingContext& context, const Equation& equation, do
         if (const EquationTable table(context, equation, setting); setting.size >= least && table.width() <= most)
             return table.set(most);
     const EquationTable in_rows(context, equation, settings[1]);
-    const Block block = in_rows.set(most);
+    Block block = in_rows.set(most);
     if (block.width <= most) return block;
     // A single term is wider: names of words. Under each other they may be too high for a page: then two stand in a row.
     constexpr double highest = 90;  // mm
