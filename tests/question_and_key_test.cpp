@@ -513,7 +513,8 @@ TEST(Data, TellsAShortFractionAsSuch) {
 TEST(Question, OfATrussHasNoNumbersOfBars) {
     const auto numbers = [](const Solution& truss) {
         std::set<std::string> found;
-        for (const TextMark* text : texts_of(lay_out(truss, of_kind(SheetKind::question), fonts()).front()))
+        const Page question = lay_out(truss, of_kind(SheetKind::question), fonts()).front();
+        for (const TextMark* text : texts_of(question))
             for (const char* number : {"2", "3", "4", "5", "6", "7", "8", "9"})
                 if (text->words == number) found.insert(number);
         return found;
