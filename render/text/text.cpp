@@ -23,6 +23,7 @@ namespace {
 constexpr double script_scale = 0.70;
 constexpr double subscript_drop = 0.22;
 constexpr double superscript_rise = 0.40;
+constexpr double tall_superscript_rise = 0.52;  // of a sign that reaches below its line, over a subscript
 constexpr double space_after_scripts = 0.03;
 constexpr double least_italic_correction = 0.03;  // an upright superscript would touch a leaning letter
 constexpr double most_italic_correction = 0.15;
@@ -362,8 +363,8 @@ public:
         if (italic(piece.face) && !base.last.blank()) {
             lean = size * std::clamp((base.last.right - x_) / size, least_italic_correction, most_italic_correction);
         }
-        const Run sup =
-            set(piece.sup, sup_said, piece.sup_face, size * script_scale, {x_ + lean, -superscript_rise * size}, part);
+        const double rise = piece.sup.starts_with("∥") && !piece.sub.empty() ? tall_superscript_rise : superscript_rise;
+        const Run sup = set(piece.sup, sup_said, piece.sup_face, size * script_scale, {x_ + lean, -rise * size}, part);
         const double wide = piece.sup.empty() ? sub.advance : std::max(sub.advance, lean + sup.advance);
         x_ += wide + space_after_scripts * size;
     }
