@@ -575,7 +575,7 @@ namespace {
 /// frame, or its guide there.
 struct Chain {
     PointIndex a, b, hinge;
-    JointIndex guide;
+    JointIndex pin, guide;  // pin: that at B
     BodyIndex coupler, follower;
 };
 
@@ -612,7 +612,7 @@ private:
                 const Joint* foot = follower == frame || is_reached(follower) ? nullptr : foot_of(follower);
                 if (foot == nullptr) continue;
                 const bool hinged = foot->pair().is_hinge();
-                chains_.push_back({from.point, pin.point, hinged ? foot->point : PointIndex(none),
+                chains_.push_back({from.point, pin.point, hinged ? foot->point : PointIndex(none), mechanism_.index_of(pin),
                                    hinged ? JointIndex(none) : mechanism_.index_of(*foot), coupler, follower});
                 reached_.push_back(follower);
             }
@@ -648,7 +648,7 @@ Transmission least_of(const Chain& chain, Positions positions, const Travel& tra
     };
     constexpr int samples = 360;
     const double step = (travel.to - travel.from) / samples;
-    Transmission found{chain.coupler, chain.follower, std::numbers::pi, 0};
+    Transmission found{chain.coupler, chain.follower, chain.pin, std::numbers::pi, 0};
     for (int i = 0; i <= samples; ++i) {
         const double coordinate = i == samples ? travel.to : travel.from + i * step;
         if (const double here = angle(coordinate); here < found.least) found.least = here, found.at = coordinate;

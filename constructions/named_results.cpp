@@ -129,10 +129,7 @@ std::optional<NamedResult> transmission_result(const Solution& solution) {
     Quantity where;
     where.body = found->driven;
     where.other = found->coupler;
-    for (const JointIndex index : indices_of(solution.mechanism.joints)) {
-        const Joint& joint = solution.mechanism.joint(index);
-        if (joint.pair().is_hinge() && joint.connects(found->driven) && joint.connects(found->coupler)) where.joint = index;
-    }
+    where.joint = found->pin;
     return NamedResult{{Column::Kind::named, where, transmission_angle_name, QuantityKind::angle}, found->least};
 }
 

@@ -50,6 +50,7 @@ struct Travel {
 /// The least angle (rad, at most a right one) under which a coupler pushes what it drives, and where.
 struct Transmission {
     BodyIndex coupler, driven;
+    JointIndex pin;  ///< between the two
     double least = 0, at = 0;
 };
 

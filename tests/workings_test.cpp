@@ -175,6 +175,28 @@ TEST(Workings, ADistributedLoadAndACoupleHaveTheirNumbers) {
     EXPECT_TRUE(has(moved, "12/46.4 =~0.259~m")) << moved;  // |(0, −42) + 5(cos 240°, sin 240°)| = 46.4
 }
 
+// M and F stand as they are told, so that d has the unit of their quotient; then that of the file.
+TEST(Workings, AForceMovedAsideIsToldInTheUnitsOfTheFile) {
+    const auto moved = [](const std::string& units, const std::string& couple) {
+        return said(tests::solved(R"({"kinegraph": 1, "units": )" + units + R"(,
+            "frame": 0, "points": {"A": [0, 0], "C": [2, 0], "B": [6, 0], "D": [8, 0]}, "bodies": {"1": ["A", "C", "B", "D"]},
+            "joints": [{"revolute": "A", "bodies": [0, 1]}, {"contact": "B", "bodies": [1, 0], "tangent": 20}],
+            "loads": [{"force": "Q", "body": 1, "at": "C", "magnitude": 40, "along": -90},
+                      {"force": "P", "body": 1, "at": "D", "magnitude": 30, "along": 0},
+                      {"couple": "m", "body": 1, "value": )" +
+                                  couple + R"(}]})"),
+                    Sentence::inertia_moved);
+    };
+    const std::string in_mm = moved(R"({"length": "mm", "force": "N", "moment": "N mm"})", "20");
+    EXPECT_TRUE(has(in_mm, "20/50 =~0.400~mm.")) << in_mm;
+    const std::string of_metres = moved(R"({"length": "mm", "force": "N", "moment": "N m"})", "2");
+    EXPECT_TRUE(has(of_metres, "2/50 =~0.0400~m =~40.0~mm.")) << of_metres;
+    const std::string of_kilonewtons = moved(R"({"length": "mm", "force": "kN", "moment": "N m"})", "20");
+    EXPECT_TRUE(has(of_kilonewtons, "20/50 =~0.400~mm.")) << of_kilonewtons;
+    const std::string of_feet = moved(R"({"length": "in", "force": "lbf", "moment": "lbf ft"})", "20");
+    EXPECT_TRUE(has(of_feet, "20/50 =~0.400~ft =~4.80~in.")) << of_feet;
+}
+
 // A body whose ω a driver gives relative to another has no polygon yet: the first link of its image is set off, and closes it.
 TEST(Workings, TheFirstLinkOfAnImageIsDrawnAndValued) {
     const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},

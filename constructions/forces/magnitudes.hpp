@@ -36,8 +36,8 @@ private:
     /// polygon adds them and parts the sum.
     bool several_by_strings(const Group& group, int line, int pin, const Wrench& known, bool far, const std::vector<Load>& loads,
                             Run& run);
-    /// `couple_too`: the pair transmits a couple, and it vanishes.
     void say_strings(const Group& group, Sentence sentence, std::vector<Argument> arguments, const Strings& found);
+    /// `couple_too`: the pair transmits a couple, and it vanishes.
     void say_no_force_along(const Group& group, int nothing, int all, bool couple_too);
     /// A guide takes its force at any place: directions give the triangle, the guide's couple the rest.
     bool line_and_guide(const Group& group, int line, int guide, const Wrench& known, const std::vector<Load>& loads, Run& run);

@@ -26,7 +26,7 @@ const Load* inertia_couple_with(const Load& force, const std::vector<Load>& load
 std::vector<Actor> Resultants::actors_on(const Group& group, const std::vector<Load>& loads, const Run& run) {
     std::vector<Actor> actors;
     // Of a body under all loads the sentence before tells that the one force stands for both; of others it stands elsewhere.
-    const bool is_moved_before = group.size() == 1 && said_.with_mark(Symbol{}) == Symbol{};
+    const bool is_moved_before = group.size() == 1 && !said_.has_mark();
     for (const Load& load : loads) {
         if (!in(group, load.member) || model_.is_inner(load, group)) continue;
         if (is_moved_before && inertia_force_with(load, loads) != nullptr) continue;

@@ -30,6 +30,7 @@ public:
     }
     /// Of the member whose loads act alone from now on; empty: of none.
     void set_mark(std::string mark) { mark_ = std::move(mark); }
+    bool has_mark() const { return !mark_.empty(); }
     /// Of the sum of what is known on bodies.
     Symbol resultant_symbol(const Group& group) const { return with_mark({Symbol::Letter::F, "R" + names_of(group), {}}); }
     Symbol with_mark(Symbol symbol) const { return marked(std::move(symbol), mark_); }

@@ -6,6 +6,7 @@
 
 #include "engine/shifts.hpp"
 #include "engine/spring_force.hpp"
+#include "engine/units.hpp"
 
 namespace kinegraph::workings {
 
@@ -94,15 +95,25 @@ void OfForces::moved_aside(StatementIndex statement, const FreeBody& body, const
     tell_aside(statement, std::abs(couple) / force, force);
 }
 
-/// d = M/F, with the couple as it is told; where it is told in N m and the length in mm, in m first.
+/// That of M/F as they are told: m of N m and N, mm of N m and kN; nothing where no length has such a unit.
+std::optional<Unit> OfForces::unit_of_arm() const {
+    const Exact size = units_.moment.si / units_.force.si;
+    if (units_.length.si == size) return units_.length;
+    for (const KnownUnit& each : known_units())
+        if (each.kind == QuantityKind::length && each.si == size) return Unit{std::string(each.symbol), each.si};
+    return std::nullopt;
+}
+
+/// d = M/F, with both as they are told; then, where its unit is not the file's, in that, too.
 void OfForces::tell_aside(StatementIndex statement, double arm, double force) {
-    static const Unit metre{"m", 1};
-    const bool made = units_.moment.si / units_.force.si == units_.length.si;
-    const Unit& first = made ? units_.length : metre;
-    const double size = in(force, units_.force), aside = in(arm, first);
     const Symbol d{Symbol::Letter::length, "d", {}};
-    telling_.tell(statement, d, {{aside * size}}, size, aside, first);
-    if (!made) telling_.tell_also(statement, d, in(arm, units_.length), units_.length);
+    if (const auto unit = unit_of_arm()) {
+        const double size = in(force, units_.force), aside = in(arm, *unit);
+        telling_.tell(statement, d, {{aside * size}}, size, aside, *unit);
+        telling_.tell_also(statement, d, in(arm, units_.length), units_.length);
+    } else {
+        telling_.tell(statement, d, {}, std::nullopt, in(arm, units_.length), units_.length);
+    }
 }
 
 bool OfForces::is_by_virtual_work(StatementIndex statement) {

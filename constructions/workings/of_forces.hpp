@@ -43,6 +43,7 @@ private:
     Factors force_times_arm(StatementIndex statement, const FreeBody& body, double couple) const;
     void by_moments_of_parallels(StatementIndex statement, const FreeBody& body, const AppliedForce& found);
     void moved_aside(StatementIndex statement, const FreeBody& body, const AppliedForce& applied);
+    std::optional<Unit> unit_of_arm() const;
     void tell_aside(StatementIndex statement, double arm, double force);
     std::vector<Telling::Product> moments_on_side(const Truss::Cut& cut) const;
     bool is_by_virtual_work(StatementIndex statement);
