@@ -23,7 +23,7 @@ namespace {
 constexpr double script_scale = 0.70;
 constexpr double subscript_drop = 0.22;
 constexpr double superscript_rise = 0.40;
-constexpr double tall_superscript_rise = 0.52;  // of a sign that reaches below its line, over a subscript
+constexpr double tall_superscript_rise = 0.46;  // of a sign that reaches below its line, over a subscript
 constexpr double space_after_scripts = 0.03;
 constexpr double least_italic_correction = 0.03;  // an upright superscript would touch a leaning letter
 constexpr double most_italic_correction = 0.15;
