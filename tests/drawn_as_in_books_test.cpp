@@ -211,7 +211,7 @@ TEST(DrawnAsInBooks, OneReadingHasOneProduct) {
         {"gear": "C", "bodies": [2, 4], "arm": 3, "profiles": {"4": {"circle": "P"}}, "pressure angle": 20},
         {"gear": "D", "bodies": [4, 1], "arm": 3, "profiles": {"4": {"circle": "P"}, "1": {"circle": "O"}}, "pressure angle": 20}],
       "drivers": [{"body": 2, "omega": 1450}], "loads": [{"couple": "u", "body": 3, "value": -85}],
-      "effort": {"couple": "m", "body": 2}})");
+      "effort": {"couple": "m", "body": 2}, "scales": {"forces": "1 mm = 25 N"}})");
     const auto pages = lay_out(solution, {}, fonts());
     EXPECT_TRUE(says(pages, "858"));
     EXPECT_FALSE(says(pages, "857"));

@@ -807,15 +807,20 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                              ? choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9),
                                             std::max(room_x - around, 10.0), std::max(room_y - around - 12, 10.0), std::nullopt)
                              : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
-    return fit({.room = Spot{room_x, room_y}, .first = start}, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, id + "-");
-        FreeBodyDrawing(sketch, body, forces, load).draw();
-        Figure figure = sketch.finish("body", id, unit.symbol);
-        figure.scale = forces.per_millimetre;
-        figure.caption = caption_of(context, body, name, load);
-        sketch.close(figure, {room_x, room_y}, trial.last, forces.per_millimetre * si, unit);
-        return figure;
-    });
+    // Names do not shrink with the body: a smaller one gains them little, and shows nothing. Only in a room that may be all there
+    // is does it shrink until it fits.
+    const double least_shown = std::max(room_x, room_y) < roomy ? 3 : 0.05;
+    const double extent = has_length ? std::max(box.width(), box.height()) : 0;
+    return fit({.room = Spot{room_x, room_y}, .first = start, .extent = extent, .least_shown = least_shown},
+               [&](const Trial& trial) {
+                   Sketch sketch(subject, context, trial.scale, id + "-");
+                   FreeBodyDrawing(sketch, body, forces, load).draw();
+                   Figure figure = sketch.finish("body", id, unit.symbol);
+                   figure.scale = forces.per_millimetre;
+                   figure.caption = caption_of(context, body, name, load);
+                   sketch.close(figure, {room_x, room_y}, trial.last, forces.per_millimetre * si, unit);
+                   return figure;
+               });
 }
 
 bool has_meets(const Solution& solution, bool of_several) {

@@ -16,8 +16,13 @@ constexpr int most_beside = 3;          // columns of text
 constexpr int most_columns_more = 2;    // of a page of short lines, than the format has
 constexpr double room_of_a_name = 100;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
 
-/// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything.
-double use_of(double size) { return std::log(size) - 40 / size; }
+/// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything. What is so long can be read
+/// to a hundredth or better: to be longer gains little.
+double use_of(double size) {
+    constexpr double long_enough = 80, of_more = 0.3;
+    const double read = std::min(size, long_enough);
+    return std::log(read) - 40 / read + of_more * std::log(size / read);
+}
 
 std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format, const WantedFigures& all, bool crowded) {
     std::vector<FigureSize> sizes;
@@ -167,7 +172,7 @@ bool BandLayouts::may_be_narrow(int divided, bool cornered) const {
 
 double BandLayouts::taken_in(Width width, double height, Notch notch) const {
     constexpr double of_text = 0.7;     // lines end before their columns do, tables have white between theirs
-    constexpr double of_figures = 0.9;  // a figure is planned with a little air
+    constexpr double of_figures = 0.5;  // much of a figure is white: two small ones fill a page better than one large
     const BandLayout layout = in(width, height, notch);
     double sum = 0;
     if (layout.divided > 0) {

@@ -430,7 +430,6 @@ void Bands::add_step(Band& band, std::size_t statement) {
 void Bands::collect_motion() {
     const Protocol& protocol = solution_.protocol;
     Band& given = add("given", {wanted_.list.front().name, "circle-diagram"});
-    given.draws_mechanism = true;
     if (wanted_.shows_centres()) given.parts.push_back({Kind::centres});
     // A polygon has a band of its own; of a relative motion both polygons share one.
     std::map<int, std::size_t> band_of;  // by polygon
@@ -498,7 +497,7 @@ void Bands::collect_forces() {
                                !has_strings && !has_meets(solution_, true);
     // What is said of its lines stands with the first body then.
     const std::size_t at_lines = list.size();
-    if (!drawn_already) add("lines-of-action", {"lines-of-action"}).draws_mechanism = true;
+    if (!drawn_already) add("lines-of-action", {"lines-of-action"});
     const std::vector<std::size_t> parts = collect_superposition();
     collect_bodies();
     if (solution_.truss) add("truss", {"truss", "cremona"}).parts.push_back({Kind::bars});
@@ -568,7 +567,7 @@ void Bands::collect_truss() {
     std::vector<std::string> figures{"truss"};
     for (const TakenTogether& together : solution_.taken_together) figures.push_back(render::name_of(solution_, together));
     figures.emplace_back("cremona");
-    add("truss", figures).draws_mechanism = true;
+    add("truss", figures);
     const std::size_t home = list.size() - 1;
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i)
         if (solution_.protocol.statements[i].section == Topic::forces) add_step(list[home], i);

@@ -56,7 +56,6 @@ struct Band {
     std::vector<Part> parts{};
     std::size_t first_row = 0;  ///< of its text, which goes on over pages only where no page holds it
     std::size_t end_row = std::numeric_limits<std::size_t>::max();
-    bool draws_mechanism = false;  ///< one such band to a page: what stands in its figure has the names of the mechanism's parts
 };
 
 /// A statement as it is said, once it was asked for.

@@ -20,6 +20,8 @@ bool gains_nothing(const Wanted& wanted, const Figure& drawn, Spot room) {
     return finest >= drawn.scale * (1 - rounding);
 }
 
+constexpr double widest_caption = 120, fine = 1;  // mm
+
 /// For a figure that fills its room.
 bool is_hardly_other(Spot known, Spot room) {
     constexpr double hardly = 1.2;
@@ -71,10 +73,23 @@ void DrawnFigures::draw_what_fills_its_room() {
     std::size_t details = 0;
     for (const auto& [number, drawn] : in_order) {
         if (std::exchange(drawn->waits, false)) draw_into(*drawn, {drawn->room.width(), drawn->room.height()}, any_scale);
+        enlarge(*drawn);
         letter_details_on(drawn->figure, context_, details);
         details += drawn->figure.details.size();
     }
     for (auto& [band, figures] : by_band_) share_room(figures);
+}
+
+void DrawnFigures::enlarge(DrawnFigure& drawn) const {
+    const Wanted& wanted = wanted_.list[drawn.wanted];
+    if (!wanted.larger) return;
+    const Spot room{drawn.room.width(), drawn.room.height() - drawn.caption};
+    Figure larger = wanted.larger(room);
+    const bool fits = larger.box.width() <= room.x && larger.box.height() <= room.y;
+    if (!fits || !(larger.scale < drawn.figure.scale)) return;
+    drawn.figure = std::move(larger);
+    drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
+    drawn.has_own_scale = true;
 }
 
 void DrawnFigures::enrich() {
@@ -95,7 +110,11 @@ void DrawnFigures::share_room(std::vector<DrawnFigure>& figures) const {
     const auto across = [&](const DrawnFigure& drawn) {
         return stacked ? drawn.size.x <= drawn.room.width() : drawn.height() <= drawn.room.height();
     };
-    const auto along = [&](const DrawnFigure& drawn) { return stacked ? drawn.height() : drawn.figure.box.width(); };
+    const auto along = [&](const DrawnFigure& drawn) {
+        if (stacked) return drawn.height();
+        const double own = drawn.figure.box.width();
+        return width_for_caption(drawn, drawn.caption, own, std::max(own, drawn.room.width()));
+    };
     const auto own = [&](const DrawnFigure& drawn) { return stacked ? drawn.room.height() : drawn.room.width(); };
     double left = 0;
     bool outgrown = false;
@@ -109,7 +128,7 @@ void DrawnFigures::share_room(std::vector<DrawnFigure>& figures) const {
         const double end = at + along(drawn) + left / static_cast<double>(figures.size());
         (stacked ? drawn.room.min.y : drawn.room.min.x) = at;
         (stacked ? drawn.room.max.y : drawn.room.max.x) = end;
-        drawn.caption = height_of_caption(drawn);
+        drawn.caption = height_of_caption(drawn, drawn.room.width());
         at = end + gap;
     }
 }
@@ -156,18 +175,32 @@ bool DrawnFigures::serves(const Known& known, const Wanted& wanted, Spot room, d
 void DrawnFigures::draw_into(DrawnFigure& drawn, Spot room, double coarsest) {
     constexpr double least_room = 10;
     const auto below = [&](double taken) { return Spot{std::max(room.x, least_room), std::max(room.y - taken, least_room)}; };
+    drawn.wide_enough = 0;
     drawn.figure = figure_in(drawn.wanted, below(caption_line), coarsest);
     drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
     if (drawn.is_refused()) return;
-    drawn.caption = height_of_caption(drawn);
-    if (drawn.caption > caption_line && drawn.height() > room.y)
+    drawn.caption = height_of_caption(drawn, drawn.room.width());
+    if (drawn.caption > caption_line && drawn.height() > room.y) {
+        const double left = room.y - drawn.figure.box.height();
+        if (left >= caption_line) drawn.wide_enough = width_for_caption(drawn, left, room.x, std::max(room.x, widest_caption));
         drawn.figure = figure_in(drawn.wanted, below(drawn.caption), coarsest);
+    }
     drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
 }
 
-double DrawnFigures::height_of_caption(const DrawnFigure& drawn) const {
+double DrawnFigures::height_of_caption(const DrawnFigure& drawn, double width) const {
     std::vector<Mark> words;
-    return set_caption(words, context_, drawn.figure, drawn.number, {0, 0}, drawn.room.width());
+    return set_caption(words, context_, drawn.figure, drawn.number, {0, 0}, width);
+}
+
+/// The least width between two in which its caption is no higher than `most`; the greater one where none is.
+double DrawnFigures::width_for_caption(const DrawnFigure& drawn, double most, double low, double high) const {
+    if (height_of_caption(drawn, low) <= most) return low;
+    while (high - low > fine) {
+        const double middle = 0.5 * (low + high);
+        (height_of_caption(drawn, middle) <= most ? high : low) = middle;
+    }
+    return high;
 }
 
 }  // namespace kinegraph::render

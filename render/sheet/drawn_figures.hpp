@@ -41,7 +41,9 @@ private:
     const Figure& figure_in(std::size_t index, Spot room, double coarsest);
     bool serves(const Known& known, const Wanted& wanted, Spot room, double coarsest) const;
     void draw_into(DrawnFigure& drawn, Spot room, double coarsest);
-    double height_of_caption(const DrawnFigure& drawn) const;
+    void enlarge(DrawnFigure& drawn) const;
+    double height_of_caption(const DrawnFigure& drawn, double width) const;
+    double width_for_caption(const DrawnFigure& drawn, double most, double low, double high) const;
     void share_room(std::vector<DrawnFigure>& figures) const;
     bool set_in_corner(DrawnFigure& drawn, const Block& equations) const;
 

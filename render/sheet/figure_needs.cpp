@@ -35,10 +35,11 @@ void give_more_room(Wanted& wanted, const DrawnFigure& drawn) {
 
 }  // namespace
 
-bool FigureNeeds::may_refuse(const Wanted& wanted) const {
-    const auto found = refusals_.find(wanted.name);
-    return found == refusals_.end() || found->second < most_refusals;
+int& FigureNeeds::refusals_of(const Wanted& wanted) {
+    return refusals_[{wanted.name, wanted.to_force_scale ? wanted_.force_scale.value_or(0) : 0}];
 }
+
+bool FigureNeeds::may_refuse(const Wanted& wanted) { return refusals_of(wanted) < most_refusals; }
 
 void FigureNeeds::learn_from(const DrawnFigure& drawn) {
     Wanted& wanted = wanted_.list[drawn.wanted];
@@ -57,7 +58,7 @@ bool FigureNeeds::is_coarser_than_promised(const DrawnFigure& drawn) const {
     return wanted.tells_its_extents() && !wanted.asked && drawn.figure.scale > drawn.promised * (1 + rounding);
 }
 
-bool FigureNeeds::asks_for_more_room(const DrawnFigure& drawn) const {
+bool FigureNeeds::asks_for_more_room(const DrawnFigure& drawn) {
     return is_coarser_than_promised(drawn) && may_refuse(wanted_.list[drawn.wanted]);
 }
 
@@ -66,6 +67,10 @@ void FigureNeeds::wants_more_than_its_room(const DrawnFigure& drawn) {
     auto& taken = wanted_.list[drawn.wanted].taken;
     const auto known = taken.find(drawn.promised);
     if (known == taken.end()) return;
+    if (drawn.wide_enough > 0) {
+        known->second.x = std::max(known->second.x, drawn.wide_enough);
+        return;
+    }
     constexpr double more = 3;
     known->second = {std::max(known->second.x, drawn.own.x + more), std::max(known->second.y, drawn.own.y - caption_line + more)};
 }
@@ -75,7 +80,7 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
     Wanted& wanted = wanted_.list[drawn.wanted];
     if (drawn.is_refused() || asks_for_more_room(drawn)) {
         refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y, most_refusals});
-        ++refusals_[wanted.name];
+        ++refusals_of(wanted);
         give_more_room(wanted, drawn);
         return true;
     }
@@ -83,8 +88,14 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
     const double over_x = box.width() - drawn.room.width(), over_y = drawn.height() - drawn.room.height();
     if (over_x < ink && over_y < ink) return false;
     if (wanted.fills) {
-        wanted.least_room = {std::max(wanted.least_room.x, box.width()),
-                             std::max(wanted.least_room.y, drawn.height() - caption_line)};
+        // Where it had room it may have filled it, with a larger body; a wider room may do with fewer lines of its caption. Where
+        // it outgrows one room after the other, it gets what it took.
+        const bool settles = ++refusals_of(wanted) > most_refusals;
+        const bool wants_width = drawn.wide_enough > 0 && !settles;
+        Spot& least = wanted.least_room;
+        if (over_x >= ink || settles) least.x = std::max(least.x, box.width());
+        if (wants_width) least.x = std::max(least.x, drawn.wide_enough);
+        if ((over_y >= ink && !wants_width) || settles) least.y = std::max(least.y, drawn.height() - caption_line);
     } else {
         wanted.rim_x += std::max(over_x, 0.0);
         wanted.rim_y += std::max(over_y, 0.0);
@@ -115,7 +126,7 @@ void FigureNeeds::take_back(Refusal& refusal) {
     if (wanted.to_force_scale) return;
     std::swap(wanted.rim_x, refusal.rim_x);
     std::swap(wanted.rim_y, refusal.rim_y);
-    std::swap(refusals_[wanted.name], refusal.refusals);
+    std::swap(refusals_of(wanted), refusal.refusals);
 }
 
 void FigureNeeds::give_up(const Tried& tried) {

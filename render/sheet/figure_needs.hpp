@@ -22,11 +22,13 @@ struct DrawnFigure {
     Box room;
     Spot own{};  ///< of it, what is not for equations in a corner
     int number = 0;
-    double promised = 0;  ///< the scale that the room was planned for
-    double caption = 0;   ///< mm that it takes
-    bool waits = false;   ///< for all others: it fills its room, whatever that is
+    double promised = 0;         ///< the scale that the room was planned for
+    double caption = 0;          ///< mm that it takes
+    bool has_own_scale = false;  ///< a force polygon that is finer than the scale of all
+    bool waits = false;          ///< for all others: it fills its room, whatever that is
     Figure figure;
     Spot size{};                 ///< of the figure alone
+    double wide_enough = 0;      ///< a room so wide would do, for its caption has fewer lines there; 0: none
     std::vector<Mark> beside{};  ///< equations in its corner
     double height() const { return caption + figure.box.height(); }
     bool is_refused() const { return figure.scale == any_scale; }  ///< the room, by the figure
@@ -41,11 +43,11 @@ public:
         spared_ = 0;
     }
     /// Whether a figure may refuse a room: a few times, then it is taken as it comes.
-    bool may_refuse(const Wanted& wanted) const;
+    bool may_refuse(const Wanted& wanted);
     /// What a figure takes at the scale that it was drawn at is known from then on.
     void learn_from(const DrawnFigure& drawn);
     /// Whether it is coarser than its room was to let it be, and is given more room for that: a few times.
-    bool asks_for_more_room(const DrawnFigure& drawn) const;
+    bool asks_for_more_room(const DrawnFigure& drawn);
     /// Whether it takes more than its room. It is known now what its letters take; where it refused, that they take more.
     bool has_outgrown(const DrawnFigure& drawn);
     /// Whether it missed the scale that the file asks for.
@@ -100,8 +102,10 @@ private:
     void give_up(const Tried& tried);
     WantedFigures& wanted_;
     std::vector<Refusal> refused_;
-    std::map<std::string, int> refusals_;  // by the figure's name
-    std::set<std::string> roomier_;        // figures that got more room for the scale asked for
+    /// So often it refused; of a force polygon at the scale that all share now, for at another it has other rooms.
+    int& refusals_of(const Wanted& wanted);
+    std::map<std::pair<std::string, double>, int> refusals_;  // by the figure's name and that scale
+    std::set<std::string> roomier_;                           // figures that got more room for the scale asked for
     std::set<std::string> said_to_take_more_;
     std::optional<Tried> tried_;  // the last of them
     double spared_ = 0;           // mm, of a room as it was planned in the last round

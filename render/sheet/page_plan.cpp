@@ -160,10 +160,10 @@ private:
         return rest;
     }
 
-    /// A page before the last that is half empty looks like a mistake: to fill it is worth a smaller figure, of which a step of
-    /// its scale is worth 0.7. One that is very empty is worse than two that are a little.
+    /// A page before the last that is half empty looks like a mistake: to fill it is worth smaller figures, of which a step of
+    /// the scale is worth 0.7. One that is very empty is worse than two that are a little.
     double price_of_emptiness(std::size_t first, std::size_t end) {
-        constexpr double well_filled = 0.75, price_of_an_empty_page = 30;
+        constexpr double price_of_an_empty_page = 100;
         const Box content = content_of(format_, first == 0);
         double room = content.width() * content.height(), taken = 0;
         if (first == 0) room -= (content.max.x - format_.block.min.x) * (content.max.y - format_.block.min.y);
@@ -171,7 +171,7 @@ private:
             for (const PlannedCell& cell : row)
                 for (const PlacedBand& placed : cell)
                     taken += layouts_[placed.band].taken_in(placed.width, placed.room.height(), placed.notch);
-        const double empty = std::max(0.0, 1 - taken / (well_filled * room));
+        const double empty = std::max(0.0, 1 - taken / room);
         return price_of_an_empty_page * empty * empty;
     }
     double left_of(const Split& split, std::size_t i) const {
@@ -297,7 +297,6 @@ private:
         table[0][0].worth = 0;
         for (std::size_t b = 0; b < most; ++b) {
             for (std::size_t count = 1; count <= most_in_a_row && b + count <= most; ++count) {
-                if (mechanisms(first, first + b + count) > 1) continue;
                 const std::vector<Rise> rises = rises_of(first + b, count, whole - (first_page ? block : 0));
                 for (int used = 0; used <= whole; ++used) {
                     const double before = table[b][static_cast<std::size_t>(used)].worth;
@@ -318,11 +317,6 @@ private:
             }
         }
         return {std::move(table), std::move(ends)};
-    }
-    std::size_t mechanisms(std::size_t first, std::size_t end) const {
-        std::size_t count = 0;
-        for (std::size_t b = first; b < end; ++b) count += bands_[b].draws_mechanism ? 1 : 0;
-        return count;
     }
     PlannedPage page(std::size_t first, std::size_t end) {
         const auto& [table, ends] = tables_[first];

@@ -62,10 +62,9 @@ private:
             if (!takes_what_comes && (drawn_otherwise() || lacks_equations)) continue;
             figures_.draw_what_fills_its_room();
             if (may_go_on && (drawn_otherwise() || lacks_equations)) continue;
-            if (may_go_on && !takes_what_comes && (needs_.take_less_than_thought() || takes_a_smaller_room())) {
-                plan_.look_again();
+            if (may_go_on && !takes_what_comes && (needs_.take_less_than_thought() || takes_a_smaller_room()) &&
+                plan_.makes_another())
                 continue;
-            }
             text_.emplace(bands_, figures_, format_, plan_.texts());
             if (!may_go_on || !has_wider_tables()) return;
         }
@@ -139,7 +138,8 @@ private:
                 if (!drawn.is_refused()) {
                     const bool asks = needs_.misses_its_scale(drawn);
                     const bool tries_again = asks && needs_.gives_room_for_its_scale(drawn);
-                    if (wanted_.list[drawn.wanted].to_force_scale && !tries_again && !needs_.asks_for_more_room(drawn)) {
+                    if (wanted_.list[drawn.wanted].to_force_scale && !drawn.has_own_scale && !tries_again &&
+                        !needs_.asks_for_more_room(drawn)) {
                         least = std::min(least.value_or(drawn.figure.scale), drawn.figure.scale);
                         most = std::max(most.value_or(drawn.figure.scale), drawn.figure.scale);
                     }

@@ -2,6 +2,7 @@
 #include "render/sheet/sheet_pages.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "render/figures/caption.hpp"
@@ -11,6 +12,23 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double grace = 0.05;
+
+/// What two figures of a page both show, as the mechanism and the mechanism with its lines of action do, has one name by the
+/// file: in the second figure it begins with that figure's own, which is "mechanism-2".
+void tell_apart(std::vector<Mark>& figure, const std::string& name, std::set<std::string>& names_on_page) {
+    const auto for_each_name = [&](auto look) {
+        for (Mark& mark : figure)
+            if (auto* group = std::get_if<GroupBegin>(&mark); group && !group->id.empty()) look(group->id);
+    };
+    bool meets = false;
+    for_each_name([&](const std::string& id) { meets = meets || names_on_page.contains(id); });
+    std::string own = name;
+    for (int number = 2; names_on_page.contains(own); ++number) own = name + "-" + std::to_string(number);
+    for_each_name([&](std::string& id) {
+        if (meets) id = id == name ? own : own + "-" + id;
+        names_on_page.insert(id);
+    });
+}
 
 std::vector<Figure> all_of(const DrawnFigures& figures) {
     std::vector<Figure> all;
@@ -96,6 +114,7 @@ double SheetPages::looseness_of(const std::vector<StandingRow>& rows, double hei
 
 std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& scale_of_mechanism) {
     std::vector<Mark> marks;
+    names_on_page_.clear();
     std::vector<StandingRow> rows;
     for (const PlannedRow& row : contents_.plan.pages()[page]) {
         StandingRow& cells = rows.emplace_back();
@@ -147,6 +166,7 @@ double SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& 
         const Box& box = drawn.figure.box;
         const Spot by{corner.x - box.min.x + 0.5 * (drawn.room.width() - box.width()), corner.y + drawn.caption - box.min.y};
         drawn.figure.move(by.x, by.y);
+        tell_apart(drawn.figure.marks, drawn.figure.id, names_on_page_);
         marks.insert(marks.end(), drawn.figure.marks.begin(), drawn.figure.marks.end());
         render::move(drawn.beside, by.x, by.y);
         marks.insert(marks.end(), drawn.beside.begin(), drawn.beside.end());

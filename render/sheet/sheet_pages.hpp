@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "render/page/page.hpp"
@@ -74,6 +76,7 @@ private:
     const SheetFormat& format_;
     const Signature& signature_;
     SheetContents contents_;
+    std::set<std::string> names_on_page_;
     Spot first_caption_{};
     double first_caption_width_ = 0;
 };

@@ -8,8 +8,14 @@
 namespace kinegraph::render {
 
 void SheetPlan::make() {
+    if (std::exchange(is_made_, false)) return;
     const bool looks_again = std::exchange(looks_again_, false);
-    if (wanted_.keeps_force_scale && !looks_again && plans_at_same_force_scale()) return;
+    const std::size_t before = pages_.size();
+    std::optional<double> too_fine;
+    if (wanted_.keeps_force_scale && !looks_again) {
+        if (plans_at_same_force_scale()) return;
+        too_fine = wanted_.force_scale;
+    }
     wanted_.force_scale = least_force_scale_;
     wanted_.keeps_force_scale = false;
     plan_all();
@@ -17,7 +23,27 @@ void SheetPlan::make() {
         give_each_a_page();
         return make();
     }
-    share_force_scale();
+    // Figures have learnt since that they take more: what was too fine on so many pages is so still.
+    share_force_scale(too_fine && pages_.size() <= before ? next_scale(*too_fine) : 0);
+}
+
+bool SheetPlan::makes_another() {
+    const std::vector<PlannedPage> pages = pages_;
+    std::vector<BandLayouts> layouts = layouts_;
+    const int times_divided = times_divided_;
+    const double worth = worth_;
+    const std::optional<double> force_scale = wanted_.force_scale;
+    const bool keeps_force_scale = wanted_.keeps_force_scale;
+    looks_again_ = true;
+    make();
+    // Layouts refer to their bands: where these were divided anew there is no way back.
+    if (pages_.size() <= pages.size() || times_divided_ != times_divided) return is_made_ = true;
+    pages_ = pages;
+    layouts_ = std::move(layouts);
+    worth_ = worth;
+    wanted_.force_scale = force_scale;
+    wanted_.keeps_force_scale = keeps_force_scale;
+    return false;
 }
 
 void SheetPlan::draw_forces_at(double scale) {
@@ -48,6 +74,7 @@ void SheetPlan::plan_all() {
 // --- what no page holds -----------------------------------------------------------------------------------------------------
 
 void SheetPlan::give_each_a_page() {
+    ++times_divided_;
     layouts_.clear();
     rejoin();
     for (std::size_t b = 0; b < bands_.list.size(); ++b)
@@ -101,7 +128,6 @@ void SheetPlan::divide(std::size_t index, std::size_t rows) {
     Band& band = bands_.list[index];
     Band rest = band;
     rest.figures.clear();
-    rest.draws_mechanism = false;
     band.end_row = rest.first_row = band.first_row + rows;
     bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
 }
@@ -128,7 +154,6 @@ void SheetPlan::part_figures(std::size_t index) {
     rest.figures.assign(band.figures.begin() + half, band.figures.end());
     rest.parts.clear();
     rest.first_row = rest.end_row = 0;
-    rest.draws_mechanism = false;
     band.figures.resize(static_cast<std::size_t>(half));
     bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
 }
@@ -137,8 +162,8 @@ void SheetPlan::part_figures(std::size_t index) {
 
 /// Triangles and closed polygon have one scale: the finest at which all of them have room on as few pages, unless it costs the
 /// other figures, polygons of motion among them, more than forces are worth.
-void SheetPlan::share_force_scale() {
-    double finest = least_force_scale_.value_or(0);
+void SheetPlan::share_force_scale(double least) {
+    double finest = std::max(least, least_force_scale_.value_or(0));
     for (const Band& band : bands_.list)
         for (const std::size_t figure : band.figures) {
             const Wanted& each = wanted_.list[figure];

@@ -20,6 +20,9 @@ public:
     /// Anew, by what is known of the figures by now. The text of what no page holds goes on over pages; where that alone does not
     /// help the figures are shown smaller.
     void make();
+    /// Another plan by what is known now, at every scale of the force polygons; false where it took more pages: then all is
+    /// as it was. The next make() takes it.
+    bool makes_another();
     /// All is planned anew the next time, were it only for another scale of the force polygons.
     void look_again() { looks_again_ = true; }
 
@@ -60,7 +63,7 @@ private:
     void divide(std::size_t index, std::size_t rows);
     void rejoin();
     void part_figures(std::size_t index);
-    void share_force_scale();
+    void share_force_scale(double least);
     double coarsest_of_forces() const;
 
     WantedFigures& wanted_;
@@ -74,6 +77,8 @@ private:
     std::vector<PlannedPage> pages_;
     double worth_ = BandLayout::impossible;  // of the pages
     bool seeks_finest_force_scale_ = true;
+    int times_divided_ = 0;                    // the bands
+    bool is_made_ = false;                     // the plan that make() would make
     bool looks_again_ = false;                 // for another force scale
     std::optional<double> least_force_scale_;  // at which all force polygons that were drawn had room
 };

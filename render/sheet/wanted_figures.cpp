@@ -151,7 +151,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
     lever.extent_x = extent_of_lever(s).width();
     lever.extent_y = extent_of_lever(s).height();
     lever.rim_x = lever.rim_y = 40;  // forces on either side
-    lever.least = 25;
+    lever.least = 20;
     lever.draw = [this](double x, double y) { return joukowsky_figure(context_, x, y); };
     add(std::move(lever));
 }
@@ -248,7 +248,7 @@ void WantedFigures::add_truss() {
     wanted.extent_y = extent.height();
     wanted.rim_x = wanted.rim_y = 44;
     // The bars, between whose letters strings run, too.
-    constexpr double least_of_bars = 60;
+    constexpr double least_of_bars = 48;
     wanted.least = least_of_bars * std::max(extent.width(), extent.height()) / std::max(bars, 1e-30);
     wanted.weight = 1.5;
     wanted.draw = [this](double x, double y) { return truss_figure(context_, x, y); };
@@ -260,10 +260,11 @@ void WantedFigures::add_truss() {
                        });
     // It needs room for its letters, whatever the other polygons have.
     list.back().to_force_scale = false;
+    list.back().larger = nullptr;
     list.back().draw = [this, scale = list.back().asked](double x, double y) {
         return cremona_figure(context_, x, y, scale, scale.has_value());
     };
-    list.back().least = 50;
+    list.back().least = 40;
     list.back().weight = 1.2;
 }
 
@@ -293,6 +294,10 @@ void WantedFigures::add_force_polygons(const std::string& kind, const std::strin
     for (const std::string& figure : {kind, std::string("forces"), std::string("closure")})
         if (!wanted.asked) wanted.asked = asked(figure, si);
     wanted.to_force_scale = true;
+    wanted.larger = [draw](Spot room) {
+        constexpr double enough_of_small = 60;
+        return draw(std::min(room.x, enough_of_small), std::min(room.y, enough_of_small), std::nullopt, false);
+    };
     wanted.draw = [this, draw = std::move(draw), scale = wanted.asked](double x, double y) {
         const bool fixed = scale && !force_scale;
         return draw(x, y, fixed ? scale : force_scale, fixed);
@@ -300,14 +305,19 @@ void WantedFigures::add_force_polygons(const std::string& kind, const std::strin
     add(std::move(wanted));
 }
 
-/// All have one scale: at it the largest must be readable.
+/// All have one scale, so that the sides of the closed polygon are taken over with the compass: at it the largest must be
+/// readable. A body's polygon that is a small part of it may have a finer one of its own.
 void WantedFigures::keep_forces_readable() {
-    constexpr double least = 18;
+    constexpr double least = 18, small_part = 0.35;
     Wanted* largest = nullptr;
     const auto size = [](const Wanted& wanted) { return std::max(wanted.extent_x, wanted.extent_y); };
     for (Wanted& each : list)
         if (each.to_force_scale && each.name != "forces" && (largest == nullptr || size(each) > size(*largest))) largest = &each;
     if (largest != nullptr) largest->least = std::max(largest->least, least);
+    for (Wanted& each : list) {
+        const bool is_of_a_body = each.to_force_scale && each.name.starts_with("forces-");
+        if (!is_of_a_body || each.asked || size(each) > small_part * size(*largest)) each.larger = nullptr;
+    }
 }
 
 /// In the order of the bodies, pins after them.
@@ -330,10 +340,11 @@ void WantedFigures::add_free_body(const DrawingContext& context, std::size_t ind
     const Box box = extent_of_free_body(s, index);
     body.extent_x = std::max(box.width(), 0.3 * box.height());
     body.extent_y = std::max(box.height(), 0.3 * box.width());
-    body.rim_x = 30;
-    body.rim_y = 34;
+    // The least that letters take: what they do take is known once they are drawn.
+    body.rim_x = 16;
+    body.rim_y = 26;
     body.fills = true;
-    body.least = 12;
+    body.least = 10;
     body.enough = 70;
     body.weight = 0.6;
     // Two forces on one line say no more the longer the link is: it leaves the paper to polygons.
@@ -402,7 +413,7 @@ void WantedFigures::add_curvature() {
         wanted.extent_y = extent.height();
         wanted.rim_x = 26;
         wanted.rim_y = 34;
-        wanted.least = 60;
+        wanted.least = 48;
         wanted.weight = 1.5;
         wanted.draw = [this, i](double x, double y) { return curvature_figure(context_, i, x, y); };
         add(std::move(wanted));
@@ -417,7 +428,7 @@ void WantedFigures::add_loops() {
     wanted.extent_y = extent.height();
     wanted.rim_x = 22;
     wanted.rim_y = 28;
-    wanted.least = 80;
+    wanted.least = 64;
     wanted.weight = 1.5;
     wanted.draw = [this](double x, double y) { return loops_figure(context_, x, y); };
     add(std::move(wanted));
@@ -429,7 +440,7 @@ void WantedFigures::add_displacements() {
         wanted.asked.reset();
         wanted.rim_x = 30;
         wanted.rim_y = 36;
-        wanted.least = 60;
+        wanted.least = 48;
         wanted.tells_vectors = true;
         wanted.draw = [this, i](double x, double y) { return displacement_figure(context_, i, x, y); };
         add(std::move(wanted));
@@ -445,7 +456,7 @@ void WantedFigures::add_moving_axes() {
         wanted.asked.reset();
         wanted.rim_x = 30;
         wanted.rim_y = 36;
-        wanted.least = 40;
+        wanted.least = 32;
         wanted.tells_vectors = true;
         wanted.draw = [this, i](double x, double y) { return moving_axes_figure(context_, i, x, y); };
         add(std::move(wanted));
@@ -518,7 +529,7 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.empty = scene.empty();
     wanted.extent_x = scene.width();
     wanted.extent_y = scene.height();
-    wanted.least = 20;
+    wanted.least = 16;
     wanted.letters = scene.vectors.size() + scene.images.size();
     wanted.weight = 1.5;
     const double si = scene.unit.si.to_double();

@@ -33,7 +33,7 @@ struct Wanted {
     std::string name;                   ///< by which it may be asked for alone
     double extent_x = 0, extent_y = 0;  ///< in the units of its scale; 0 where nothing depends on it
     double rim_x = 20, rim_y = 14;      ///< what lettering takes beside the strokes, mm
-    double least = 22;                  ///< mm of its longer extent below which nothing can be read off it
+    double least = 18;                  ///< mm of its longer extent below which nothing can be read off it
     std::map<double, Spot> taken{};     ///< mm, letters and all, its caption apart, at the scales at which it was drawn
     Spot least_room{};                  ///< mm, its caption apart: what it took where it was drawn into less
     std::size_t letters = 0;            ///< how many names it carries
@@ -47,6 +47,9 @@ struct Wanted {
     /// The figure with all that there is room for, once its room is known; empty and at any_scale: there is no room for more.
     /// None: nothing more can be shown.
     std::function<Figure(const Figure& plain, Spot room)> enrich{};
+    /// Of a force polygon that is small at the scale of all: at a finer one, as far as its room has it. None: it is drawn as it
+    /// is planned.
+    std::function<Figure(Spot room)> larger{};
     /// By how many mm it must be wider at a scale for a block (width, height) in one of its corners; none: it has no such corner.
     std::function<double(double scale, Spot block)> wider_for{};
     /// What its strokes take at a scale, mm, where that is not in proportion to its extents.

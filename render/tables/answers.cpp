@@ -55,8 +55,8 @@ public:
           forces_(force_rows(context, drawn)) {
         for (const Figure& figure : drawn) {
             if (!length_scale_ && figure.kind == "mechanism" && figure.unit == "m") length_scale_ = figure.scale;
-            if (!force_scale_ && (figure.kind == "forces" || figure.kind == "closure"))
-                force_scale_ = figure.scale * mechanism_.units.force.si.to_double();
+            if (figure.kind == "forces" || figure.kind == "closure")
+                force_scale_ = std::max(force_scale_.value_or(0), figure.scale * mechanism_.units.force.si.to_double());
         }
     }
 
@@ -259,7 +259,7 @@ private:
     const Mechanism& mechanism_;
     std::vector<ResultRow> motion_, forces_;
     std::optional<double> length_scale_;  // m for each mm
-    std::optional<double> force_scale_;   // N for each mm
+    std::optional<double> force_scale_;   // N for each mm, the coarsest
     std::vector<Answer> answers_;
 };
 
