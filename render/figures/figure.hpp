@@ -98,9 +98,9 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
                              std::optional<double> least = std::nullopt, bool fixed = false);
 /// A body cut free (index into Solution::free_bodies): kind "body", id "body-<name>"; its scale is that of its forces.
 /// `at_pairs`: beside the one force of a sleeve or a clamp its force and couple at the pair, too. `load`: as of
-/// mechanism_with_forces; the id ends in "-load-<load>" then.
+/// mechanism_with_forces; the id ends in "-load-<load>" then. `shrinks`: to next to nothing, where it has no more room.
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y, bool at_pairs = true,
-                        const std::string& load = "");
+                        const std::string& load = "", bool shrinks = true);
 
 // Joukowsky's lever: forces at the tips of the velocities turned a quarter turn; their moments about the pole are the powers
 // with the sign changed.

@@ -777,7 +777,7 @@ Box extent_of_free_body(const Solution& solution, std::size_t index) {
 }
 
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y, bool at_pairs,
-                        const std::string& load) {
+                        const std::string& load, bool shrinks) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     const FreeBody& body = solution.free_bodies[index];
@@ -807,9 +807,8 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                              ? choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9),
                                             std::max(room_x - around, 10.0), std::max(room_y - around - 12, 10.0), std::nullopt)
                              : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
-    // Names do not shrink with the body: a smaller one gains them little, and shows nothing. Only in a room that may be all there
-    // is does it shrink until it fits.
-    const double least_shown = std::max(room_x, room_y) < roomy ? 3 : 0.05;
+    // Names do not shrink with the body: a smaller one gains them little, and shows nothing.
+    const double least_shown = shrinks ? 0.05 : 5;
     const double extent = has_length ? std::max(box.width(), box.height()) : 0;
     return fit({.room = Spot{room_x, room_y}, .first = start, .extent = extent, .least_shown = least_shown},
                [&](const Trial& trial) {

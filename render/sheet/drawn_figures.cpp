@@ -149,7 +149,7 @@ const Figure& DrawnFigures::figure_in(std::size_t index, Spot room, double coars
     std::vector<Known>& known = known_[index];
     for (const Known& each : known)
         if (serves(each, wanted, room, coarsest)) return each.figure;
-    Known drawn{room, wanted.to_force_scale ? wanted_.force_scale : std::nullopt, {}, {}};
+    Known drawn{room, wanted.to_force_scale ? wanted_.force_scale : std::nullopt, wanted.shrinks, {}, {}};
     if (coarsest < any_scale) {
         drawn.figure = wanted.draw_or_refuse(room, coarsest);
         if (drawn.figure.scale == any_scale) drawn.refused_at = coarsest;
@@ -163,6 +163,7 @@ const Figure& DrawnFigures::figure_in(std::size_t index, Spot room, double coars
 bool DrawnFigures::serves(const Known& known, const Wanted& wanted, Spot room, double coarsest) const {
     constexpr double rounding = 1e-6;
     if (known.force_scale != (wanted.to_force_scale ? wanted_.force_scale : std::nullopt)) return false;
+    if (known.shrinks != wanted.shrinks) return false;
     const bool larger = room.x > known.room.x + rounding || room.y > known.room.y + rounding;
     if (known.refused_at) return !larger && coarsest <= *known.refused_at;
     const bool same = !larger && room.x > known.room.x - rounding && room.y > known.room.y - rounding;

@@ -35,6 +35,7 @@ private:
     struct Known {
         Spot room;
         std::optional<double> force_scale;
+        bool shrinks = false;
         Figure figure;
         std::optional<double> refused_at;  // the scale that it had no room for
     };

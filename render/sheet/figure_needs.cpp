@@ -90,7 +90,10 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
     if (wanted.fills) {
         // Where it had room it may have filled it, with a larger body; a wider room may do with fewer lines of its caption. Where
         // it outgrows one room after the other, it gets what it took.
-        const bool settles = ++refusals_of(wanted) > most_refusals;
+        constexpr int without_avail = 2;
+        const int times = ++refusals_of(wanted);
+        const bool settles = times > most_refusals;
+        wanted.shrinks = times > most_refusals + without_avail;
         const bool wants_width = drawn.wide_enough > 0 && !settles;
         Spot& least = wanted.least_room;
         if (over_x >= ink || settles) least.x = std::max(least.x, box.width());

@@ -356,8 +356,9 @@ void WantedFigures::add_free_body(const DrawingContext& context, std::size_t ind
         const double at = body.enough / longest;
         most = Spot{at * body.extent_x + body.rim_x, at * body.extent_y + body.rim_y};
     }
-    body.draw = [this, &context, index, load, most](double x, double y) {
-        return free_body_figure(context, index, std::min(x, most.x), std::min(y, most.y), detail_ == SolutionDetail::full, load);
+    body.draw = [this, &context, index, load, most, own = list.size()](double x, double y) {
+        return free_body_figure(context, index, std::min(x, most.x), std::min(y, most.y), detail_ == SolutionDetail::full, load,
+                                list[own].shrinks);
     };
     add(std::move(body));
 }

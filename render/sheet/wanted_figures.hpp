@@ -58,6 +58,7 @@ struct Wanted {
     bool spare = false;           ///< shown only where there is room, or alone
     bool to_force_scale = false;  ///< one scale for all of these
     bool fills = false;           ///< drawn to fill its room; its scale is that of its vectors
+    bool shrinks = false;         ///< of what fills its room: to next to nothing, for there is no larger room
     bool tells_vectors = false;   ///< the scale of its figure is that of its vectors, too, but it is drawn as it is planned
 
     /// Whether the scale of its figure is that which its room was planned for.
