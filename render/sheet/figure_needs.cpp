@@ -88,23 +88,28 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
     const double over_x = box.width() - drawn.room.width(), over_y = drawn.height() - drawn.room.height();
     if (over_x < ink && over_y < ink) return false;
     if (wanted.fills) {
-        // Where it had room it may have filled it, with a larger body; a wider room may do with fewer lines of its caption. Where
-        // it outgrows one room after the other, it gets what it took.
-        constexpr int without_avail = 2;
-        const int times = ++refusals_of(wanted);
-        const bool settles = times > most_refusals;
-        wanted.shrinks = times > most_refusals + without_avail;
-        const bool wants_width = drawn.wide_enough > 0 && !settles;
-        Spot& least = wanted.least_room;
-        if (over_x >= ink || settles) least.x = std::max(least.x, box.width());
-        if (wants_width) least.x = std::max(least.x, drawn.wide_enough);
-        if ((over_y >= ink && !wants_width) || settles) least.y = std::max(least.y, drawn.height() - caption_line);
+        fills_a_larger_room(drawn, over_x >= ink, over_y >= ink);
     } else {
         wanted.rim_x += std::max(over_x, 0.0);
         wanted.rim_y += std::max(over_y, 0.0);
         learn_from(drawn);  // its caption may have more lines by now
     }
     return true;
+}
+
+/// Only the way in which it was too large: the other way it may have filled its room with a larger body. A wider room may do with
+/// fewer lines of its caption. One that outgrows one room after the other gets what it took; where that is of no avail it
+/// shrinks.
+void FigureNeeds::fills_a_larger_room(const DrawnFigure& drawn, bool too_wide, bool too_high) {
+    constexpr int without_avail = 2;
+    Wanted& wanted = wanted_.list[drawn.wanted];
+    const int times = ++refusals_of(wanted);
+    const bool settles = times > most_refusals, wants_width = drawn.wide_enough > 0 && !settles;
+    wanted.shrinks = times > most_refusals + without_avail;
+    Spot& least = wanted.least_room;
+    if (too_wide || settles) least.x = std::max(least.x, drawn.figure.box.width());
+    if (wants_width) least.x = std::max(least.x, drawn.wide_enough);
+    if ((too_high && !wants_width) || settles) least.y = std::max(least.y, drawn.height() - caption_line);
 }
 
 bool FigureNeeds::misses_its_scale(const DrawnFigure& drawn) const {

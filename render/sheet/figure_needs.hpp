@@ -84,6 +84,7 @@ public:
 
 private:
     bool is_coarser_than_promised(const DrawnFigure& drawn) const;
+    void fills_a_larger_room(const DrawnFigure& drawn, bool too_wide, bool too_high);
     void wants_more_than_its_room(const DrawnFigure& drawn);
 
     /// Of a room in the last round, by a figure: its rim there, and how often it is said to have refused where it takes it.
