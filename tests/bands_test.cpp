@@ -11,8 +11,8 @@
 #include "engine/index.hpp"
 #include "render/backends/backends.hpp"
 #include "render/backends/picture_difference.hpp"
-#include "render/sheet/page_plan.hpp"
 #include "render/sheet/sheet.hpp"
+#include "render/sheet/title_block.hpp"
 #include "tests/pages.hpp"
 
 namespace {
@@ -202,8 +202,8 @@ TEST(Bands, FillTheirPages) {
     // 0.62 and seven under a half while polygons grew beyond 80 mm before the page was full, bodies cut free were planned for far
     // more than their letters take, and a mechanism with its lines of action began a page.
     EXPECT_GE(sum / count, 0.665) << count << " pages";
-    EXPECT_GE(least, 0.37) << emptiest;
-    EXPECT_LE(half_empty, 4);
+    EXPECT_GE(least, 0.40) << emptiest;
+    EXPECT_LE(half_empty, 3);
 }
 
 TEST(Bands, TellNothingLikewiseBeforeItsVectorIsDrawn) {

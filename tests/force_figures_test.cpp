@@ -165,8 +165,11 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
     const Solution solution = example(GetParam());
     for (const Paper paper : {Paper::a4, Paper::a3}) {
         std::set<double> scales, of_closed;
+        std::map<double, double> longest;  // vector of force polygons, by scale
         std::set<std::string> bodies;
-        for (const Page& page : lay_out(solution, {paper, Language::en, {}}, fonts()))
+        for (const Page& page : lay_out(solution, {paper, Language::en, {}}, fonts())) {
+            for (const Drawn& vector : vectors_of(page.marks))
+                if (vector.figure == "forces") longest[vector.scale] = std::max(longest[vector.scale], std::abs(vector.value));
             for (const Mark& mark : page.marks)
                 if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure") {
                     const std::string* kind = group->attribute("data-figure");
@@ -175,6 +178,13 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
                     if (kind && scale && (*kind == "forces" || *kind == "closure"))
                         (*kind == "closure" ? of_closed : scales).insert(std::strtod(scale->c_str(), nullptr));
                 }
+        }
+        // A polygon that is finer spans 0.35 of the largest at most, both ways.
+        for (const auto& [scale, value] : longest) {
+            if (scale < longest.rbegin()->first) {
+                EXPECT_LE(value, 0.5 * longest.rbegin()->second) << scale;
+            }
+        }
         EXPECT_LE(of_closed.size(), 1u);
         if (!of_closed.empty() && !scales.empty()) {
             EXPECT_EQ(*of_closed.begin(), *scales.rbegin()) << "that of the largest";

@@ -20,8 +20,6 @@ bool gains_nothing(const Wanted& wanted, const Figure& drawn, Spot room) {
     return finest >= drawn.scale * (1 - rounding);
 }
 
-constexpr double widest_caption = 120, fine = 1;  // mm
-
 /// For a figure that fills its room.
 bool is_hardly_other(Spot known, Spot room) {
     constexpr double hardly = 1.2;
@@ -80,6 +78,7 @@ void DrawnFigures::draw_what_fills_its_room() {
     for (auto& [band, figures] : by_band_) share_room(figures);
 }
 
+/// What has a finer scale of its own takes no more than its room.
 void DrawnFigures::enlarge(DrawnFigure& drawn) const {
     const Wanted& wanted = wanted_.list[drawn.wanted];
     if (!wanted.larger) return;
@@ -182,6 +181,7 @@ void DrawnFigures::draw_into(DrawnFigure& drawn, Spot room, double coarsest) {
     if (drawn.is_refused()) return;
     drawn.caption = height_of_caption(drawn, drawn.room.width());
     if (drawn.caption > caption_line && drawn.height() > room.y) {
+        constexpr double widest_caption = 120;
         const double left = room.y - drawn.figure.box.height();
         if (left >= caption_line) drawn.wide_enough = width_for_caption(drawn, left, room.x, std::max(room.x, widest_caption));
         drawn.figure = figure_in(drawn.wanted, below(drawn.caption), coarsest);
@@ -196,6 +196,7 @@ double DrawnFigures::height_of_caption(const DrawnFigure& drawn, double width) c
 
 /// The least width between two in which its caption is no higher than `most`; the greater one where none is.
 double DrawnFigures::width_for_caption(const DrawnFigure& drawn, double most, double low, double high) const {
+    constexpr double fine = 1;
     if (height_of_caption(drawn, low) <= most) return low;
     while (high - low > fine) {
         const double middle = 0.5 * (low + high);
