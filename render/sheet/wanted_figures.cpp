@@ -59,6 +59,8 @@ std::size_t polygons_of(const Solution& solution) {
     return static_cast<std::size_t>(count) + solution.taken_together.size();
 }
 
+double size_of(const Wanted& wanted) { return std::max(wanted.extent_x, wanted.extent_y); }
+
 /// Whether an effort was found by virtual work: then the lever is its construction.
 bool found_by_works(const Solution& solution) {
     return std::any_of(solution.virtual_motions.begin(), solution.virtual_motions.end(), [&](const VirtualMotion& motion) {
@@ -124,7 +126,10 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
 void WantedFigures::collect_forces(bool joukowsky) {
     const Solution& s = context_.solution;
     if (s.truss) add_truss();
-    if (s.free_bodies.empty()) return add_polygons_of_bodies(context_);
+    if (s.free_bodies.empty()) {
+        add_polygons_of_bodies(context_);
+        return keep_larger_to_small_ones();
+    }
     add_lines_of_action();
     if (has_force_polygons(s))
         add_force_polygons("forces", "forces", extent_of_forces(s),
@@ -144,6 +149,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
         list.back().rim_y = 12;
     }
     keep_forces_readable();
+    keep_larger_to_small_ones();
     add_free_bodies();
     if (!(joukowsky || found_by_works(s)) || no_lever(s) != NoLever::drawn) return;
     Wanted lever;
@@ -172,12 +178,13 @@ void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
     const Solution& s = context.solution;
     const auto add_polygon = [&](const std::string& name, int polygon) {
         const PolygonScene scene = polygon_scene(s, polygon);
-        add_force_polygons("forces", name, rectangle(0, 0, scene.width(), scene.height()),
-                           [&context, polygon](double x, double y, std::optional<double> scale, bool fixed) {
-                               return force_polygons_figure(context, x, y, scale, fixed, false, polygon);
-                           });
+        const DrawForces draw = [&context, polygon](double x, double y, std::optional<double> scale, bool fixed) {
+            return force_polygons_figure(context, x, y, scale, fixed, false, polygon);
+        };
+        add_force_polygons("forces", name, rectangle(0, 0, scene.width(), scene.height()), draw);
         know_strokes(list.back(),
                      [&context, polygon](double scale) { return strokes_of_force_polygon(context, polygon, false, scale); });
+        list.back().larger = at_own_scale(draw);
     };
     for (const FreeBody& body : s.free_bodies) {
         if (!has_force_polygon(s, body)) continue;
@@ -212,12 +219,13 @@ void WantedFigures::add_superposition() {
                 if (has_force_polygon(alone.solution, alone.solution.free_bodies[b])) add_free_body(alone, b, load);
         const std::size_t count = polygons_of(alone.solution);
         if (count == 0) continue;
-        add_force_polygons("forces", "forces-load-" + load, extent_of_forces(alone.solution),
-                           [&alone, load](double x, double y, std::optional<double> scale, bool fixed) {
-                               Figure figure = force_polygons_figure(alone, x, y, scale, fixed);
-                               figure.id = "forces-load-" + load;
-                               return figure;
-                           });
+        const DrawForces draw = [&alone, load](double x, double y, std::optional<double> scale, bool fixed) {
+            Figure figure = force_polygons_figure(alone, x, y, scale, fixed);
+            figure.id = "forces-load-" + load;
+            return figure;
+        };
+        add_force_polygons("forces", "forces-load-" + load, extent_of_forces(alone.solution), draw);
+        list.back().larger = at_own_scale(draw);
         leave_room_for(count);
     }
     if (s.superposition->sums.empty()) return;
@@ -260,7 +268,6 @@ void WantedFigures::add_truss() {
                        });
     // It needs room for its letters, whatever the other polygons have.
     list.back().to_force_scale = false;
-    list.back().larger = nullptr;
     list.back().draw = [this, scale = list.back().asked](double x, double y) {
         return cremona_figure(context_, x, y, scale, scale.has_value());
     };
@@ -294,10 +301,6 @@ void WantedFigures::add_force_polygons(const std::string& kind, const std::strin
     for (const std::string& figure : {kind, std::string("forces"), std::string("closure")})
         if (!wanted.asked) wanted.asked = asked(figure, si);
     wanted.to_force_scale = true;
-    wanted.larger = [draw](Spot room) {
-        constexpr double enough_of_small = 60;
-        return draw(std::min(room.x, enough_of_small), std::min(room.y, enough_of_small), std::nullopt, false);
-    };
     wanted.draw = [this, draw = std::move(draw), scale = wanted.asked](double x, double y) {
         const bool fixed = scale && !force_scale;
         return draw(x, y, fixed ? scale : force_scale, fixed);
@@ -305,19 +308,34 @@ void WantedFigures::add_force_polygons(const std::string& kind, const std::strin
     add(std::move(wanted));
 }
 
+std::function<Figure(Spot room)> WantedFigures::at_own_scale(DrawForces draw) {
+    return [draw = std::move(draw)](Spot room) {
+        constexpr double enough = 60;
+        return draw(std::min(room.x, enough), std::min(room.y, enough), std::nullopt, false);
+    };
+}
+
 /// All have one scale, so that the sides of the closed polygon are taken over with the compass: at it the largest must be
-/// readable. A body's polygon that is a small part of it may have a finer one of its own.
+/// readable.
 void WantedFigures::keep_forces_readable() {
-    constexpr double least = 18, small_part = 0.35;
-    Wanted* largest = nullptr;
-    const auto size = [](const Wanted& wanted) { return std::max(wanted.extent_x, wanted.extent_y); };
+    constexpr double least = 18;
+    if (Wanted* largest = largest_of_forces(); largest != nullptr) largest->least = std::max(largest->least, least);
+}
+
+/// A body's polygon that is a small part of the largest may have a finer scale of its own, no other.
+void WantedFigures::keep_larger_to_small_ones() {
+    constexpr double small_part = 0.35;
+    const Wanted* largest = largest_of_forces();
     for (Wanted& each : list)
-        if (each.to_force_scale && each.name != "forces" && (largest == nullptr || size(each) > size(*largest))) largest = &each;
-    if (largest != nullptr) largest->least = std::max(largest->least, least);
-    for (Wanted& each : list) {
-        const bool is_of_a_body = each.to_force_scale && each.name.starts_with("forces-");
-        if (!is_of_a_body || each.asked || size(each) > small_part * size(*largest)) each.larger = nullptr;
-    }
+        if (each.larger && (each.asked || size_of(each) > small_part * size_of(*largest))) each.larger = nullptr;
+}
+
+Wanted* WantedFigures::largest_of_forces() {
+    Wanted* largest = nullptr;
+    for (Wanted& each : list)
+        if (each.to_force_scale && each.name != "forces" && (largest == nullptr || size_of(each) > size_of(*largest)))
+            largest = &each;
+    return largest;
 }
 
 /// In the order of the bodies, pins after them.

@@ -92,6 +92,8 @@ private:
     static void know_strokes(Wanted& wanted, std::function<Spot(double scale)> strokes);
     using DrawForces = std::function<Figure(double room_x, double room_y, std::optional<double> scale, bool fixed)>;
 
+    static std::function<Figure(Spot room)> at_own_scale(DrawForces draw);
+
     Wanted& add(Wanted wanted);
     void collect_motion();
     void add_mechanism();
@@ -106,6 +108,8 @@ private:
     void add_superposition();
     void leave_room_for(std::size_t polygons);
     void keep_forces_readable();
+    void keep_larger_to_small_ones();
+    Wanted* largest_of_forces();
     void add_curvature();
     void add_loops();
     void add_displacements();
