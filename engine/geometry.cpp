@@ -24,6 +24,22 @@ ProjectiveLine line_of(const Make& make) {
     return {Exact::in_lowest_terms(std::move(a)), Exact::in_lowest_terms(std::move(b)), Exact::in_lowest_terms(std::move(c))};
 }
 
+/// The same line with whole coefficients.
+struct WholeLine {
+    explicit WholeLine(const ProjectiveLine& l) {
+        const mpq_class &la = l.a.rational(), &lb = l.b.rational(), &lc = l.c.rational();
+        const mpz_class common = lcm(lcm(la.get_den(), lb.get_den()), lc.get_den());
+        a = common / la.get_den() * la.get_num();
+        b = common / lb.get_den() * lb.get_num();
+        c = common / lc.get_den() * lc.get_num();
+    }
+    mpz_class a, b, c;
+};
+
+Exact ratio(mpz_class numerator, const mpz_class& denominator) {
+    return Exact(mpq_class(std::move(numerator), denominator));
+}
+
 }  // namespace
 
 ProjectiveLine finite_line_through(const ProjectivePoint& point, const Vector& direction) {
@@ -41,11 +57,13 @@ ProjectiveLine finite_join(const ProjectivePoint& p, const ProjectivePoint& q) {
     });
 }
 
-// CGAL's intersection is the same, with each number copied four times on its way.
+// CGAL's intersection is the same over fractions: each of its products and differences is brought to lowest terms, where only the
+// two coordinates need be.
 ProjectivePoint finite_meet(const ProjectiveLine& l, const ProjectiveLine& m) {
-    const Exact across = difference_of_products(l.a, m.b, m.a, l.b);
-    KG_ASSERT(!across.is_zero(), "lines that are not parallel meet");
-    return {difference_of_products(l.b, m.c, m.b, l.c) / across, difference_of_products(m.a, l.c, l.a, m.c) / across, 1};
+    const WholeLine one(l), other(m);
+    const mpz_class across = one.a * other.b - other.a * one.b;
+    KG_ASSERT(across != 0, "lines that are not parallel meet");
+    return {ratio(one.b * other.c - other.b * one.c, across), ratio(other.a * one.c - one.a * other.c, across), 1};
 }
 
 bool incident(const ProjectivePoint& p, const ProjectiveLine& l) {
