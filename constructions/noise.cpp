@@ -67,23 +67,24 @@ private:
             for (const std::vector<Value>& values : protocol_.shifted) shifted.push_back(read(values));
             if (is_zero_within(value, shifted)) return true;
         }
-        if (pose_.exact || !size.is_below(unit, pose_.bits / 2) || finer().flipped) return false;
+        if (pose_.exact || !size.is_below(unit, pose_.bits / 2)) return false;
         // As the board's predicates: what shrinks with the pose is zero, what stays is not.
-        return magnitude_of(read(finer().values)).order <= size.order - pose_.bits / 2;
+        return magnitude_of(read(finer())).order <= size.order - pose_.bits / 2;
     }
-    const Evaluation& finer() const {
-        if (!finer_) {
+    const std::vector<Value>& finer() const {
+        if (finer_.empty()) {
             const Pose pose = draw_finer_();
-            finer_ = evaluate(protocol_.program, givens_of(protocol_.program, mechanism_, pose), pose);
+            finer_ = trimmed_values(protocol_.program, givens_of(protocol_.program, mechanism_, pose),
+                                    digits_to_compare(pose.bits));
         }
-        return *finer_;
+        return finer_;
     }
 
     const Protocol& protocol_;
     const Mechanism& mechanism_;
     const Pose& pose_;
     const FinerPose& draw_finer_;
-    mutable std::optional<Evaluation> finer_;
+    mutable std::vector<Value> finer_;  // values on the finer pose, once asked
     Largest<Exact> largest_;
 };
 

@@ -50,11 +50,13 @@ Board::Board(const Mechanism& mechanism, const Pose& pose, std::function<const P
     protocol_.program.strokes.reserve(enough_for_most);
     if (!pose.is_rounded()) return;
     protocol_.program.doubtful_bits = bits_in_question(pose.rounding());
-    for (const ShiftedDrawing& each : *pose.shifted) shifted_.push_back(echo_on(each.mechanism, each.pose, true));
+    constexpr int digits_of_a_shift = 200;  // a bit more than twice as fine as any precision that a file may state
+    for (const ShiftedDrawing& each : *pose.shifted)
+        shifted_.push_back(echo_on(each.mechanism, each.pose, digits_of_a_shift));
 }
 
-Board::Echo Board::echo_on(const Mechanism& mechanism, const Pose& pose, bool trims) const {
-    Echo echo{mechanism, pose, trims, {}, {}};
+Board::Echo Board::echo_on(const Mechanism& mechanism, const Pose& pose, int digits) const {
+    Echo echo{mechanism, pose, digits, {}, {}};
     echo.largest.vector[static_cast<std::size_t>(Plane::drawing)] = magnitude_of(pose.size);
     return echo;
 }
@@ -222,7 +224,7 @@ void Board::decide(Guard& guard) {
         return;
     }
     if (pose_.exact || !here.is_small(pose_.bits / 2)) return;
-    if (!finer_) finer_.emplace(echo_on(mechanism_, finer_pose_(), false));
+    if (!finer_) finer_.emplace(echo_on(mechanism_, finer_pose_(), digits_to_compare(finer_pose_().bits)));
     follow(*finer_);
     const auto finer = answer(guard, protocol_.program.strokes, finer_->memory, finer_->largest);
     guard.how = Guard::How::by_finer_pose;
@@ -250,22 +252,6 @@ bool Board::lies_within_precision(const Guard& guard, const Answer<Exact>& here)
     return value && is_zero_within(*value, elsewhere);
 }
 
-namespace {
-
-/// A bit more than twice as fine as any precision that a file may state.
-constexpr int bits_of_an_echo = 200;
-Value trimmed(const Value& value) {
-    const auto number = [](const Exact& full) {
-        return full.is_zero() ? full : rounded(full, static_cast<int>(bits_of_an_echo - magnitude_of(full).order));
-    };
-    if (const auto* p = std::get_if<ProjectivePoint>(&value)) return ProjectivePoint{number(p->x), number(p->y), number(p->w)};
-    if (const auto* l = std::get_if<ProjectiveLine>(&value)) return ProjectiveLine{number(l->a), number(l->b), number(l->c)};
-    if (const auto* v = std::get_if<Vector>(&value)) return Vector{number(v->x), number(v->y)};
-    return number(std::get<Exact>(value));
-}
-
-}  // namespace
-
 void Board::follow(Echo& echo) const {
     const Program& program = protocol_.program;
     auto& values = echo.memory.values;
@@ -276,7 +262,7 @@ void Board::follow(Echo& echo) const {
         } else {
             carry_out(stroke, ElementIndex(i), echo.memory);
         }
-        if (echo.trims) values.back() = trimmed(values.back());
+        values.back() = trimmed(values.back(), echo.digits);
         std::visit([&](const auto& made) { echo.largest.note(stroke.plane, made); }, values.back());
     }
 }

@@ -414,7 +414,7 @@ private:
     int ask(Guard::Question question, ElementIndex a, ElementIndex b, Guard::How how = Guard::How::exactly);
     void decide(Guard& guard);
     struct Echo;
-    Echo echo_on(const Mechanism& mechanism, const Pose& pose, bool trims) const;
+    Echo echo_on(const Mechanism& mechanism, const Pose& pose, int digits) const;
     void follow(Echo& echo) const;
     bool lies_within_precision(const Guard& guard, const Answer<Exact>& here);
 
@@ -439,7 +439,7 @@ private:
     struct Echo {
         const Mechanism& mechanism;
         const Pose& pose;
-        bool trims;  ///< keeps as many digits as a comparison needs
+        int digits;  ///< that a comparison needs
         Memory memory;
         Largest<Exact> largest;
     };

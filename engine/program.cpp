@@ -317,4 +317,29 @@ Evaluation evaluate(const Program& program, const std::vector<Value>& givens, co
     return result;
 }
 
+Value trimmed(const Value& value, int digits) {
+    const auto number = [&](const Exact& full) {
+        return full.is_zero() ? full : rounded(full, static_cast<int>(digits - magnitude_of(full).order));
+    };
+    if (const auto* p = std::get_if<ProjectivePoint>(&value)) return ProjectivePoint{number(p->x), number(p->y), number(p->w)};
+    if (const auto* l = std::get_if<ProjectiveLine>(&value)) return ProjectiveLine{number(l->a), number(l->b), number(l->c)};
+    if (const auto* v = std::get_if<Vector>(&value)) return Vector{number(v->x), number(v->y)};
+    return number(std::get<Exact>(value));
+}
+
+std::vector<Value> trimmed_values(const Program& program, const std::vector<Value>& givens, int digits) {
+    std::vector<Value> values;
+    values.reserve(program.strokes.size());
+    ExactMemory memory{values};
+    for (const Stroke& stroke : program.strokes) {
+        if (stroke.given >= 0) {
+            values.push_back(givens[at(stroke.given)]);
+        } else {
+            carry_out(stroke, ElementIndex(values.size()), memory);
+        }
+        values.back() = trimmed(values.back(), digits);
+    }
+    return values;
+}
+
 }  // namespace kinegraph

@@ -174,6 +174,13 @@ struct Evaluation {
 /// its leftovers counts as zero.
 Evaluation evaluate(const Program& program, const std::vector<Value>& givens, const Pose& pose);
 
+/// A value with so many binary digits of each of its numbers.
+Value trimmed(const Value& value, int digits);
+/// As many digits as tell how large values are on a pose whose compass worked to so many bits, with all that cancels on the way.
+constexpr int digits_to_compare(int bits) { return 4 * bits; }
+/// By element, each with so many digits: for who compares sizes and asks no guard.
+std::vector<Value> trimmed_values(const Program& program, const std::vector<Value>& givens, int digits);
+
 // --- the one text ------------------------------------------------------------------------------------------------------------
 
 /// k with v = k·w: the component along w, so that a replay on another pose, where they are parallel only nearly, is defined too.
