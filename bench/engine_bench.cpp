@@ -15,10 +15,14 @@
 #include "engine/mobility.hpp"
 #include "engine/pose.hpp"
 #include "engine/replay.hpp"
+#include "tests/four_bars_in_a_row.hpp"
 
 namespace {
 
 using namespace kinegraph;
+using kinegraph::tests::at;
+using kinegraph::tests::four_bars_in_a_row;
+using kinegraph::tests::jitter;
 
 std::string example(const std::string& name) {
     std::ifstream file(std::string(KINEGRAPH_EXAMPLES_DIR) + "/" + name + ".json");
@@ -28,40 +32,6 @@ std::string example(const std::string& name) {
 }
 
 std::string number(int value) { return std::to_string(value); }
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }
-std::string at(int x, int y) { return "[" + number(x) + ", " + number(y) + "]"; }
-
-/// Small numbers that repeat no pattern, the same everywhere.
-int jitter(int i, int most) { return i * 7919 % 104729 % (2 * most + 1) - most; }
-
-/// A crank, then link and rocker `dyads` times, each rocker's far pin carrying the next link: 2 + 2·dyads bodies, every place a
-/// decimal of few digits, or the pins found by compass (irrational, so drawn to 2⁻¹⁰⁰).
-std::string chain(int dyads, const std::string& find = {}, bool by_compass = false) {
-    std::string points = "\"O0\": [0, 0], \"C0\": [30, 40]";
-    std::string bodies = "\"2\": [\"O0\", \"C0\"]";
-    std::string joints = "{\"revolute\": \"O0\", \"bodies\": [1, 2]}";
-    int carrier = 2;
-    for (int i = 1; i <= dyads; ++i) {
-        const std::string before = "C" + number(i - 1), ground = "O" + number(i), pin = "B" + number(i), next = "C" + number(i);
-        const int link = 2 * i + 1, rocker = 2 * i + 2;
-        const std::string place = by_compass ? "{\"meet\": [{\"circle\": " + quoted(before) +
-                                                   ", \"radius\": 95}, {\"circle\": " + quoted(ground) +
-                                                   ", \"radius\": 80}], \"side\": \"left\"}"
-                                             : at(120 * i + 10 + jitter(i + 50, 10), 80 + jitter(i + 100, 10));
-        points += ",\n" + quoted(ground) + ": " + at(120 * i, jitter(i, 10)) + ", " + quoted(pin) + ": " + place + ", " +
-                  quoted(next) + ": " + at(120 * i + 40 + jitter(i + 150, 10), 50 + jitter(i + 200, 10));
-        bodies += ",\n" + quoted(number(link)) + ": [" + quoted(before) + ", " + quoted(pin) + "], " + quoted(number(rocker)) +
-                  ": [" + quoted(ground) + ", " + quoted(pin) + ", " + quoted(next) + "]";
-        joints += ",\n{\"revolute\": " + quoted(before) + ", \"bodies\": " + at(carrier, link) +
-                  "}, {\"revolute\": " + quoted(pin) + ", \"bodies\": " + at(link, rocker) +
-                  "}, {\"revolute\": " + quoted(ground) + ", \"bodies\": " + at(1, rocker) + "}";
-        carrier = rocker;
-    }
-    return "{\"kinegraph\": 1, \"units\": {\"length\": \"mm\"}, \"frame\": 1,\n\"points\": {" + points + "},\n\"bodies\": {" +
-           bodies + "},\n\"joints\": [" + joints + "],\n\"drivers\": [{\"body\": 2, \"omega\": 5, \"alpha\": -2}]" +
-           (find.empty() ? "" : ",\n\"find\": " + find) + "}";
-}
-
 /// About so many megabytes of points carried by one crank: the largest file that is let in.
 std::string large_file(std::size_t megabytes) {
     std::string points = "\"O\": [0, 0]", carried = "\"O\"";
@@ -174,7 +144,7 @@ BENCHMARK(BM_CycleJansen);
 /// Pose, mobility, all centres, both polygons, the second way and the check.
 void BM_FourBar(benchmark::State& state) { solve_text(state, example("four_bar")); }
 BENCHMARK(BM_FourBar)->Unit(benchmark::kMicrosecond);
-void BM_FourBarByDecimals(benchmark::State& state) { solve_text(state, chain(1)); }
+void BM_FourBarByDecimals(benchmark::State& state) { solve_text(state, four_bars_in_a_row(1)); }
 BENCHMARK(BM_FourBarByDecimals)->Unit(benchmark::kMicrosecond);
 void BM_WattSixBar(benchmark::State& state) { solve_text(state, example("watt_six_bar")); }
 BENCHMARK(BM_WattSixBar)->Unit(benchmark::kMicrosecond);
@@ -183,21 +153,21 @@ BENCHMARK(BM_QuickReturn)->Unit(benchmark::kMicrosecond);
 
 /// Velocities and accelerations of 2 + 2·dyads bodies, with the check; 49 dyads are 100 bodies.
 void BM_ChainMotion(benchmark::State& state) {
-    solve_text(state, chain(static_cast<int>(state.range(0)), R"(["velocity", "acceleration"])"));
+    solve_text(state, four_bars_in_a_row(static_cast<int>(state.range(0)), R"(["velocity", "acceleration"])"));
 }
 BENCHMARK(BM_ChainMotion)->Arg(10)->Arg(25)->Arg(49)->Arg(50)->Unit(benchmark::kMillisecond);
 
 void BM_ChainMotionByCompass(benchmark::State& state) {
-    solve_text(state, chain(static_cast<int>(state.range(0)), R"(["velocity", "acceleration"])", true));
+    solve_text(state, four_bars_in_a_row(static_cast<int>(state.range(0)), R"(["velocity", "acceleration"])", true));
 }
 BENCHMARK(BM_ChainMotionByCompass)->Arg(10)->Arg(49)->Unit(benchmark::kMillisecond);
 
 /// Twelve bodies: all 66 centres by Aronhold and Kennedy, nothing else (pose and mobility included).
-void BM_TwelveBodiesCentres(benchmark::State& state) { solve_text(state, chain(5, R"(["instant centres"])")); }
+void BM_TwelveBodiesCentres(benchmark::State& state) { solve_text(state, four_bars_in_a_row(5, R"(["instant centres"])")); }
 BENCHMARK(BM_TwelveBodiesCentres)->Unit(benchmark::kMicrosecond);
-void BM_TwelveBodiesCentresByCompass(benchmark::State& state) { solve_text(state, chain(5, R"(["instant centres"])", true)); }
+void BM_TwelveBodiesCentresByCompass(benchmark::State& state) { solve_text(state, four_bars_in_a_row(5, R"(["instant centres"])", true)); }
 BENCHMARK(BM_TwelveBodiesCentresByCompass)->Unit(benchmark::kMicrosecond);
-void BM_TwelveBodiesAll(benchmark::State& state) { solve_text(state, chain(5)); }
+void BM_TwelveBodiesAll(benchmark::State& state) { solve_text(state, four_bars_in_a_row(5)); }
 BENCHMARK(BM_TwelveBodiesAll)->Unit(benchmark::kMicrosecond);
 
 // --- the parts -----------------------------------------------------------------------------------------------------------------
@@ -208,14 +178,14 @@ void BM_FourBarPose(benchmark::State& state) {
 BENCHMARK(BM_FourBarPose)->Unit(benchmark::kMicrosecond);
 
 void BM_ChainMobility(benchmark::State& state) {
-    const Mechanism mechanism = read(chain(static_cast<int>(state.range(0))));
+    const Mechanism mechanism = read(four_bars_in_a_row(static_cast<int>(state.range(0))));
     const auto pose = draw_pose(mechanism);
     for (auto _ : state) benchmark::DoNotOptimize(mobility_of(mechanism, *pose));
 }
 BENCHMARK(BM_ChainMobility)->Arg(1)->Arg(5)->Arg(49)->Unit(benchmark::kMicrosecond);
 
 void BM_ChainCheck(benchmark::State& state) {
-    const Mechanism mechanism = read(chain(static_cast<int>(state.range(0))));
+    const Mechanism mechanism = read(four_bars_in_a_row(static_cast<int>(state.range(0))));
     const auto pose = draw_pose(mechanism);
     for (auto _ : state) benchmark::DoNotOptimize(check_motion(mechanism, *pose));
 }
@@ -233,7 +203,7 @@ void read_text(benchmark::State& state, const std::string& text) {
 
 void BM_ReadFourBar(benchmark::State& state) { read_text(state, example("four_bar")); }
 BENCHMARK(BM_ReadFourBar)->Unit(benchmark::kMicrosecond);
-void BM_ReadHundredBodies(benchmark::State& state) { read_text(state, chain(49)); }
+void BM_ReadHundredBodies(benchmark::State& state) { read_text(state, four_bars_in_a_row(49)); }
 BENCHMARK(BM_ReadHundredBodies)->Unit(benchmark::kMillisecond);
 void BM_ReadTenMegabytes(benchmark::State& state) { read_text(state, large_file(10)); }
 BENCHMARK(BM_ReadTenMegabytes)->Unit(benchmark::kMillisecond);

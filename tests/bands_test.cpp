@@ -13,6 +13,7 @@
 #include "render/backends/picture_difference.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/sheet/title_block.hpp"
+#include "tests/four_bars_in_a_row.hpp"
 #include "tests/pages.hpp"
 
 namespace {
@@ -182,11 +183,10 @@ TEST(Bands, UseNoForceBeforeTheSentenceThatFindsIt) {
     }
 }
 
-// Aimed at are 0.70 on average and 0.50 at least; this is what is reached.
 TEST(Bands, FillTheirPages) {
     const SheetFormat format = format_of(Paper::a4, Orientation::landscape);
     double sum = 0, least = 1;
-    int count = 0, half_empty = 0;
+    int count = 0;
     std::string emptiest;
     for (const std::string& name : example_names()) {
         const auto pages = lay_out(example(name), {}, fonts());
@@ -195,15 +195,13 @@ TEST(Bands, FillTheirPages) {
             if (fill < least) least = fill, emptiest = name + ", page " + std::to_string(p + 1);
             sum += fill;
             ++count;
-            if (fill < 0.5) ++half_empty;
         }
     }
     ASSERT_GT(count, 0);
     // 0.62 and seven under a half while polygons grew beyond 80 mm before the page was full, bodies cut free were planned for far
-    // more than their letters take, and a mechanism with its lines of action began a page.
-    EXPECT_GE(sum / count, 0.665) << count << " pages";
-    EXPECT_GE(least, 0.40) << emptiest;
-    EXPECT_LE(half_empty, 3);
+    // more than their letters take, and a mechanism with its lines of action began a page; 0.67 while one plan was all.
+    EXPECT_GE(sum / count, 0.70) << count << " pages";
+    EXPECT_GE(least, 0.50) << emptiest;
 }
 
 TEST(Bands, TellNothingLikewiseBeforeItsVectorIsDrawn) {
@@ -245,16 +243,40 @@ TEST(Bands, AreReadInTheOrderOfTheSolutionAndNoneIsTorn) {
     // 178 before text stood under and beside its figures, 173 after; 12 more of trusses, virtual work and a moving frame.
     // 185 before rooms were made for what letters really take and text was set in narrower columns.
     // 153 before two linkages of Stephenson's, in which tips are found apart, showed the vectors between them.
-    EXPECT_LE(pages_in_all, 148);
+    // 148 before another plan was made where pages came badly filled.
+    EXPECT_LE(pages_in_all, 138);
 }
 
-/// The diagram of a truss and the table of its bars stand on two pages.
+/// What 22 bodies have to be told about goes on over pages.
+const std::vector<Page>& crowded_pages() {
+    static const std::vector<Page> pages =
+        lay_out(tests::solved(tests::four_bars_in_a_row(10)), {}, fonts());
+    return pages;
+}
+
 TEST(Bands, ThatGoOnSayWhereTheirFiguresStand) {
-    const auto pages = lay_out(example("truss_simple"), {}, fonts());
-    ASSERT_EQ(pages.size(), 2U);
-    EXPECT_FALSE(says(pages[0], "Fig. 1–3, sheet 1"));
-    EXPECT_TRUE(says(pages[1], "Fig. 1–3, sheet 1"));
-    EXPECT_EQ(word("on sheet", Language::it), "foglio");  // in Italian the table as a whole has room on the second
+    const std::vector<Page>& pages = crowded_pages();
+    int told = 0;
+    for (std::size_t p = 0; p < pages.size(); ++p)
+        for (const Mark& mark : pages[p].marks) {
+            const auto* text = std::get_if<TextMark>(&mark);
+            const std::size_t at = text ? text->words.find(", sheet ") : std::string::npos;
+            if (at == std::string::npos) continue;
+            ++told;
+            EXPECT_EQ(text->words.find("Fig. "), text->words.rfind("Fig. ", at)) << text->words;
+            EXPECT_LE(std::stoi(text->words.substr(at + 8)), static_cast<int>(p)) << text->words;
+        }
+    EXPECT_GE(told, 2);
+    EXPECT_EQ(word("on sheet", Language::it), "foglio");
+}
+
+/// A sentence that speaks of all bodies but two was higher than any page, of 82.
+TEST(Bands, TellOnlySoManyLikewiseInOneSentence) {
+    int sentences = 0;
+    for (const Page& page : crowded_pages())
+        for (const Mark& mark : page.marks)
+            if (const auto* text = std::get_if<TextMark>(&mark); text && text->words.starts_with("Second way: ")) ++sentences;
+    EXPECT_EQ(sentences, 2);  // 20 bodies, 17 of them in the first
 }
 
 TEST(Bands, OfTheExamFillThreeSheets) {

@@ -417,8 +417,9 @@ void Bands::add_step(Band& band, std::size_t statement) {
     if (told_by_list(added.message.sentence)) return;
     if (!added.equation) {
         if (detail_ == SolutionDetail::brief && is_incidental(solution_.protocol.statements, statement)) return;
-        // A sentence that repeats another of its band is told with it.
-        if (const auto other = same_before(band, added)) {
+        // A sentence that repeats another of its band is told with it, as long as a column holds what it says.
+        constexpr std::size_t most_likewise = 16;
+        if (const auto other = same_before(band, added); other && likewise_[*other].size() < most_likewise) {
             likewise_[*other].push_back(statement);
             return;
         }

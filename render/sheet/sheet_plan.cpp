@@ -110,7 +110,7 @@ std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
         const std::size_t middle = (good + bad) / 2;
         (is_good(middle) ? good : bad) = middle;
     }
-    return std::min(good, all - 1);
+    return std::min(good, all - std::min(all - 1, fewest));
 }
 
 BandLayouts SheetPlan::layouts_of(const Band& band) {
