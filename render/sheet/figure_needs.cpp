@@ -39,7 +39,10 @@ int& FigureNeeds::refusals_of(const Wanted& wanted) {
     return refusals_[{wanted.name, wanted.to_force_scale ? wanted_.force_scale.value_or(0) : 0}];
 }
 
-bool FigureNeeds::may_refuse(const Wanted& wanted) { return refusals_of(wanted) < most_refusals; }
+bool FigureNeeds::may_refuse(const Wanted& wanted) {
+    const int most = wanted_.are_crowded() ? 1 : most_refusals;
+    return refusals_of(wanted) < most;
+}
 
 void FigureNeeds::learn_from(const DrawnFigure& drawn) {
     Wanted& wanted = wanted_.list[drawn.wanted];
@@ -144,10 +147,7 @@ void FigureNeeds::give_up(const Tried& tried) {
 }
 
 bool FigureNeeds::is_planned_as_it_came(const DrawnFigure& drawn) {
-    // Where figures are crowded with names it costs more to letter them for other rooms than they gain.
-    constexpr std::size_t many_names = 48;
-    const auto is_crowded = [](const Wanted& each) { return each.letters > many_names; };
-    if (std::any_of(wanted_.list.begin(), wanted_.list.end(), is_crowded)) return false;
+    if (wanted_.are_crowded()) return false;
     Wanted& wanted = wanted_.list[drawn.wanted];
     if (wanted.to_force_scale || wanted.finest > 0 || drawn.is_refused() || !is_coarser_than_promised(drawn)) return false;
     // At first it is said to take more there, by what its letters took at the coarser scale.

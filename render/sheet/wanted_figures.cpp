@@ -94,6 +94,11 @@ bool WantedFigures::shows_centres() const {
     return asked && !context_.solution.centres.empty();
 }
 
+bool WantedFigures::are_crowded() const {
+    constexpr std::size_t many_names = 48;
+    return std::any_of(list.begin(), list.end(), [](const Wanted& each) { return each.letters > many_names; });
+}
+
 std::optional<std::size_t> WantedFigures::named(const std::string& name) const {
     const auto found = std::find_if(list.begin(), list.end(), [&](const Wanted& each) { return each.name == name; });
     if (found == list.end()) return std::nullopt;

@@ -87,6 +87,8 @@ public:
     const std::deque<PolygonScene>& scenes() const { return scenes_; }
     /// Whether the instant centres are shown.
     bool shows_centres() const;
+    /// Whether one of them has so many names that it costs more to letter it for other rooms than they gain.
+    bool are_crowded() const;
 
 private:
     static void know_strokes(Wanted& wanted, std::function<Spot(double scale)> strokes);
