@@ -186,7 +186,8 @@ struct MechanismFigure {
         };
         Figure figure = fitted_with(shows.arrows);
         if (!shows.arrows.accelerations_of_drivers || accelerations_given() == 0) return figure;
-        // What is given stands there, but the mechanism comes no smaller for it.
+        // What is given stands there, but the mechanism comes no smaller for it; where names go to a key all is small.
+        if (figure.has_key) return figure;
         Figure without = fitted_with({shows.arrows.found, false});
         return without.scale < figure.scale ? without : figure;
     }

@@ -376,6 +376,8 @@ constexpr int most_steps = 2;
 constexpr double crowded = 0.25;
 // … and if they would take even more they are not tried at several scales: the smallest is taken, whatever places they find.
 constexpr double hopeless = 0.4;
+// So many names leave no room beside the polygon, whatever the room.
+constexpr std::size_t most_names_with_details = 48;
 // A polygon smaller than this is worth more than details beside it.
 constexpr double least_with_details = 60;
 
@@ -402,10 +404,11 @@ public:
                                .least_shown = std::max(least_shown, smallest_worth_lettering())};
         const double names = room_of_names(strokes_at(policy.first), context_.fonts) / (room_.x * room_.y);
         if (!policy.asked && names > crowded && coarsest_ < any_scale) return Figure::empty_at(any_scale);
+        const bool may_have_details = names <= crowded && strokes_at(policy.first).labels.size() <= most_names_with_details;
         return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
             if (trial.asked) return as_asked(trial.scale);
             if (names > hopeless) return trial.last ? std::optional(as_it_comes(trial.scale)) : std::nullopt;
-            return tried(trial);
+            return tried(trial, may_have_details);
         });
     }
 
@@ -487,18 +490,20 @@ private:
         figure.lacks_details = !made.details.empty();
         return figure;
     }
-    std::optional<Figure> tried(const Trial& trial) const {
+    /// `may_have_details`: else there is no room for them beside so many names.
+    std::optional<Figure> tried(const Trial& trial, bool may_have_details) const {
         if (!trial.last && !fits(strokes_at(trial.scale), letters_beyond)) return std::nullopt;
         const Attempt made = attempt(trial.scale);
-        if (auto with_details = detailed(made)) return with_details;
+        if (may_have_details)
+            if (auto with_details = detailed(made)) return with_details;
         Figure figure = made.strokes.figure;
         if (!finish(figure, trial.last) || (!trial.last && !fits(figure))) return std::nullopt;
-        if (made.details.empty()) return figure;
+        figure.lacks_details = !made.details.empty();
+        if (!figure.lacks_details || !may_have_details) return figure;
         // One step smaller with its details is better than without.
         const double smaller = next_scale(trial.scale);
         if (extent() / smaller > least_with_details && smaller <= coarsest_)
             if (auto with_details = detailed(attempt(smaller))) return with_details;
-        figure.lacks_details = true;
         return figure;
     }
 

@@ -169,6 +169,7 @@ bool DrawnFigures::serves(const Known& known, const Wanted& wanted, Spot room, d
     if (same) return true;
     const Box& box = known.figure.box;
     const bool fits = box.width() <= room.x + rounding && box.height() <= room.y + rounding;
+    if (fits && wanted_.are_crowded()) return true;
     return fits && (wanted.fills ? is_hardly_other(known.room, room) : !larger || gains_nothing(wanted, known.figure, room));
 }
 
@@ -180,7 +181,7 @@ void DrawnFigures::draw_into(DrawnFigure& drawn, Spot room, double coarsest) {
     drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
     if (drawn.is_refused()) return;
     drawn.caption = height_of_caption(drawn, drawn.room.width());
-    if (drawn.caption > caption_line && drawn.height() > room.y) {
+    if (drawn.caption > caption_line && drawn.height() > room.y && !wanted_.are_crowded()) {
         constexpr double widest_caption = 120;
         const double left = room.y - drawn.figure.box.height();
         if (left >= caption_line) drawn.wide_enough = width_for_caption(drawn, left, room.x, std::max(room.x, widest_caption));

@@ -40,8 +40,9 @@ int& FigureNeeds::refusals_of(const Wanted& wanted) {
 }
 
 bool FigureNeeds::may_refuse(const Wanted& wanted) {
-    const int most = wanted_.are_crowded() ? 1 : most_refusals;
-    return refusals_of(wanted) < most;
+    // Where figures are crowded a polygon refuses once, by the count of its names; a mechanism is lettered as it comes.
+    if (wanted_.are_crowded()) return wanted.letters > 0 && refusals_of(wanted) < 1;
+    return refusals_of(wanted) < most_refusals;
 }
 
 void FigureNeeds::learn_from(const DrawnFigure& drawn) {
@@ -93,6 +94,8 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
     if (wanted.fills) {
         fills_a_larger_room(drawn, over_x >= ink, over_y >= ink);
     } else {
+        // What cannot be read on paper anyway is drawn once.
+        if (wanted_.are_crowded() && !wanted.to_force_scale) wanted.finest = std::max(wanted.finest, drawn.figure.scale);
         wanted.rim_x += std::max(over_x, 0.0);
         wanted.rim_y += std::max(over_y, 0.0);
         learn_from(drawn);  // its caption may have more lines by now
