@@ -165,7 +165,9 @@ BENCHMARK(BM_ChainMotionByCompass)->Arg(10)->Arg(49)->Unit(benchmark::kMilliseco
 /// Twelve bodies: all 66 centres by Aronhold and Kennedy, nothing else (pose and mobility included).
 void BM_TwelveBodiesCentres(benchmark::State& state) { solve_text(state, four_bars_in_a_row(5, R"(["instant centres"])")); }
 BENCHMARK(BM_TwelveBodiesCentres)->Unit(benchmark::kMicrosecond);
-void BM_TwelveBodiesCentresByCompass(benchmark::State& state) { solve_text(state, four_bars_in_a_row(5, R"(["instant centres"])", true)); }
+void BM_TwelveBodiesCentresByCompass(benchmark::State& state) {
+    solve_text(state, four_bars_in_a_row(5, R"(["instant centres"])", true));
+}
 BENCHMARK(BM_TwelveBodiesCentresByCompass)->Unit(benchmark::kMicrosecond);
 void BM_TwelveBodiesAll(benchmark::State& state) { solve_text(state, four_bars_in_a_row(5)); }
 BENCHMARK(BM_TwelveBodiesAll)->Unit(benchmark::kMicrosecond);

@@ -74,8 +74,8 @@ private:
     const std::vector<Value>& finer() const {
         if (finer_.empty()) {
             const Pose pose = draw_finer_();
-            finer_ = trimmed_values(protocol_.program, givens_of(protocol_.program, mechanism_, pose),
-                                    digits_to_compare(pose.bits));
+            finer_ =
+                trimmed_values(protocol_.program, givens_of(protocol_.program, mechanism_, pose), digits_to_compare(pose.bits));
         }
         return finer_;
     }

@@ -51,8 +51,7 @@ Board::Board(const Mechanism& mechanism, const Pose& pose, std::function<const P
     if (!pose.is_rounded()) return;
     protocol_.program.doubtful_bits = bits_in_question(pose.rounding());
     constexpr int digits_of_a_shift = 200;  // a bit more than twice as fine as any precision that a file may state
-    for (const ShiftedDrawing& each : *pose.shifted)
-        shifted_.push_back(echo_on(each.mechanism, each.pose, digits_of_a_shift));
+    for (const ShiftedDrawing& each : *pose.shifted) shifted_.push_back(echo_on(each.mechanism, each.pose, digits_of_a_shift));
 }
 
 Board::Echo Board::echo_on(const Mechanism& mechanism, const Pose& pose, int digits) const {

@@ -36,9 +36,7 @@ struct WholeLine {
     mpz_class a, b, c;
 };
 
-Exact ratio(mpz_class numerator, const mpz_class& denominator) {
-    return Exact(mpq_class(std::move(numerator), denominator));
-}
+Exact ratio(mpz_class numerator, const mpz_class& denominator) { return Exact(mpq_class(std::move(numerator), denominator)); }
 
 }  // namespace
 

@@ -16,8 +16,8 @@
 #include "render/sheet/contact_pages.hpp"
 #include "render/sheet/drawn_sheet.hpp"
 #include "render/sheet/handout.hpp"
-#include "render/sheet/page_fill.hpp"
 #include "render/sheet/problem_sheet.hpp"
+#include "render/sheet/sheet_choice.hpp"
 #include "render/sheet/sheet_pages.hpp"
 
 namespace kinegraph::render {
@@ -191,21 +191,17 @@ private:
 }  // namespace
 
 DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    // How a plan settles depends on where it begins. As thought first; then sparing, which may do with fewer pages, or fill them.
-    constexpr double lettering[] = {1, 0.6, 0.8};
-    constexpr double well_filled = 0.72;
-    const Box frame = format_of(options.paper, options.orientation).inner;
-    std::optional<DrawnSheet> best;
-    Fill fullest;
+    // How a plan settles depends on where it begins: as thought first; then generous, which may give larger figures, and sparing,
+    // which may do with fewer pages or fill them.
+    constexpr double lettering[] = {1, 1.3, 0.8, 0.6};
+    SheetChoice choice(format_of(options.paper, options.orientation).inner, fonts);
     for (const double each : lettering) {
         Layout layout(solution, options, fonts, each);
         const bool is_crowded = layout.is_crowded();
-        DrawnSheet sheet = std::move(layout).drawn();
-        const Fill fill = fill_of(sheet.pages, frame, fonts);
-        if (!best || is_better(fill, fullest)) best = std::move(sheet), fullest = fill;
-        if (is_crowded || fullest.least >= well_filled) break;
+        choice.offer(std::move(layout).drawn());
+        if (is_crowded || choice.is_well_filled()) break;
     }
-    return std::move(*best);
+    return std::move(choice).best();
 }
 
 std::vector<Page> lay_out(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {

@@ -1,0 +1,46 @@
+// Sheet choice: of several layouts of one solution the one that a reader would rather have. Owns what pages and the size of
+// figures are worth against each other; lays nothing out.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/sheet/drawn_sheet.hpp"
+
+namespace kinegraph::render {
+
+/// The share (0 to 1) of squares of 10 mm within a frame on which a page has anything, tints included; 1: a frame of less than a
+/// square.
+double fill_of(const Page& page, const Box& frame, const Fonts& fonts);
+
+class SheetChoice {
+public:
+    /// `frame`: of each page.
+    SheetChoice(const Box& frame, const Fonts& fonts) : frame_(frame), fonts_(fonts) {}
+
+    /// The first one is what the others are held against: they are not taken where they show its figures much smaller.
+    void offer(DrawnSheet sheet);
+    /// Whether all pages of the best one are full, but for the last, which ends where the solution does.
+    bool is_well_filled() const { return is_well_filled_; }
+    /// Of those offered, one at least.
+    DrawnSheet best() && { return std::move(*best_); }
+
+private:
+    struct Size {
+        double size;   ///< mm, of the longer side
+        bool is_read;  ///< vectors are measured on it
+    };
+    using Sizes = std::map<std::string, Size>;  // by the figure's id
+    bool is_much_smaller(const Sizes& sizes) const;
+
+    const Box frame_;
+    const Fonts& fonts_;
+    std::optional<DrawnSheet> best_;
+    Sizes first_;
+    double worth_ = 0;  // of the best
+    bool is_well_filled_ = false;
+};
+
+}  // namespace kinegraph::render
