@@ -7,13 +7,11 @@
 
 #include "render/page/shapes.hpp"
 #include "render/sheet/sheet_choice.hpp"
-#include "tests/pages.hpp"
 
 namespace {
 
 using namespace kinegraph;
 using namespace kinegraph::render;
-using kinegraph::pages::fonts;
 
 const Box frame = rectangle(0, 0, 102.5, 102.5);  // with what is off its line ten squares each way
 
@@ -42,7 +40,7 @@ DrawnSheet sheet(const std::vector<double>& fills, double mechanism, double poly
 
 /// How many pages the better of two has, and how large its polygon is.
 std::pair<std::size_t, double> better(DrawnSheet one, DrawnSheet other) {
-    SheetChoice choice(frame, fonts());
+    SheetChoice choice(frame);
     choice.offer(std::move(one));
     choice.offer(std::move(other));
     const DrawnSheet best = std::move(choice).best();
@@ -50,13 +48,13 @@ std::pair<std::size_t, double> better(DrawnSheet one, DrawnSheet other) {
 }
 
 TEST(SheetChoice, MeasuresTheShareOfSquaresWithInk) {
-    for (const double share : {0.0, 0.3, 0.5, 1.0}) EXPECT_DOUBLE_EQ(fill_of(page_filled_to(share), frame, fonts()), share);
-    EXPECT_EQ(fill_of(page_filled_to(0), rectangle(0, 0, 5, 5), fonts()), 1);
+    for (const double share : {0.0, 0.3, 0.5, 1.0}) EXPECT_DOUBLE_EQ(fill_of(page_filled_to(share), frame), share);
+    EXPECT_EQ(fill_of(page_filled_to(0), rectangle(0, 0, 5, 5)), 1);
 }
 
 TEST(SheetChoice, IsContentWithFullPagesButTheLast) {
     const auto is_well_filled = [](const std::vector<double>& fills) {
-        SheetChoice choice(frame, fonts());
+        SheetChoice choice(frame);
         choice.offer(sheet(fills, 80, 80));
         return choice.is_well_filled();
     };

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <future>
 #include <memory>
 #include <numbers>
 #include <span>
@@ -251,7 +252,39 @@ private:
 
 namespace {
 
-/// A surface on memory that is kept from page to page: one of them is in use at a time.
+/// The rows of a picture from one on, before another.
+struct Strip {
+    int first, end;
+};
+
+/// What a page shows in a strip of its picture, `pixels` from its first row on. Type that the strip does not touch is left out.
+void draw_strip(const Page& page, const Glyphs& glyphs, double scale, const Strip& strip, unsigned char* pixels, int width) {
+    const int stride = 4 * width;
+    const Owned<cairo_surface_t> surface{
+        cairo_image_surface_create_for_data(pixels, CAIRO_FORMAT_RGB24, width, strip.end - strip.first, stride)};
+    cairo_surface_set_device_offset(surface.get(), 0, -strip.first);
+    const Owned<cairo_t> cr{cairo_create(surface.get())};
+    cairo_scale(cr.get(), scale, scale);
+    KG_ASSERT(cairo_status(cr.get()) == CAIRO_STATUS_SUCCESS, "the picture fits into memory");
+    const auto is_outside = [&](const Glyph& glyph) {
+        constexpr double highest = 3;  // em, from the baseline, either way
+        return (glyph.origin.y + highest * glyph.size) * scale < strip.first ||
+               (glyph.origin.y - highest * glyph.size) * scale > strip.end;
+    };
+    draw(cr.get(), page, [&](const TextMark& text) {
+        cairo_set_tolerance(cr.get(), type_tolerance);
+        cairo_new_path(cr.get());
+        for (const Glyph& g : text.glyphs) {
+            if (text.angle == 0 && is_outside(g)) continue;
+            add_outline(cr.get(), glyphs.outline(g.face, g.index), g.size, g.origin);
+            cairo_fill(cr.get());  // one by one is quicker than a whole line
+        }
+        cairo_set_tolerance(cr.get(), drawn_tolerance);
+    });
+    cairo_surface_flush(surface.get());
+}
+
+/// A surface on memory that is kept from page to page: one of them is in use at a time. Its halves are drawn side by side.
 Owned<cairo_surface_t> drawn_at(const Page& page, const Glyphs& glyphs, double dpi) {
     KG_ASSERT(std::isfinite(dpi) && dpi > 0, "a picture has a resolution");
     const double scale = dpi / 25.4;
@@ -260,21 +293,19 @@ Owned<cairo_surface_t> drawn_at(const Page& page, const Glyphs& glyphs, double d
     KG_ASSERT(width > 0 && height > 0 && width <= 32767 && height <= 32767, "the picture is one that cairo draws");
     static thread_local Canvas canvas;
     unsigned char* const own = canvas.pixels(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height));
-    Owned<cairo_surface_t> surface{cairo_image_surface_create_for_data(own, CAIRO_FORMAT_RGB24, width, height, stride)};
-    Owned<cairo_t> cr{cairo_create(surface.get())};
-    cairo_scale(cr.get(), scale, scale);
-    KG_ASSERT(cairo_status(cr.get()) == CAIRO_STATUS_SUCCESS, "the picture fits into memory");
-    draw(cr.get(), page, [&](const TextMark& text) {
-        cairo_set_tolerance(cr.get(), type_tolerance);
-        cairo_new_path(cr.get());
-        for (const Glyph& g : text.glyphs) {
-            add_outline(cr.get(), glyphs.outline(g.face, g.index), g.size, g.origin);
-            cairo_fill(cr.get());  // one by one is quicker than a whole line
-        }
-        cairo_set_tolerance(cr.get(), drawn_tolerance);
-    });
-    cairo_surface_flush(surface.get());
-    return surface;
+    // An outline is made when it is first asked for, which is no matter for two at once.
+    for (const Mark& mark : page.marks)
+        if (const auto* text = std::get_if<TextMark>(&mark))
+            for (const Glyph& glyph : text->glyphs) glyphs.outline(glyph.face, glyph.index);
+    const Strip upper{0, height / 2}, lower{height / 2, height};
+    const auto draw_own = [&](const Strip& strip) {
+        if (strip.first < strip.end)
+            draw_strip(page, glyphs, scale, strip, own + static_cast<std::ptrdiff_t>(strip.first) * stride, width);
+    };
+    std::future<void> beside = std::async(std::launch::async, draw_own, lower);
+    draw_own(upper);
+    beside.get();
+    return Owned<cairo_surface_t>{cairo_image_surface_create_for_data(own, CAIRO_FORMAT_RGB24, width, height, stride)};
 }
 
 }  // namespace

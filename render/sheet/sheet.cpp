@@ -194,7 +194,7 @@ DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, 
     // How a plan settles depends on where it begins: as thought first; then generous, which may give larger figures, and sparing,
     // which may do with fewer pages or fill them.
     constexpr double lettering[] = {1, 1.3, 0.8, 0.6};
-    SheetChoice choice(format_of(options.paper, options.orientation).inner, fonts);
+    SheetChoice choice(format_of(options.paper, options.orientation).inner);
     for (const double each : lettering) {
         Layout layout(solution, options, fonts, each);
         const bool is_crowded = layout.is_crowded();

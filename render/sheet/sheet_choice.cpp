@@ -1,4 +1,4 @@
-// Squares are asked of the ink map of a whole page; sizes count by their logarithms, as steps of a scale do.
+// Squares are inked by what crosses them; sizes count by their logarithms, as steps of a scale do.
 #include "render/sheet/sheet_choice.hpp"
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/index.hpp"
 #include "render/page/ink_map.hpp"
 
 namespace kinegraph::render {
@@ -17,6 +18,77 @@ double use_of(double size) {
     return std::log(std::min(size, long_enough) + of_more * std::max(0.0, size - long_enough));
 }
 
+/// Squares of 10 mm within a frame, with what inks them.
+class Squares {
+public:
+    explicit Squares(const Box& frame)
+        : corner_(frame.min + Spot{off_frame, off_frame}),
+          columns_(count(frame.width())),
+          rows_(count(frame.height())),
+          inked_(at_index(columns_ * rows_), false) {}
+
+    void ink(const Path& path) {
+        const std::vector<Spot> outline = outline_of(path);
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            ink(outline[i]);
+            if (i > 0) ink_between(outline[i - 1], outline[i]);
+        }
+        if (path.filled) fill(outline);
+    }
+    /// Letters are smaller than a square by far: one by one, where they stand.
+    void ink(const TextMark& text) {
+        for (const Glyph& glyph : text.glyphs)
+            ink(text.angle == 0 ? glyph.origin : text.pivot + at_angle(glyph.origin - text.pivot, text.angle));
+    }
+    /// 1: not one square has room.
+    double share() const {
+        const auto count = static_cast<double>(std::count(inked_.begin(), inked_.end(), true));
+        return inked_.empty() ? 1 : count / static_cast<double>(inked_.size());
+    }
+
+private:
+    static constexpr double square = 10, off_frame = 1;  // its own line is no filling
+
+    static Spot at_angle(Spot spot, double angle) { return std::cos(angle) * spot + std::sin(angle) * turned(spot); }
+    static int count(double length) { return std::max(0, static_cast<int>((length - 2 * off_frame) / square)); }
+    void ink(Spot spot) {
+        const int column = column_of(spot.x), row = row_of(spot.y);
+        if (column >= 0 && column < columns_ && row >= 0 && row < rows_) inked_[at_index(row * columns_ + column)] = true;
+    }
+    void ink_between(Spot from, Spot to) {
+        constexpr double apart = 2;  // mm: no corner that is cut off counts
+        const auto steps = static_cast<int>(std::min(length(to - from), 1e4) / apart);
+        for (int i = 1; i <= steps; ++i) ink(from + (static_cast<double>(i) / (steps + 1)) * (to - from));
+    }
+    int column_of(double x) const { return static_cast<int>(std::floor(std::clamp((x - corner_.x) / square, -1.0, 1e3))); }
+    int row_of(double y) const { return static_cast<int>(std::floor(std::clamp((y - corner_.y) / square, -1.0, 1e3))); }
+    /// The squares whose middle lies inside.
+    void fill(const std::vector<Spot>& corners) {
+        if (corners.size() < 3) return;
+        Box box{corners.front(), corners.front()};
+        for (const Spot& corner : corners) box.include(corner);
+        for (int row = std::max(0, row_of(box.min.y)); row <= std::min(rows_ - 1, row_of(box.max.y)); ++row)
+            for (int column = std::max(0, column_of(box.min.x)); column <= std::min(columns_ - 1, column_of(box.max.x));
+                 ++column) {
+                const Spot middle = corner_ + square * Spot{column + 0.5, row + 0.5};
+                if (is_inside(corners, middle)) ink(middle);
+            }
+    }
+    /// By the even-odd rule.
+    static bool is_inside(const std::vector<Spot>& corners, Spot spot) {
+        bool inside = false;
+        for (std::size_t i = 0, before = corners.size() - 1; i < corners.size(); before = i++) {
+            const Spot &a = corners[i], &b = corners[before];
+            if ((a.y > spot.y) != (b.y > spot.y) && spot.x < a.x + (spot.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+        }
+        return inside;
+    }
+
+    Spot corner_;
+    int columns_, rows_;
+    std::vector<bool> inked_;
+};
+
 bool is_polygon(const Figure& figure) {
     constexpr std::string_view kinds[] = {"velocity", "acceleration", "forces", "closure"};
     return std::find(std::begin(kinds), std::end(kinds), figure.kind) != std::end(kinds);
@@ -24,24 +96,14 @@ bool is_polygon(const Figure& figure) {
 
 }  // namespace
 
-double fill_of(const Page& page, const Box& frame, const Fonts& fonts) {
-    constexpr double square = 10;
-    InkMap map(frame);
+double fill_of(const Page& page, const Box& frame) {
+    Squares squares(frame);
     for (const Mark& mark : page.marks)
-        if (const auto* path = std::get_if<Path>(&mark)) {
-            map.ink(*path);
-            if (path->filled && path->tinted) map.fill(outline_of(*path));
-        } else if (const auto* text = std::get_if<TextMark>(&mark)) {
-            if (const auto ink = ink_of(*text, fonts)) map.fill(*ink);
-        }
-    constexpr double off_frame = 1;  // its own line is no filling
-    int squares = 0, inked = 0;
-    for (double y = frame.min.y + off_frame; y + square < frame.max.y - off_frame; y += square)
-        for (double x = frame.min.x + off_frame; x + square < frame.max.x - off_frame; x += square) {
-            ++squares;
-            inked += map.touches({{x + square / 2, y + square / 2}, {square / 2, square / 2}}) ? 1 : 0;
-        }
-    return squares > 0 ? static_cast<double>(inked) / squares : 1;
+        if (const auto* path = std::get_if<Path>(&mark))
+            squares.ink(*path);
+        else if (const auto* text = std::get_if<TextMark>(&mark))
+            squares.ink(*text);
+    return squares.share();
 }
 
 /// On average; or one of the polygons, which are read.
@@ -70,7 +132,7 @@ void SheetChoice::offer(DrawnSheet sheet) {
     for (const auto& [id, own] : sizes) worth += use_of(own.size);
     double least = 1;
     for (std::size_t p = 0; p + 1 < sheet.pages.size(); ++p) {
-        const double fill = fill_of(sheet.pages[p], frame_, fonts_);
+        const double fill = fill_of(sheet.pages[p], frame_);
         least = std::min(least, fill);
         worth -= price_of_lack * std::max(0.0, full - fill);
     }

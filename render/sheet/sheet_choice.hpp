@@ -13,12 +13,12 @@ namespace kinegraph::render {
 
 /// The share (0 to 1) of squares of 10 mm within a frame on which a page has anything, tints included; 1: a frame of less than a
 /// square.
-double fill_of(const Page& page, const Box& frame, const Fonts& fonts);
+double fill_of(const Page& page, const Box& frame);
 
 class SheetChoice {
 public:
     /// `frame`: of each page.
-    SheetChoice(const Box& frame, const Fonts& fonts) : frame_(frame), fonts_(fonts) {}
+    explicit SheetChoice(const Box& frame) : frame_(frame) {}
 
     /// The first one is what the others are held against: they are not taken where they show its figures much smaller.
     void offer(DrawnSheet sheet);
@@ -36,7 +36,6 @@ private:
     bool is_much_smaller(const Sizes& sizes) const;
 
     const Box frame_;
-    const Fonts& fonts_;
     std::optional<DrawnSheet> best_;
     Sizes first_;
     double worth_ = 0;  // of the best
