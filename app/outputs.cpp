@@ -129,6 +129,17 @@ std::optional<render::Theme> dark_beside(const std::string& theme) {
     return theme == "colour" ? render::built_in_theme("dark") : std::nullopt;
 }
 
+std::future<void> Press::load_ahead(const std::vector<Target>& targets) {
+    const auto needs = [&](const auto& is) { return std::any_of(targets.begin(), targets.end(), is); };
+    const bool type = needs([](const Target& target) { return target.is_drawn(); });
+    const bool cairo = needs([](const Target& target) { return target.format == Format::png || target.format == Format::pdf; });
+    if (!type) return {};
+    return std::async(std::launch::async, [cairo] {
+        open_module("kinegraph_type", {});
+        if (cairo) open_module("kinegraph_cairo", {});
+    });
+}
+
 tl::expected<Press, Status> Press::open(const std::vector<Target>& targets, Language language, Lettering lettering) {
     std::optional<Press> press;
     if (const auto opened = prepare(press, targets, language, lettering); !opened) return tl::unexpected(opened.error());

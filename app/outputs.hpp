@@ -2,6 +2,7 @@
 // commands that draw.
 #pragma once
 
+#include <future>
 #include <optional>
 #include <span>
 #include <string>
@@ -48,6 +49,8 @@ bool names_clash(const std::vector<Output>& outputs, const std::string& file, La
 /// Type; where PNG or PDF is asked for, cairo; for SVG with live text what divides fonts.
 class Press {
 public:
+    /// Loads what the targets need beside what the run does until it opens them; what cannot be loaded is said then.
+    [[nodiscard]] static std::future<void> load_ahead(const std::vector<Target>& targets);
     /// What the targets need; else it has been said what is missing. `language`: of that, and of the remarks.
     static tl::expected<Press, Status> open(const std::vector<Target>& targets, Language language,
                                             Lettering lettering = Lettering::outlines);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "engine/assert.hpp"
 
@@ -120,8 +121,13 @@ bool BandTexts::has_too_wide(const Band& band, int divided, bool cornered) {
 }
 
 std::size_t BandTexts::rows(const Band& band) {
-    std::size_t rows = 0;
-    for (const Passage& passage : own_rows(whole(band, format_.columns, false), band)) rows += passage.rows.size();
+    const std::vector<std::size_t> rows = rows_by_passage(band);
+    return std::accumulate(rows.begin(), rows.end(), std::size_t{0});
+}
+
+std::vector<std::size_t> BandTexts::rows_by_passage(const Band& band) {
+    std::vector<std::size_t> rows;
+    for (const Passage& passage : own_rows(whole(band, format_.columns, false), band)) rows.push_back(passage.rows.size());
     return rows;
 }
 

@@ -61,6 +61,8 @@ public:
     bool has_too_wide(const Band& band, int divided, bool cornered);
     /// How many rows it has.
     std::size_t rows(const Band& band);
+    /// … by its passages, in their order.
+    std::vector<std::size_t> rows_by_passage(const Band& band);
     /// As a block to stand in a corner of a figure.
     const Block& equations(const Band& band);
     /// What was set of a band that now says more.

@@ -73,6 +73,27 @@ void SheetPlan::plan_all() {
 
 // --- what no page holds -----------------------------------------------------------------------------------------------------
 
+namespace {
+
+/// So many rows, or some fewer: neither the last row of a list or table stands alone on the page that follows, nor its first one
+/// on this; never fewer than `fewest`.
+std::size_t without_widows(const std::vector<std::size_t>& passages, std::size_t rows, std::size_t fewest) {
+    std::size_t first = 0;
+    for (const std::size_t own : passages) {
+        const std::size_t end = first + own;
+        if (rows <= first || rows >= end) {
+            first = end;
+            continue;
+        }
+        std::size_t before = end - rows == 1 ? rows - 1 : rows;
+        if (before - first <= 1) before = first;
+        return before >= fewest ? before : rows;
+    }
+    return rows;
+}
+
+}  // namespace
+
 void SheetPlan::give_each_a_page() {
     ++times_divided_;
     layouts_.clear();
@@ -110,7 +131,7 @@ std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
         const std::size_t middle = (good + bad) / 2;
         (is_good(middle) ? good : bad) = middle;
     }
-    return std::min(good, all - std::min(all - 1, fewest));
+    return without_widows(texts_.rows_by_passage(band), std::min(good, all - std::min(all - 1, fewest)), fewest);
 }
 
 BandLayouts SheetPlan::layouts_of(const Band& band) {
