@@ -53,14 +53,14 @@ TEST(SheetChoice, MeasuresTheShareOfSquaresWithInk) {
 }
 
 TEST(SheetChoice, IsContentWithFullPagesButTheLast) {
-    const auto is_well_filled = [](const std::vector<double>& fills) {
+    const auto is_settled = [](const std::vector<double>& fills) {
         SheetChoice choice(frame);
         choice.offer(sheet(fills, 80, 80));
-        return choice.is_well_filled();
+        return choice.is_settled();
     };
-    EXPECT_TRUE(is_well_filled({0.1}));
-    EXPECT_TRUE(is_well_filled({0.8, 0.9, 0.1}));
-    EXPECT_FALSE(is_well_filled({0.8, 0.5, 0.9}));
+    EXPECT_TRUE(is_settled({0.1}));
+    EXPECT_TRUE(is_settled({0.8, 0.9, 0.1}));
+    EXPECT_FALSE(is_settled({0.8, 0.5, 0.9}));
 }
 
 TEST(SheetChoice, TakesFewerPagesAndFullerOnes) {
@@ -78,6 +78,15 @@ TEST(SheetChoice, TakesNoPageMoreAndNoFiguresThatAreMuchSmaller) {
     EXPECT_EQ(better(sheet({0.4, 0.3}, 80, 80), sheet({0.9}, 44, 44)).first, 2U) << "both";
     EXPECT_EQ(better(sheet({0.4, 0.3}, 80, 80), sheet({0.9}, 100, 30)).first, 2U) << "a polygon";
     EXPECT_EQ(better(sheet({0.4, 0.3}, 80, 80), sheet({0.9}, 30, 100)).first, 1U) << "a mechanism, and the polygon is larger";
+}
+
+TEST(SheetChoice, TakesNoneWhoseFiguresLeaveTheirRooms) {
+    DrawnSheet fuller = sheet({0.9}, 80, 80);
+    fuller.keeps_to_rooms = false;
+    EXPECT_EQ(better(sheet({0.4, 0.3}, 80, 80), fuller).first, 2U);
+    SheetChoice choice(frame);
+    choice.offer(std::move(fuller));
+    EXPECT_TRUE(choice.is_settled()) << "another would be no better";
 }
 
 }  // namespace

@@ -32,9 +32,7 @@ Figure fit(const FitPolicy& policy, const std::function<std::optional<Figure>(co
         KG_ASSERT(figure || !trial.last, "the last trial has a figure");
         if (figure && (as_it_comes || holds(policy, *figure))) return *std::move(figure);
         const bool labelled = figure && figure->labels.empty();
-        // Names that go to a key already do not find places at a scale in between.
-        if (policy.names_stay_in_room && labelled && half == 0)
-            half = figure->has_key ? next_scale(trial.scale) : 2 * trial.scale;
+        if (policy.names_stay_in_room && labelled && half == 0) half = 2 * trial.scale;
     }
 }
 

@@ -101,6 +101,13 @@ void DrawnFigures::enrich() {
         }
 }
 
+bool DrawnFigures::keep_to_rooms() const {
+    return std::all_of(by_band_.begin(), by_band_.end(), [](const auto& band) {
+        return std::none_of(band.second.begin(), band.second.end(),
+                            [](const DrawnFigure& drawn) { return drawn.is_too_wide() || drawn.is_too_high(); });
+    });
+}
+
 /// What one figure of a band leaves of its room is for another that takes more than its own.
 void DrawnFigures::share_room(std::vector<DrawnFigure>& figures) const {
     const auto is_open = [](const DrawnFigure& drawn) { return drawn.waits || drawn.is_refused(); };

@@ -27,6 +27,9 @@ public:
     /// With what else has room in the rooms that they have.
     void enrich();
 
+    /// Whether none takes more than its room.
+    bool keep_to_rooms() const;
+
     ByBand& by_band() { return by_band_; }
     const ByBand& by_band() const { return by_band_; }
 

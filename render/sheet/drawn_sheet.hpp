@@ -12,6 +12,7 @@ struct DrawnSheet {
     std::vector<Figure> figures;  ///< in the order of their numbers, each where it stands on its page
     Spot caption;                 ///< of the first: its top left corner …
     double caption_width = 0;     ///< … and the room it has
+    bool keeps_to_rooms = true;   ///< no figure takes more than was planned for it
 };
 
 /// The worked solution, in the detail asked for.

@@ -35,6 +35,9 @@ void give_more_room(Wanted& wanted, const DrawnFigure& drawn) {
 
 }  // namespace
 
+bool DrawnFigure::is_too_wide() const { return figure.box.width() - room.width() >= ink; }
+bool DrawnFigure::is_too_high() const { return height() - room.height() >= ink; }
+
 int& FigureNeeds::refusals_of(const Wanted& wanted) {
     return refusals_[{wanted.name, wanted.to_force_scale ? wanted_.force_scale.value_or(0) : 0}];
 }
@@ -88,16 +91,14 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
         give_more_room(wanted, drawn);
         return true;
     }
-    const Box& box = drawn.figure.box;
-    const double over_x = box.width() - drawn.room.width(), over_y = drawn.height() - drawn.room.height();
-    if (over_x < ink && over_y < ink) return false;
+    if (!drawn.is_too_wide() && !drawn.is_too_high()) return false;
     if (wanted.fills) {
-        fills_a_larger_room(drawn, over_x >= ink, over_y >= ink);
+        fills_a_larger_room(drawn, drawn.is_too_wide(), drawn.is_too_high());
     } else {
         // What cannot be read on paper anyway is drawn once.
         if (wanted_.are_crowded() && !wanted.to_force_scale) wanted.finest = std::max(wanted.finest, drawn.figure.scale);
-        wanted.rim_x += std::max(over_x, 0.0);
-        wanted.rim_y += std::max(over_y, 0.0);
+        wanted.rim_x += std::max(drawn.figure.box.width() - drawn.room.width(), 0.0);
+        wanted.rim_y += std::max(drawn.height() - drawn.room.height(), 0.0);
         learn_from(drawn);  // its caption may have more lines by now
     }
     return true;

@@ -32,6 +32,8 @@ struct DrawnFigure {
     std::vector<Mark> beside{};  ///< equations in its corner
     double height() const { return caption + figure.box.height(); }
     bool is_refused() const { return figure.scale == any_scale; }  ///< the room, by the figure
+    bool is_too_wide() const;                                      ///< for its room
+    bool is_too_high() const;                                      ///< …, with its caption
 };
 
 class FigureNeeds {

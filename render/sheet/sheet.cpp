@@ -46,7 +46,7 @@ public:
         figures_.enrich();
         tell_where_figures_stand();
         SheetPages pages(context_, format_, signature_, {plan_, bands_, figures_, *text_});
-        DrawnSheet sheet{pages.set(after_), {}, pages.first_caption(), pages.first_caption_width()};
+        DrawnSheet sheet{pages.set(after_), {}, pages.first_caption(), pages.first_caption_width(), figures_.keep_to_rooms()};
         std::map<int, Figure*> by_number;
         for (auto& [band, figures] : figures_.by_band())
             for (DrawnFigure& each : figures) by_number[each.number] = &each.figure;
@@ -199,7 +199,7 @@ DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, 
         Layout layout(solution, options, fonts, each);
         const bool is_crowded = layout.is_crowded();
         choice.offer(std::move(layout).drawn());
-        if (is_crowded || choice.is_well_filled()) break;
+        if (is_crowded || choice.is_settled()) break;
     }
     return std::move(choice).best();
 }

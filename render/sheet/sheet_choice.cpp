@@ -123,6 +123,7 @@ bool SheetChoice::is_much_smaller(const Sizes& sizes) const {
 
 void SheetChoice::offer(DrawnSheet sheet) {
     constexpr double well_filled = 0.72, full = 0.78;
+    if (best_ && (!sheet.keeps_to_rooms || sheet.pages.size() > best_->pages.size())) return;
     constexpr double price_of_a_page = 1, price_of_lack = 20;
     constexpr double dot = 1;  // mm
     Sizes sizes;
@@ -136,11 +137,11 @@ void SheetChoice::offer(DrawnSheet sheet) {
         least = std::min(least, fill);
         worth -= price_of_lack * std::max(0.0, full - fill);
     }
-    if (best_ && (sheet.pages.size() > best_->pages.size() || is_much_smaller(sizes) || worth <= worth_)) return;
+    if (best_ && (is_much_smaller(sizes) || worth <= worth_)) return;
     if (!best_) first_ = std::move(sizes);
     best_ = std::move(sheet);
     worth_ = worth;
-    is_well_filled_ = least >= well_filled;
+    is_settled_ = least >= well_filled || !best_->keeps_to_rooms;
 }
 
 }  // namespace kinegraph::render

@@ -20,10 +20,12 @@ public:
     /// `frame`: of each page.
     explicit SheetChoice(const Box& frame) : frame_(frame) {}
 
-    /// The first one is what the others are held against: they are not taken where they show its figures much smaller.
+    /// The first one is what the others are held against: they are not taken where they show its figures much smaller, nor
+    /// where figures leave their rooms.
     void offer(DrawnSheet sheet);
-    /// Whether all pages of the best one are full, but for the last, which ends where the solution does.
-    bool is_well_filled() const { return is_well_filled_; }
+    /// Whether all pages of the best one are full, but for the last, which ends where the solution does; or figures leave the
+    /// rooms of the first one, as they would those of another.
+    bool is_settled() const { return is_settled_; }
     /// Of those offered, one at least.
     DrawnSheet best() && { return std::move(*best_); }
 
@@ -39,7 +41,7 @@ private:
     std::optional<DrawnSheet> best_;
     Sizes first_;
     double worth_ = 0;  // of the best
-    bool is_well_filled_ = false;
+    bool is_settled_ = false;
 };
 
 }  // namespace kinegraph::render
