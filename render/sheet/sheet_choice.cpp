@@ -35,10 +35,12 @@ public:
         }
         if (path.filled) fill(outline);
     }
-    /// Letters are smaller than a square by far: one by one, where they stand.
+    /// Letters are smaller than a square by far: one by one, from where they stand to half of their height.
     void ink(const TextMark& text) {
+        constexpr double half = 0.35;  // em
         for (const Glyph& glyph : text.glyphs)
-            ink(text.angle == 0 ? glyph.origin : text.pivot + at_angle(glyph.origin - text.pivot, text.angle));
+            for (const Spot spot : {glyph.origin, glyph.origin - Spot{0, half * glyph.size}})
+                ink(text.angle == 0 ? spot : text.pivot + at_angle(spot - text.pivot, text.angle));
     }
     /// 1: not one square has room.
     double share() const {
@@ -94,6 +96,15 @@ bool is_polygon(const Figure& figure) {
     return std::find(std::begin(kinds), std::end(kinds), figure.kind) != std::end(kinds);
 }
 
+/// How much the tables of what is known and what is not say: in narrow columns those of forces have no room.
+std::size_t known_and_unknown(const std::vector<Page>& pages) {
+    std::size_t count = 0;
+    for (const Page& page : pages)
+        for (const Mark& mark : page.marks)
+            if (const auto* text = std::get_if<TextMark>(&mark); text && (text->words == "✓" || text->words == "?")) ++count;
+    return count;
+}
+
 }  // namespace
 
 double fill_of(const Page& page, const Box& frame) {
@@ -124,6 +135,8 @@ bool SheetChoice::is_much_smaller(const Sizes& sizes) const {
 void SheetChoice::offer(DrawnSheet sheet) {
     constexpr double well_filled = 0.72, full = 0.78;
     if (best_ && (!sheet.keeps_to_rooms || sheet.pages.size() > best_->pages.size())) return;
+    const std::size_t told = known_and_unknown(sheet.pages);
+    if (best_ && told < told_by_first_) return;
     constexpr double price_of_a_page = 1, price_of_lack = 20;
     constexpr double dot = 1;  // mm
     Sizes sizes;
@@ -138,7 +151,7 @@ void SheetChoice::offer(DrawnSheet sheet) {
         worth -= price_of_lack * std::max(0.0, full - fill);
     }
     if (best_ && (is_much_smaller(sizes) || worth <= worth_)) return;
-    if (!best_) first_ = std::move(sizes);
+    if (!best_) first_ = std::move(sizes), told_by_first_ = told;
     best_ = std::move(sheet);
     worth_ = worth;
     is_settled_ = least >= well_filled || !best_->keeps_to_rooms;

@@ -21,7 +21,7 @@ public:
     explicit SheetChoice(const Box& frame) : frame_(frame) {}
 
     /// The first one is what the others are held against: they are not taken where they show its figures much smaller, nor
-    /// where figures leave their rooms.
+    /// where figures leave their rooms or tables of equations were left out.
     void offer(DrawnSheet sheet);
     /// Whether all pages of the best one are full, but for the last, which ends where the solution does; or figures leave the
     /// rooms of the first one, as they would those of another.
@@ -40,7 +40,8 @@ private:
     const Box frame_;
     std::optional<DrawnSheet> best_;
     Sizes first_;
-    double worth_ = 0;  // of the best
+    std::size_t told_by_first_ = 0;  // in its tables of what is known and what is not
+    double worth_ = 0;               // of the best
     bool is_settled_ = false;
 };
 
