@@ -134,7 +134,7 @@ std::future<void> Press::load_ahead(const std::vector<Target>& targets) {
     const bool type = needs([](const Target& target) { return target.is_drawn(); });
     const bool cairo = needs([](const Target& target) { return target.format == Format::png || target.format == Format::pdf; });
     if (!type) return {};
-    return std::async(std::launch::async, [cairo] {
+    return std::async(std::launch::async | std::launch::deferred, [cairo] {
         open_module("kinegraph_type", {});
         if (cairo) open_module("kinegraph_cairo", {});
     });

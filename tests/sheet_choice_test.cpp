@@ -89,4 +89,16 @@ TEST(SheetChoice, TakesNoneWhoseFiguresLeaveTheirRooms) {
     EXPECT_TRUE(choice.is_settled()) << "another would be no better";
 }
 
+/// The mechanism and, on a page of its own, the mechanism with its lines of action.
+TEST(SheetChoice, LooksAtBothFiguresOfOneName) {
+    const auto with_lines_of_action = [](DrawnSheet sheet, double mechanism, double polygon) {
+        sheet.figures.insert(sheet.figures.begin(),
+                             {figure("mechanism", "mechanism", mechanism), figure("velocity", "velocity", polygon)});
+        return sheet;
+    };
+    EXPECT_EQ(
+        better(with_lines_of_action(sheet({0.4, 0.3}, 80, 80), 80, 80), with_lines_of_action(sheet({0.9}, 80, 80), 80, 30)).first,
+        2U);
+}
+
 }  // namespace

@@ -302,7 +302,7 @@ Owned<cairo_surface_t> drawn_at(const Page& page, const Glyphs& glyphs, double d
         if (strip.first < strip.end)
             draw_strip(page, glyphs, scale, strip, own + static_cast<std::ptrdiff_t>(strip.first) * stride, width);
     };
-    std::future<void> beside = std::async(std::launch::async, draw_own, lower);
+    std::future<void> beside = std::async(std::launch::async | std::launch::deferred, draw_own, lower);
     draw_own(upper);
     beside.get();
     return Owned<cairo_surface_t>{cairo_image_surface_create_for_data(own, CAIRO_FORMAT_RGB24, width, height, stride)};

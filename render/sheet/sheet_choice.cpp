@@ -140,8 +140,9 @@ void SheetChoice::offer(DrawnSheet sheet) {
     constexpr double price_of_a_page = 1, price_of_lack = 20;
     constexpr double dot = 1;  // mm
     Sizes sizes;
+    std::map<std::string, int> times;  // of two pages each may have a "mechanism"
     for (const Figure& figure : sheet.figures)
-        sizes[figure.id] = {std::max({figure.box.width(), figure.box.height(), dot}), is_polygon(figure)};
+        sizes[{figure.id, times[figure.id]++}] = {std::max({figure.box.width(), figure.box.height(), dot}), is_polygon(figure)};
     double worth = -price_of_a_page * static_cast<double>(sheet.pages.size());
     for (const auto& [id, own] : sizes) worth += use_of(own.size);
     double least = 1;

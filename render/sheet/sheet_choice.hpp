@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/sheet/drawn_sheet.hpp"
@@ -34,7 +35,7 @@ private:
         double size;   ///< mm, of the longer side
         bool is_read;  ///< vectors are measured on it
     };
-    using Sizes = std::map<std::string, Size>;  // by the figure's id
+    using Sizes = std::map<std::pair<std::string, int>, Size>;  // by the figure's id, and which of those that have it
     bool is_much_smaller(const Sizes& sizes) const;
 
     const Box frame_;
