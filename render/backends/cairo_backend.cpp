@@ -5,9 +5,11 @@
 #include <cairo.h>
 #include <png.h>
 #include <sys/mman.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -141,12 +143,67 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned length) {
     return CAIRO_STATUS_SUCCESS;
 }
 
-/// Encodes cairo's RGB24 pixels. Sheets are mostly blank: filters make the file larger, and zlib's higher levels take twice the
-/// time for 3 % of the size.
-std::string encode(cairo_surface_t* surface, bool in_grey, double dpi) {
-    const int width = cairo_image_surface_get_width(surface), height = cairo_image_surface_get_height(surface);
-    const std::ptrdiff_t stride = cairo_image_surface_get_stride(surface);
-    const unsigned char* pixels = cairo_image_surface_get_data(surface);
+/// Pixels of cairo's RGB24, rows of a picture from one on.
+struct Rows {
+    const unsigned char* pixels;
+    int width, count;
+    bool in_grey;
+};
+
+/// Rows as PNG compresses them: a stretch of a stream to which the next is added.
+struct Compressed {
+    std::string bytes;
+    uLong check = adler32(0, nullptr, 0);
+    std::size_t length = 0;  // before
+};
+
+void put_row(const std::uint32_t* from, const Rows& rows, std::vector<unsigned char>& row) {
+    unsigned char* to = row.data() + 1;  // after the number of its filter: none
+    for (int x = 0; x < rows.width; ++x) {
+        if (!rows.in_grey) {
+            *to++ = static_cast<unsigned char>(from[x] >> 16);
+            *to++ = static_cast<unsigned char>(from[x] >> 8);
+        }
+        *to++ = static_cast<unsigned char>(from[x]);
+    }
+}
+
+/// Sheets are mostly blank: filters make the file larger, and zlib's higher levels take twice the time for 3 % of the size.
+/// `is_last`: the stream ends with it.
+Compressed compressed(const Rows& rows, bool is_last) {
+    constexpr int level = 1, without_header = -15, usual_memory = 8;
+    z_stream stream{};
+    if (deflateInit2(&stream, level, Z_DEFLATED, without_header, usual_memory, Z_DEFAULT_STRATEGY) != Z_OK)
+        throw Fault("zlib does not start");
+    const std::unique_ptr<z_stream, decltype(&deflateEnd)> ends(&stream, &deflateEnd);
+    Compressed found;
+    std::vector<unsigned char> row(1 + static_cast<std::size_t>(rows.width) * (rows.in_grey ? 1 : 3)),
+        piece(std::size_t{1} << 16U);
+    const auto add = [&](std::size_t bytes, int flush) {
+        stream.next_in = row.data();
+        stream.avail_in = static_cast<uInt>(bytes);
+        do {
+            stream.next_out = piece.data();
+            stream.avail_out = static_cast<uInt>(piece.size());
+            deflate(&stream, flush);
+            found.bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size() - stream.avail_out);
+        } while (stream.avail_out == 0);
+    };
+    const std::size_t stride = static_cast<std::size_t>(rows.width) * 4;
+    for (int y = 0; y < rows.count; ++y) {
+        const unsigned char* const from = rows.pixels + static_cast<std::size_t>(y) * stride;
+        const bool as_above = y > 0 && std::memcmp(from, from - stride, stride) == 0;
+        if (!as_above) put_row(reinterpret_cast<const std::uint32_t*>(from), rows, row);
+        add(row.size(), Z_NO_FLUSH);
+        found.check = adler32_z(found.check, row.data(), row.size());
+        found.length += row.size();
+    }
+    add(0, is_last ? Z_FINISH : Z_SYNC_FLUSH);
+    return found;
+}
+
+/// A picture of rows that follow each other, each stretch of them compressed by itself.
+std::string png_of(int width, int height, bool in_grey, double dpi, std::span<const Compressed> stretches) {
     std::string out;
     const auto fail = [](png_structp, png_const_charp message) { throw Fault(std::string("libpng: ") + message); };
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, [](png_structp, png_const_charp) {});
@@ -163,30 +220,22 @@ std::string encode(cairo_surface_t* surface, bool in_grey, double dpi) {
                  PNG_FILTER_TYPE_DEFAULT);
     const auto each_metre = static_cast<png_uint_32>(std::lround(dpi / 0.0254));
     png_set_pHYs(png, info, each_metre, each_metre, PNG_RESOLUTION_METER);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
-    png_set_compression_level(png, 1);
-    png_set_compression_buffer_size(png, 1 << 16);
     png_write_info(png, info);
-    std::vector<png_byte> row(static_cast<std::size_t>(width) * (in_grey ? 1 : 3));
-    for (int y = 0; y < height; ++y) {
-        const auto* from = reinterpret_cast<const std::uint32_t*>(pixels + y * stride);
-        if (y > 0 && std::memcmp(from, pixels + (y - 1) * stride, static_cast<std::size_t>(width) * 4) == 0) {
-            png_write_row(png, row.data());  // as the row above
-            continue;
-        }
-        png_byte* to = row.data();
-        if (in_grey) {
-            for (int x = 0; x < width; ++x) *to++ = static_cast<png_byte>(from[x]);
-        } else {
-            for (int x = 0; x < width; ++x, to += 3) {
-                to[0] = static_cast<png_byte>(from[x] >> 16);
-                to[1] = static_cast<png_byte>(from[x] >> 8);
-                to[2] = static_cast<png_byte>(from[x]);
-            }
-        }
-        png_write_row(png, row.data());
+    const auto put = [png](const char* name, const std::string& data) {
+        png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), reinterpret_cast<png_const_bytep>(data.data()),
+                        data.size());
+    };
+    // Header and end of a zlib stream: RFC 1950.
+    put("IDAT", "\x78\x01");
+    uLong check = adler32(0, nullptr, 0);
+    for (const Compressed& each : stretches) {
+        put("IDAT", each.bytes);
+        check = adler32_combine(check, each.check, static_cast<z_off_t>(each.length));
     }
-    png_write_end(png, info);
+    std::string end;
+    for (const int shift : {24, 16, 8, 0}) end += static_cast<char>(check >> shift);
+    put("IDAT", end);
+    put("IEND", {});
     png_destroy_write_struct(&png, &info);
     return out;
 }
@@ -284,45 +333,83 @@ void draw_strip(const Page& page, const Glyphs& glyphs, double scale, const Stri
     cairo_surface_flush(surface.get());
 }
 
-/// A surface on memory that is kept from page to page: one of them is in use at a time. Its halves are drawn side by side.
-Owned<cairo_surface_t> drawn_at(const Page& page, const Glyphs& glyphs, double dpi) {
+struct PictureSize {
+    int width, height;
+    double scale;  // pixels to a mm
+    std::size_t bytes(int rows) const {
+        return std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
+    }
+};
+
+PictureSize size_at(const Page& page, double dpi) {
     KG_ASSERT(std::isfinite(dpi) && dpi > 0, "a picture has a resolution");
     const double scale = dpi / 25.4;
     const auto pixels = [scale](double mm) { return static_cast<int>(std::ceil(mm * scale - 1e-6)); };
-    const int width = pixels(page.width), height = pixels(page.height), stride = 4 * width;
-    KG_ASSERT(width > 0 && height > 0 && width <= 32767 && height <= 32767, "the picture is one that cairo draws");
-    static thread_local Canvas canvas;
-    unsigned char* const own = canvas.pixels(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height));
+    const PictureSize size{pixels(page.width), pixels(page.height), scale};
+    KG_ASSERT(size.width > 0 && size.height > 0 && size.width <= 32767 && size.height <= 32767,
+              "the picture is one that cairo draws");
+    return size;
+}
+
+/// A page drawn by two threads, so many rows at a time: into what place(thread, strip) gives. done(number, strip, pixels) when a
+/// strip is drawn, on the thread that drew it.
+template <class Place, class Done>
+void draw_in_strips(const Page& page, const Glyphs& glyphs, const PictureSize& size, int rows, Place place, Done done) {
     // An outline is made when it is first asked for, which is no matter for two at once.
     for (const Mark& mark : page.marks)
         if (const auto* text = std::get_if<TextMark>(&mark))
             for (const Glyph& glyph : text->glyphs) glyphs.outline(glyph.face, glyph.index);
-    const Strip upper{0, height / 2}, lower{height / 2, height};
-    const auto draw_own = [&](const Strip& strip) {
-        if (strip.first < strip.end)
-            draw_strip(page, glyphs, scale, strip, own + static_cast<std::ptrdiff_t>(strip.first) * stride, width);
+    std::atomic<int> next = 0;
+    const auto draw_some = [&](std::size_t thread) {
+        for (int number = next++; number * rows < size.height; number = next++) {
+            const Strip strip{number * rows, std::min((number + 1) * rows, size.height)};
+            unsigned char* const pixels = place(thread, strip);
+            draw_strip(page, glyphs, size.scale, strip, pixels, size.width);
+            done(static_cast<std::size_t>(number), strip, pixels);
+        }
     };
-    std::future<void> beside = std::async(std::launch::async | std::launch::deferred, draw_own, lower);
-    draw_own(upper);
+    std::future<void> beside = std::async(std::launch::async | std::launch::deferred, draw_some, 1);
+    draw_some(0);
     beside.get();
-    return Owned<cairo_surface_t>{cairo_image_surface_create_for_data(own, CAIRO_FORMAT_RGB24, width, height, stride)};
+}
+
+/// Memory for pictures: one of them is in use at a time.
+Canvas& canvas() {
+    static thread_local Canvas own;
+    return own;
 }
 
 }  // namespace
 
 std::string to_png(const Page& page, const Glyphs& glyphs, double dpi) {
-    return encode(drawn_at(page, glyphs, dpi).get(), grey(page), dpi);
+    const PictureSize size = size_at(page, dpi);
+    const bool in_grey = grey(page);
+    // Memory that is used again is at hand; to draw a page in eight strips takes no longer than in two.
+    constexpr int strips = 8;
+    const int rows = (size.height + strips - 1) / strips;
+    unsigned char* const memory = canvas().pixels(2 * size.bytes(rows));
+    std::vector<Compressed> compressed_strips(static_cast<std::size_t>((size.height + rows - 1) / rows));
+    draw_in_strips(
+        page, glyphs, size, rows, [&](std::size_t thread, const Strip&) { return memory + thread * size.bytes(rows); },
+        [&](std::size_t number, const Strip& strip, const unsigned char* pixels) {
+            const bool is_last = strip.end == size.height;
+            compressed_strips[number] = compressed({pixels, size.width, strip.end - strip.first, in_grey}, is_last);
+        });
+    return png_of(size.width, size.height, in_grey, dpi, compressed_strips);
 }
 
 Picture to_picture(const Page& page, const Glyphs& glyphs, double dpi) {
-    const Owned<cairo_surface_t> surface = drawn_at(page, glyphs, dpi);
-    Picture picture{cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}, dpi};
-    const std::ptrdiff_t stride = cairo_image_surface_get_stride(surface.get());
-    const unsigned char* const data = cairo_image_surface_get_data(surface.get());
-    picture.pixels.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
-    for (int y = 0; y < picture.height; ++y) {
-        const auto* row = reinterpret_cast<const std::uint32_t*>(data + y * stride);
-        for (int x = 0; x < picture.width; ++x)
+    const PictureSize size = size_at(page, dpi);
+    unsigned char* const memory = canvas().pixels(size.bytes(size.height));
+    draw_in_strips(
+        page, glyphs, size, (size.height + 1) / 2,
+        [&](std::size_t, const Strip& strip) { return memory + size.bytes(strip.first); },
+        [](std::size_t, const Strip&, const unsigned char*) {});
+    Picture picture{size.width, size.height, {}, dpi};
+    picture.pixels.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+    for (int y = 0; y < size.height; ++y) {
+        const auto* row = reinterpret_cast<const std::uint32_t*>(memory + size.bytes(y));
+        for (int x = 0; x < size.width; ++x)
             picture.pixels.push_back({static_cast<std::uint8_t>(row[x] >> 16), static_cast<std::uint8_t>(row[x] >> 8),
                                       static_cast<std::uint8_t>(row[x])});
     }
