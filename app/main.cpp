@@ -687,7 +687,7 @@ void hold_standard_streams() {
 /// than any one figure.
 void keep_memory() {
 #ifdef M_TOP_PAD
-    constexpr int at_a_time = 4 << 20, large = 16 << 20, never = 1 << 30;
+    constexpr int at_a_time = 4 << 20, large = 64 << 20, never = 1 << 30;
     ::mallopt(M_TOP_PAD, at_a_time);
     ::mallopt(M_TRIM_THRESHOLD, never);
     ::mallopt(M_MMAP_THRESHOLD, large);

@@ -2,28 +2,31 @@
 #include "app/memory_ahead.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
-#include <memory>
-#if __has_include(<malloc.h>) && __has_include(<sys/mman.h>)
-#include <malloc.h>
+#if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
 #endif
 
 namespace kinegraph::app {
 
 void take_memory_ahead() {
-#if defined(M_MMAP_THRESHOLD) && defined(MADV_POPULATE_WRITE)
-    constexpr int taken = 3 << 20, kept = 64 << 20;
-    constexpr std::size_t page = 4096;
-    // What is given back now must stay the process's.
-    mallopt(M_MMAP_THRESHOLD, kept);
-    mallopt(M_TRIM_THRESHOLD, kept);
-    void* block = std::malloc(taken);
+#if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE) && defined(MADV_HUGEPAGE)
+    constexpr std::size_t large_page = std::size_t{2} << 20U, small_page = 4096;
+    constexpr std::size_t taken = 2 * large_page, of_small_pages = 3U << 20U;
+    void* const block = std::malloc(taken + large_page);
     if (block == nullptr) return;
-    void* first = block;
-    std::size_t space = taken;
-    if (std::align(page, taken - page, first, space) != nullptr) madvise(first, taken - page, MADV_POPULATE_WRITE);
+    const auto begin = reinterpret_cast<std::uintptr_t>(block);
+    const auto up_to = [begin](std::size_t page) { return (begin + page - 1) / page * page; };
+    const std::uintptr_t first_large = up_to(large_page);
     std::free(block);
+    // What lies before the first large page is left alone, never touched: it would come in small ones.
+    void* const before = std::malloc(first_large - begin);
+    (void)before;
+    if (madvise(reinterpret_cast<void*>(first_large), taken, MADV_HUGEPAGE) == 0)
+        madvise(reinterpret_cast<void*>(first_large), taken, MADV_POPULATE_WRITE);
+    else
+        madvise(reinterpret_cast<void*>(up_to(small_page)), of_small_pages, MADV_POPULATE_WRITE);
 #endif
 }
 

@@ -4,7 +4,8 @@
 
 namespace kinegraph::app {
 
-/// Some megabytes that the next allocations take; nothing where the system cannot.
+/// Some megabytes that the next allocations take, in pages as large as the system has them; nothing where it cannot. (Memory that
+/// is given back must stay the process's.)
 void take_memory_ahead();
 
 }  // namespace kinegraph::app

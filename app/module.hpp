@@ -1,7 +1,9 @@
 // Modules: parts of the program that a run loads only where it needs them.
 #pragma once
 
+#include <future>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -13,6 +15,10 @@ namespace kinegraph::app {
 /// where it is installed. It stays loaded to the end of the run. `purpose`: what it does, for the message where it cannot be
 /// loaded.
 tl::expected<const void*, Words> open_module(const std::string& name, const Words& purpose);
+
+/// Loads modules one after the other beside what the run does until it opens them; what cannot be loaded is said then. Once a
+/// run.
+[[nodiscard]] std::future<void> load_modules_ahead(std::vector<std::string> names);
 
 template <class Functions>
 tl::expected<const Functions*, Words> open_module_as(const std::string& name, const Words& purpose) {

@@ -129,54 +129,61 @@ std::optional<render::Theme> dark_beside(const std::string& theme) {
     return theme == "colour" ? render::built_in_theme("dark") : std::nullopt;
 }
 
+namespace {
+
+tl::unexpected<Status> lacks(const Words& why, Language language) {
+    refuse(why, language);
+    return tl::unexpected(Status::output);
+}
+
+}  // namespace
+
 std::future<void> Press::load_ahead(const std::vector<Target>& targets) {
     const auto needs = [&](const auto& is) { return std::any_of(targets.begin(), targets.end(), is); };
     const bool type = needs([](const Target& target) { return target.is_drawn(); });
     const bool cairo = needs([](const Target& target) { return target.format == Format::png || target.format == Format::pdf; });
     if (!type) return {};
-    return std::async(std::launch::async | std::launch::deferred, [cairo] {
-        open_module("kinegraph_type", {});
-        if (cairo) open_module("kinegraph_cairo", {});
-    });
+    std::vector<std::string> modules{"kinegraph_type"};
+    if (cairo) modules.emplace_back("kinegraph_cairo");
+    return load_modules_ahead(std::move(modules));
 }
 
 tl::expected<Press, Status> Press::open(const std::vector<Target>& targets, Language language, Lettering lettering) {
+    take_memory_ahead();
     std::optional<Press> press;
-    if (const auto opened = prepare(press, targets, language, lettering); !opened) return tl::unexpected(opened.error());
+    const auto ready = prepare(press, language, lettering).and_then([&] { return press->prepare_to_print(targets); });
+    if (!ready) return tl::unexpected(ready.error());
     return *std::move(press);
 }
 
-tl::expected<void, Status> Press::prepare(std::optional<Press>& press, const std::vector<Target>& targets, Language language,
-                                          Lettering lettering) {
-    const auto fails = [&](const Words& why) {
-        refuse(why, language);
-        return tl::unexpected(Status::output);
-    };
+tl::expected<void, Status> Press::prepare(std::optional<Press>& press, Language language, Lettering lettering) {
     if (press) {
         press->fonts_->start_anew();
     } else {
-        take_memory_ahead();
         auto typefaces = open_module_as<TypeFunctions>("kinegraph_type", {"Type is set", "I caratteri sono composti"})
                              .and_then([](const TypeFunctions* functions) { return functions->open_typefaces(); });
-        if (!typefaces) return fails(typefaces.error());
+        if (!typefaces) return lacks(typefaces.error(), language);
         press.emplace(Press());
         press->fonts_.emplace(*std::move(typefaces));
     }
     press->language_ = language;
     press->lettering_ = lettering;
-    const auto any_is = [&](Format one, Format other) {
-        return std::any_of(targets.begin(), targets.end(),
-                           [&](const Target& target) { return target.format == one || target.format == other; });
+    return {};
+}
+
+tl::expected<void, Status> Press::prepare_to_print(const std::vector<Target>& targets) {
+    const auto any_is = [&](Format format) {
+        return std::any_of(targets.begin(), targets.end(), [&](const Target& target) { return target.format == format; });
     };
-    if (any_is(Format::png, Format::pdf) && !press->painter_) {
+    if ((any_is(Format::png) || any_is(Format::pdf)) && !painter_) {
         auto loaded = Painter::open();
-        if (!loaded) return fails(loaded.error());
-        press->painter_.emplace(*std::move(loaded));
+        if (!loaded) return lacks(loaded.error(), language_);
+        painter_.emplace(*std::move(loaded));
     }
-    if (lettering == Lettering::live && any_is(Format::svg, Format::svg) && press->subset_ == nullptr) {
+    if (lettering_ == Lettering::live && any_is(Format::svg) && subset_ == nullptr) {
         const auto loaded = open_module_as<SubsetFunctions>("kinegraph_subset", {"Fonts are divided", "I font sono divisi"});
-        if (!loaded) return fails(loaded.error());
-        press->subset_ = *loaded;
+        if (!loaded) return lacks(loaded.error(), language_);
+        subset_ = *loaded;
     }
     return {};
 }

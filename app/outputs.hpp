@@ -51,12 +51,15 @@ class Press {
 public:
     /// Loads what the targets need beside what the run does until it opens them; what cannot be loaded is said then.
     [[nodiscard]] static std::future<void> load_ahead(const std::vector<Target>& targets);
-    /// What the targets need; else it has been said what is missing. `language`: of that, and of the remarks.
+    /// All that the targets need; else it has been said what is missing. `language`: of that, and of the remarks.
     static tl::expected<Press, Status> open(const std::vector<Target>& targets, Language language,
                                             Lettering lettering = Lettering::outlines);
-    /// The same of one that may be open already: for a further sheet, which does not remember the one before.
-    static tl::expected<void, Status> prepare(std::optional<Press>& press, const std::vector<Target>& targets, Language language,
+    /// What their sheets need to be laid out, for one that may be open already: for a further sheet, which does not remember the
+    /// one before.
+    static tl::expected<void, Status> prepare(std::optional<Press>& press, Language language,
                                               Lettering lettering = Lettering::outlines);
+    /// What is needed to print them. (Loading it takes longer than to lay out a sheet.)
+    tl::expected<void, Status> prepare_to_print(const std::vector<Target>& targets);
     const render::Fonts& fonts() const { return *fonts_; }
     /// Adds the pages' bytes for a drawn target, and to `remarks` what standard output cannot carry.
     void print(const std::vector<render::Page>& pages, const Target& target, double dpi, std::vector<Output>& outputs,

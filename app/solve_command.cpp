@@ -5,10 +5,13 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <thread>
 
 #include "app/asked_values.hpp"
+#include "app/block_memory.hpp"
 #include "app/commands.hpp"
 #include "app/driver_choice.hpp"
+#include "app/memory_ahead.hpp"
 #include "app/outputs.hpp"
 #include "constructions/conditions.hpp"
 #include "constructions/moving.hpp"
@@ -20,6 +23,7 @@
 #include "engine/problem.hpp"
 #include "engine/units.hpp"
 #include "render/live/live_page.hpp"
+#include "render/sheet/crew.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/handout.hpp"
 #include "render/sheet/steps.hpp"
@@ -221,6 +225,7 @@ render::SheetOptions options_of(const SolveRequest& request, const render::Theme
     options.detail = request.detail;
     options.kind = request.sheet;
     options.grid = request.grid;
+    options.crew = request.crew;
     return options;
 }
 
@@ -348,8 +353,7 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
     std::vector<render::Page> pages;
     const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
     if (draws) {
-        const auto ready =
-            Press::prepare(press, targets, request.language, request.live_text ? Lettering::live : Lettering::outlines);
+        const auto ready = Press::prepare(press, request.language, request.live_text ? Lettering::live : Lettering::outlines);
         if (!ready) return tl::unexpected(ready.error());
         const bool lays_out = std::any_of(targets.begin(), targets.end(),
                                           [](const Target& target) { return target.is_drawn() && !target.is_page(); });
@@ -359,6 +363,7 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
             if (!more) return tl::unexpected(more.error());
             std::move(more->begin(), more->end(), std::back_inserter(pages));
         }
+        if (const auto able = press->prepare_to_print(targets); !able) return tl::unexpected(able.error());
     }
     for (const Target& target : targets) {
         if (target.is_page()) {
@@ -441,6 +446,17 @@ tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vect
     return found;
 }
 
+namespace {
+
+/// Of processors, besides the one that this runs on, as many as there are figures for.
+int helpers_at_hand() {
+    constexpr unsigned most = 3;
+    const unsigned processors = std::thread::hardware_concurrency();  // 0: not known
+    return processors > 1 ? static_cast<int>(std::min(processors - 1, most)) : 0;
+}
+
+}  // namespace
+
 Status solve_command(const SolveRequest& request) {
     const Language language = request.language;
     constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::tex, Format::json, Format::html};
@@ -451,7 +467,13 @@ Status solve_command(const SolveRequest& request) {
     if (const Words fault = meaningless_on_page(request, *targets); !fault.empty()) return refuse(fault, language);
     const std::future<void> modules = Press::load_ahead(*targets);
     std::optional<Press> press;
-    const auto found = solved(request, *targets, *theme, press);
+    std::optional<render::Crew> crew;
+    SolveRequest manned = request;
+    if (std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.is_drawn(); })) {
+        take_memory_ahead();
+        manned.crew = &crew.emplace(helpers_at_hand(), give_back_block_memory);
+    }
+    const auto found = solved(manned, *targets, *theme, press);
     if (!found) return found.error();
     if (const auto failure = write_all(found->outputs)) return fail_to_write(*failure, language);
     const auto tell_of = [&](const Words& where, const char* kind, const std::string& line) {

@@ -8,6 +8,7 @@
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/beside.hpp"
+#include "render/sheet/crew.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -30,48 +31,80 @@ bool is_hardly_other(Spot known, Spot room) {
 }  // namespace
 
 bool DrawnFigures::draw(SheetPlan& plan, bool refuse) {
-    by_band_.clear();
-    int number = 0;
+    const std::vector<InItsRoom> all = in_their_rooms(plan);
+    draw_each(all, refuse);
     bool all_in_corners = true;
-    plan.for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
-        const Band& band = bands_.list[placed.band];
-        const BandLayouts& layouts = plan.layouts(placed.band);
-        Spot corner{0, 0};
-        for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
-            const Spot size = layout.rooms[f];
-            if (!(size.x > 0)) continue;
-            const Spot own{size.x - (layout.cornered ? layouts.wider_in(size) : 0), size.y};
-            DrawnFigure& drawn = by_band_[placed.band].emplace_back();
-            drawn.wanted = band.figures[f];
-            drawn.number = ++number;
-            drawn.room = rectangle(corner.x, corner.y, corner.x + size.x, corner.y + size.y);
-            drawn.own = own;
-            drawn.promised = layouts.scale_in(f, own);
-            const Wanted& wanted = wanted_.list[drawn.wanted];
-            drawn.waits = wanted.fills;
-            constexpr double rounding = 1e-9;
-            const bool may_refuse = refuse && wanted.draw_or_refuse && needs_.may_refuse(wanted);
-            if (!drawn.waits) draw_into(drawn, own, may_refuse ? drawn.promised * (1 + rounding) : any_scale);
-            if (!drawn.waits && !drawn.is_refused()) needs_.learn_from(drawn);
-            (layout.stacked ? corner.y : corner.x) += (layout.stacked ? size.y : size.x) + gap;
-            if (layout.cornered && !drawn.is_refused() && !set_in_corner(drawn, layouts.equations())) {
-                plan.has_no_corner(band.question);
-                all_in_corners = false;
-            }
+    for (const InItsRoom& each : all) {
+        DrawnFigure& drawn = *each.drawn;
+        if (!drawn.waits && !drawn.is_refused()) needs_.learn_from(drawn);
+        if (each.cornered && !drawn.is_refused() && !set_in_corner(drawn, each.layouts->equations())) {
+            plan.has_no_corner(each.band->question);
+            all_in_corners = false;
         }
-    });
+    }
     for (auto& [band, figures] : by_band_) share_room(figures);
     return all_in_corners;
 }
 
+/// What the plan shows, not drawn yet.
+std::vector<DrawnFigures::InItsRoom> DrawnFigures::in_their_rooms(const SheetPlan& plan) {
+    by_band_.clear();
+    std::vector<InItsRoom> all;
+    plan.for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
+        const Band& band = bands_.list[placed.band];
+        const BandLayouts& layouts = plan.layouts(placed.band);
+        std::vector<DrawnFigure>* figures = nullptr;
+        Spot corner{0, 0};
+        for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
+            const Spot size = layout.rooms[f];
+            if (!(size.x > 0)) continue;
+            if (figures == nullptr) {
+                figures = &by_band_[placed.band];
+                figures->reserve(layout.rooms.size());  // they stay where they are
+            }
+            DrawnFigure& drawn = figures->emplace_back();
+            drawn.wanted = band.figures[f];
+            drawn.number = static_cast<int>(all.size()) + 1;
+            drawn.room = rectangle(corner.x, corner.y, corner.x + size.x, corner.y + size.y);
+            drawn.own = {size.x - (layout.cornered ? layouts.wider_in(size) : 0), size.y};
+            drawn.promised = layouts.scale_in(f, drawn.own);
+            drawn.waits = wanted_.list[drawn.wanted].fills;
+            all.push_back({&drawn, &band, &layouts, layout.cornered});
+            (layout.stacked ? corner.y : corner.x) += (layout.stacked ? size.y : size.x) + gap;
+        }
+    });
+    return all;
+}
+
+/// But for those that wait.
+void DrawnFigures::draw_each(const std::vector<InItsRoom>& all, bool refuse) {
+    struct Task {
+        DrawnFigure* drawn;
+        double coarsest;
+    };
+    std::vector<Task> tasks;
+    for (const InItsRoom& each : all) {
+        const Wanted& wanted = wanted_.list[each.drawn->wanted];
+        if (each.drawn->waits) continue;
+        constexpr double rounding = 1e-9;
+        const bool may_refuse = refuse && wanted.draw_or_refuse && needs_.may_refuse(wanted);
+        tasks.push_back({each.drawn, may_refuse ? each.drawn->promised * (1 + rounding) : any_scale});
+    }
+    share_out(crew_, tasks.size(), [&](std::size_t i) { draw_into(*tasks[i].drawn, tasks[i].drawn->own, tasks[i].coarsest); });
+}
+
 void DrawnFigures::draw_what_fills_its_room() {
-    std::map<int, DrawnFigure*> in_order;
+    std::vector<DrawnFigure*> in_order;
     for (auto& [band, figures] : by_band_)
-        for (DrawnFigure& drawn : figures) in_order[drawn.number] = &drawn;
+        for (DrawnFigure& drawn : figures) in_order.push_back(&drawn);
+    std::sort(in_order.begin(), in_order.end(), [](const auto* one, const auto* other) { return one->number < other->number; });
+    share_out(crew_, in_order.size(), [&](std::size_t i) {
+        DrawnFigure& drawn = *in_order[i];
+        if (std::exchange(drawn.waits, false)) draw_into(drawn, {drawn.room.width(), drawn.room.height()}, any_scale);
+        enlarge(drawn);
+    });
     std::size_t details = 0;
-    for (const auto& [number, drawn] : in_order) {
-        if (std::exchange(drawn->waits, false)) draw_into(*drawn, {drawn->room.width(), drawn->room.height()}, any_scale);
-        enlarge(*drawn);
+    for (DrawnFigure* drawn : in_order) {
         letter_details_on(drawn->figure, context_, details);
         details += drawn->figure.details.size();
     }
@@ -92,13 +125,16 @@ void DrawnFigures::enlarge(DrawnFigure& drawn) const {
 }
 
 void DrawnFigures::enrich() {
+    std::vector<DrawnFigure*> all;
     for (auto& [band, figures] : by_band_)
-        for (DrawnFigure& drawn : figures) {
-            const Wanted& wanted = wanted_.list[drawn.wanted];
-            if (!wanted.enrich) continue;
-            const Spot room{drawn.room.width(), drawn.room.height() - drawn.caption};
-            if (Figure more = wanted.enrich(drawn.figure, room); more.scale != any_scale) drawn.figure = std::move(more);
-        }
+        for (DrawnFigure& drawn : figures)
+            if (wanted_.list[drawn.wanted].enrich) all.push_back(&drawn);
+    share_out(crew_, all.size(), [&](std::size_t i) {
+        DrawnFigure& drawn = *all[i];
+        const Spot room{drawn.room.width(), drawn.room.height() - drawn.caption};
+        Figure more = wanted_.list[drawn.wanted].enrich(drawn.figure, room);
+        if (more.scale != any_scale) drawn.figure = std::move(more);
+    });
 }
 
 bool DrawnFigures::keep_to_rooms() const {
@@ -152,7 +188,7 @@ bool DrawnFigures::set_in_corner(DrawnFigure& drawn, const Block& equations) con
 /// any_scale.
 const Figure& DrawnFigures::figure_in(std::size_t index, Spot room, double coarsest) {
     const Wanted& wanted = wanted_.list[index];
-    std::vector<Known>& known = known_[index];
+    std::vector<Known>& known = known_[index];  // no other thread asks for this figure
     for (const Known& each : known)
         if (serves(each, wanted, room, coarsest)) return each.figure;
     Known drawn{room, wanted.to_force_scale ? wanted_.force_scale : std::nullopt, wanted.shrinks, {}, {}};

@@ -11,12 +11,14 @@
 
 namespace kinegraph::render {
 
+class Crew;
+
 class DrawnFigures {
 public:
     using ByBand = std::map<std::size_t, std::vector<DrawnFigure>>;
 
-    DrawnFigures(const DrawingContext& context, const WantedFigures& wanted, const Bands& bands, FigureNeeds& needs)
-        : context_(context), wanted_(wanted), bands_(bands), needs_(needs) {}
+    DrawnFigures(const DrawingContext& context, const WantedFigures& wanted, const Bands& bands, FigureNeeds& needs, Crew* crew)
+        : context_(context), wanted_(wanted), bands_(bands), needs_(needs), crew_(crew), known_(wanted.list.size()) {}
 
     /// All that the plan shows, but for what fills whatever room is left. `refuse`: figures may refuse a room that is less than
     /// their plan promised. False where equations found no corner beside their figure; the plan is told.
@@ -42,6 +44,14 @@ private:
         Figure figure;
         std::optional<double> refused_at;  // the scale that it had no room for
     };
+    struct InItsRoom {
+        DrawnFigure* drawn;
+        const Band* band;
+        const BandLayouts* layouts;
+        bool cornered;
+    };
+    std::vector<InItsRoom> in_their_rooms(const SheetPlan& plan);
+    void draw_each(const std::vector<InItsRoom>& all, bool refuse);
     const Figure& figure_in(std::size_t index, Spot room, double coarsest);
     bool serves(const Known& known, const Wanted& wanted, Spot room, double coarsest) const;
     void draw_into(DrawnFigure& drawn, Spot room, double coarsest);
@@ -55,7 +65,8 @@ private:
     const WantedFigures& wanted_;
     const Bands& bands_;
     FigureNeeds& needs_;
-    std::map<std::size_t, std::vector<Known>> known_;  // by figure
+    Crew* crew_;                             // none: figures are drawn one after the other
+    std::vector<std::vector<Known>> known_;  // by figure
     ByBand by_band_;
 };
 

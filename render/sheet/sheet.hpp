@@ -14,6 +14,8 @@
 
 namespace kinegraph::render {
 
+class Crew;
+
 struct SheetOptions {
     Paper paper = Paper::a4;
     Language language = Language::en;
@@ -28,6 +30,7 @@ struct SheetOptions {
     // What is bound with these pages: how many come before and after them, and how many figures before.
     std::size_t pages_before = 0, pages_after = 0;
     int figures_before = 0;
+    Crew* crew = nullptr;  ///< draws figures side by side, where there is one; the sheet is the same
 };
 
 /// The worked solution, the question or the key, as asked for, on one or more pages.

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <mutex>
 #include <numbers>
+#include <set>
 #include <span>
 #include <string_view>
 #include <unordered_map>
@@ -127,7 +129,13 @@ struct Hash : std::hash<std::string_view> {
 
 }  // namespace
 
+/// By length and then by sign: as the numbers that they write.
+bool is_lower_code(const std::string& one, const std::string& other) {
+    return one.size() != other.size() ? one.size() < other.size() : one < other;
+}
+
 struct Fonts::State {
+    std::mutex mutex;  // of words being set: figures may be drawn side by side
     struct FaceOfFont {
         std::unique_ptr<Typeface> typeface;
         double space = 0;                           // em
@@ -135,7 +143,7 @@ struct Fonts::State {
         std::unordered_map<std::string, Word, Hash, std::equal_to<>> words;
     };
     std::array<FaceOfFont, std::tuple_size_v<Typefaces>> faces;
-    std::vector<std::string> missing;
+    std::set<std::string, decltype(&is_lower_code)> missing{&is_lower_code};
     std::vector<char32_t> characters;
     std::vector<std::uint32_t> begins;  // of each character in the word, bytes
     std::vector<std::uint8_t> faces_of;
@@ -191,7 +199,7 @@ void Fonts::State::shape_run(std::span<const char32_t> run, std::span<const std:
 /// A character that no face has: its code in a box.
 void Fonts::State::draw_code(char32_t c, std::uint32_t from, Word& into) {
     const std::string name = code_name(c);
-    if (std::find(missing.begin(), missing.end(), name) == missing.end()) missing.push_back(name);
+    missing.insert(name);
     const std::u32string code(name.begin(), name.end());
     Ink box;
     box.left = into.advance + code_side;
@@ -251,6 +259,7 @@ Word Fonts::State::set_word(std::string_view text, std::uint8_t face) {
 }
 
 const Word& Fonts::State::word(std::string_view text, Face face) {
+    const std::lock_guard lock(mutex);
     auto& words = faces[static_cast<std::size_t>(face)].words;
     const auto known = words.find(text);
     if (known != words.end()) return known->second;
@@ -761,7 +770,7 @@ std::string_view Fonts::file(std::uint8_t face) const {
     return state_->faces[face].typeface->file();
 }
 
-std::vector<std::string> Fonts::missing() const { return state_->missing; }
+std::vector<std::string> Fonts::missing() const { return {state_->missing.begin(), state_->missing.end()}; }
 
 void Fonts::start_anew() {
     constexpr std::size_t most_words = 6'000;

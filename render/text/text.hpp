@@ -91,7 +91,7 @@ public:
     ShapedLine set(const MeasuredText& text, const MeasuredText::Line& line) const;
     const Outline& outline(std::uint8_t face, std::uint32_t index) const override;
     std::string_view file(std::uint8_t face) const override;
-    /// Characters met so far that the font has not, in order ("U+4E2D").
+    /// Characters met so far that the font has not, in the order of Unicode ("U+4E2D").
     std::vector<std::string> missing() const;
     /// For a further sheet of many: forgets the missing characters, and the words set so far where they have become very many.
     void start_anew();
