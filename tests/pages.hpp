@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "render/page/page.hpp"
 #include "render/page/shapes.hpp"
+#include "render/sheet/sheet.hpp"
 #include "render/text/text.hpp"
 #include "tests/fonts.hpp"
 #include "tests/solved.hpp"
@@ -21,6 +23,14 @@ using namespace kinegraph::render;
 using tests::example;
 using tests::example_names;
 using tests::fonts;
+
+/// The sheet of an example as it comes, laid out once.
+inline const std::vector<Page>& example_pages(const std::string& name) {
+    static std::map<std::string, std::vector<Page>> known;
+    const auto [found, fresh] = known.try_emplace(name);
+    if (fresh) found->second = lay_out(example(name), {}, fonts());
+    return found->second;
+}
 
 inline std::vector<const TextMark*> texts_of(const Page& page) {
     std::vector<const TextMark*> texts;
