@@ -280,6 +280,42 @@ TEST(Answers, HaveTheTolerancesOfTheirReadings) {
     EXPECT_LT(*omega_3.tolerance, std::abs(omega_3.value));
 }
 
+/// The pin of coupler and rocker belongs to both; its tangential acceleration about the rocker's pivot tells nothing of the
+/// coupler.
+TEST(Answers, AreReadOffVectorsAcrossTheirOwnBody) {
+    for (const int turn : {20, 40, 75, 130, 200}) {
+        const Solution solution = tests::solved(
+            R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 40, "angle": )" +
+            std::to_string(turn) +
+            R"(}, "O4": [150, 0], "B": {"meet": [{"circle": "A", "radius": 150}, {"circle": "O4", "radius": 80}], "side": "left"}},
+            "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]}, "joints": [{"revolute": "O2", "bodies": [1, 2]},
+            {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [1, 4]}],
+            "drivers": [{"body": 2, "omega": -12}], "find": ["velocity", "acceleration"]})");
+        const SheetOptions options;
+        const DrawnSheet sheet = draw_solution(solution, options, fonts());
+        double length_scale = 0, acceleration_scale = 0;
+        for (const Figure& figure : sheet.figures) {
+            if (figure.kind == "mechanism") length_scale = figure.scale;
+            if (figure.id == "acceleration") acceleration_scale = figure.scale;
+        }
+        ASSERT_GT(acceleration_scale, 0);
+        int found = 0;
+        for (const render::Answer& each : answers_of({solution, options.theme, fonts()}, sheet.figures)) {
+            if (each.symbol.letter != Symbol::Letter::alpha) continue;
+            const bool of_coupler = solution.mechanism.body(each.quantity.body).name == "3";
+            const double radius = of_coupler ? 0.15 : 0.08;  // AB, O4B, m
+            ASSERT_TRUE(each.read_off) << turn;
+            EXPECT_EQ(name_of(*each.read_off), of_coupler ? "a_BA_t" : "a_B_t") << turn;
+            ++found;
+            if (!each.detail.empty()) continue;
+            EXPECT_NEAR(each.tolerance.value_or(0),
+                        (0.5 * acceleration_scale + 0.5 * length_scale * std::abs(each.value)) / radius, 1e-9)
+                << turn << ", " << name_of(each.symbol);
+        }
+        EXPECT_EQ(found, 2);
+    }
+}
+
 TEST(Answers, OfBodiesThatTurnTogetherHaveOneTolerance) {
     int pairs = 0;
     for (const std::string& name : example_names()) {

@@ -139,9 +139,7 @@ private:
             double radius = 0;
             if (q.part == (is_omega ? Quantity::Part::relative : Quantity::Part::tangential)) {
                 const Unit& unit = is_omega ? mechanism_.units.velocity : mechanism_.units.acceleration;
-                const bool own = std::any_of(together.begin(), together.end(), [&](BodyIndex body) {
-                    return q.body == body || (carries(body, q.point) && carries(body, q.seen_from));
-                });
+                const bool own = std::any_of(together.begin(), together.end(), [&](BodyIndex body) { return is_across(body, q); });
                 if (own) radius = other.drawing * unit.si.to_double() / turning;
             } else if (is_omega && q.part == Quantity::Part::whole) {
                 for (const BodyIndex body : together) radius = std::max(radius, distance_from_pivot(body, q));
@@ -154,6 +152,12 @@ private:
         answer.tolerance = least * std::abs(row.drawing);
         answer.read_off = best->symbol;
         answer.detail = best->detail;
+    }
+    /// Whether a part of a motion is that of one point of a body against another of the same. (A pin is told by one of its bodies:
+    /// a pin of coupler and rocker turns about the rocker's pivot, and with the rocker.)
+    bool is_across(BodyIndex body, const Quantity& part) const {
+        const bool has_tip = part.body == body || carries(body, part.point);
+        return has_tip && (part.seen_from == none || part.other == body || carries(body, part.seen_from));
     }
     double found_turning(const Quantity& quantity) const {
         const BodyMotion& motion = solution_.bodies[at_index(quantity.body)];
