@@ -113,19 +113,7 @@ public:
         return text;
     }
 
-    /// The words of a key, its places {0}, {1} … filled.
-    RichText filled(const char* key, const std::vector<RichText>& parts) const {
-        const std::string pattern = word(key, language());
-        RichText text;
-        for (std::size_t i = 0; i < pattern.size();) {
-            const std::size_t open = std::min(pattern.find('{', i), pattern.size());
-            if (open > i) append(text, one_piece(pattern.substr(i, open - i)));
-            if (open == pattern.size()) break;
-            append(text, parts[at_index(pattern[open + 1] - '0')]);
-            i = open + 3;
-        }
-        return text;
-    }
+    RichText filled(const char* key, const std::vector<RichText>& parts) const { return word(key, parts, language()); }
 
 private:
     Language language() const { return context_.language; }

@@ -715,6 +715,20 @@ bool is_cylinder(JointIndex slide, const Mechanism& mechanism) {
            std::any_of(mechanism.efforts.begin(), mechanism.efforts.end(), pushes);
 }
 
+/// The points of a body that polygons tell from those of another at the same place: "A* at A".
+std::vector<RichText> coincident_points(BodyIndex body, const Solution& solution, Language language) {
+    std::vector<RichText> all;
+    std::set<std::string> told;
+    const auto point = [&](const std::string& of) { return typeset(Symbol{Symbol::Letter::point, of, ""}, language); };
+    for (const Image& image : solution.protocol.images) {
+        const std::string& name = image.symbol.about;
+        const std::string plain_name = name.substr(0, name.find_last_not_of('*') + 1);
+        if (image.body == body && !plain_name.empty() && plain_name.size() < name.size() && told.insert(name).second)
+            all.push_back(word("coincident point", {point(name), point(plain_name)}, language));
+    }
+    return all;
+}
+
 RichText describe(BodyIndex index, const Solution& solution, Language language) {
     const Mechanism& mechanism = solution.mechanism;
     const Body& body = mechanism.bodies[at_index(index)];
@@ -773,6 +787,10 @@ RichText describe(BodyIndex index, const Solution& solution, Language language) 
         const double nice = std::round(l * 1e6) / 1e6;
         const std::string exact = shortest(nice, language);
         append(text, ", " + (exact.size() <= 6 ? exact : number(l, 4, language)) + " " + unit.symbol);
+    }
+    for (const RichText& each : coincident_points(index, solution, language)) {
+        append(text, ", ");
+        append(text, each);
     }
     return text;
 }

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "engine/assert.hpp"
+#include "engine/index.hpp"
 #include "render/text/joined_names.hpp"
 
 namespace kinegraph::render {
@@ -984,6 +985,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"idle by rule", "no force (by rule)", "scarica (a vista)"},
     // kinds of bodies, for the key
     FixedWords{"crank", "crank", "manovella"},
+    FixedWords{"coincident point", "{0} at {1}", "{0} in {1}"},
     FixedWords{"rocker", "rocker", "bilanciere"},
     FixedWords{"coupler", "coupler", "biella"},
     FixedWords{"slider", "slider", "cursore"},
@@ -1905,6 +1907,19 @@ std::string word(std::string_view key, Language language) {
     for (const FixedWords& row : fixed_words)
         if (row.key == key) return std::string(language == Language::en ? row.en : row.it);
     KG_ASSERT(false, "no words for \"" + std::string(key) + "\"");
+}
+
+RichText word(std::string_view key, const std::vector<RichText>& parts, Language language) {
+    const std::string pattern = word(key, language);
+    RichText text;
+    for (std::size_t i = 0; i < pattern.size();) {
+        const std::size_t open = std::min(pattern.find('{', i), pattern.size());
+        if (open > i) append(text, one_piece(pattern.substr(i, open - i)));
+        if (open == pattern.size()) break;
+        append(text, parts[at_index(pattern[open + 1] - '0')]);
+        i = open + 3;
+    }
+    return text;
 }
 
 }  // namespace kinegraph::render

@@ -40,5 +40,7 @@ std::string verdict_words(const Mobility& mobility, Language language);
 
 /// Headings and fixed words by key ("velocity polygon", "results", "numeric", …); a key without words is a fault.
 std::string word(std::string_view key, Language language);
+/// The same with its places {0}, {1} … filled.
+RichText word(std::string_view key, const std::vector<RichText>& parts, Language language);
 
 }  // namespace kinegraph::render
