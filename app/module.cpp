@@ -54,7 +54,9 @@ std::future<void> load_modules_ahead(std::vector<std::string> names) {
 
 tl::expected<const void*, Words> open_module(const std::string& name, const Words& purpose) {
     const auto ahead = loaded_ahead().find(name);
-    const Loaded loaded = ahead != loaded_ahead().end() ? ahead->second.get() : load(name);
+    Loaded loaded = ahead != loaded_ahead().end() ? ahead->second.get() : load(name);
+    // What a thread had no room for beside the others may have some now.
+    if (!loaded && ahead != loaded_ahead().end()) loaded = load(name);
     if (!loaded)
         return tl::unexpected(Words("{0} by a module of the program, which cannot be loaded: {1}",
                                     "{0} da un modulo del programma, che non si può caricare: {1}", purpose, loaded.error()));

@@ -470,8 +470,9 @@ Status solve_command(const SolveRequest& request) {
     std::optional<render::Crew> crew;
     SolveRequest manned = request;
     if (std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.is_drawn(); })) {
-        take_memory_ahead();
-        manned.crew = &crew.emplace(helpers_at_hand(), give_back_block_memory);
+        take_memory_ahead(Ahead::of_a_sheet);
+        manned.crew = &crew.emplace(
+            helpers_at_hand(), [] { take_memory_ahead(Ahead::of_its_figures); }, give_back_block_memory);
     }
     const auto found = solved(manned, *targets, *theme, press);
     if (!found) return found.error();

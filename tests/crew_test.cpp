@@ -59,11 +59,13 @@ TEST(Crew, BringsOutTheFirstFaultByNumberWhenAllIsDone) {
     }
 }
 
-TEST(Crew, LeavesNothingBehind) {
-    std::atomic<int> ended = 0;
+TEST(Crew, LetsEachHelperBeginAndEnd) {
+    std::atomic<int> begun = 0, ended = 0;
     {
-        const Crew crew(3, [&] { ++ended; });
+        const Crew crew(
+            3, [&] { ++begun; }, [&] { ++ended; });
     }
+    EXPECT_EQ(begun, 3);
     EXPECT_EQ(ended, 3);
 }
 

@@ -1,10 +1,10 @@
 // One piece of work at a time is shared out; who is free takes the next number.
 #include "render/sheet/crew.hpp"
 
+#include <algorithm>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -47,15 +47,17 @@ struct Crew::Shared {
     }
 };
 
-Crew::Crew(int helpers, std::function<void()> last) : shared_(std::make_unique<Shared>()) {
+Crew::Crew(int helpers, std::function<void()> first, std::function<void()> last) : shared_(std::make_unique<Shared>()) {
+    shared_->helpers.reserve(static_cast<std::size_t>(std::max(helpers, 0)));
     for (int i = 0; i < helpers; ++i) {
         try {
-            shared_->helpers.emplace_back([shared = shared_.get(), last] {
+            shared_->helpers.emplace_back([shared = shared_.get(), first, last] {
+                if (first) first();
                 shared->help();
                 end_thread();
                 if (last) last();
             });
-        } catch (const std::system_error&) {
+        } catch (const std::exception&) {
             break;  // those that are there will do
         }
     }
@@ -74,10 +76,10 @@ void Crew::share(std::size_t count, const std::function<void(std::size_t)>& work
     if (count == 0) return;
     Shared& shared = *shared_;
     std::unique_lock lock(shared.mutex);
+    shared.thrown.assign(count, nullptr);
     shared.work = &work;
     shared.count = count;
     shared.next = shared.done = 0;
-    shared.thrown.assign(count, nullptr);
     if (count > 1) shared.begun.notify_all();
     shared.take_part(lock);
     shared.ended.wait(lock, [&] { return shared.done == count; });

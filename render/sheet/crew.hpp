@@ -10,9 +10,9 @@ namespace kinegraph::render {
 
 class Crew {
 public:
-    /// `helpers`: beside the thread that shares out work; fewer, or none, where the machine gives no more. `last`: what each does
-    /// before it ends, with all that it was given.
-    explicit Crew(int helpers, std::function<void()> last = {});
+    /// `helpers`: beside the thread that shares out work; fewer, or none, where the machine gives no more. `first`, `last`: what
+    /// each does when it begins, and before it ends.
+    explicit Crew(int helpers, std::function<void()> first = {}, std::function<void()> last = {});
     Crew(const Crew&) = delete;
     Crew& operator=(const Crew&) = delete;
     ~Crew();
