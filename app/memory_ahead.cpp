@@ -13,7 +13,7 @@ namespace kinegraph::app {
 void take_memory_ahead([[maybe_unused]] Ahead ahead) {
 #if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE) && defined(MADV_HUGEPAGE)
     constexpr std::size_t large_page = std::size_t{2} << 20U, small_page = 4096;
-    const std::size_t taken = (ahead == Ahead::of_a_sheet ? 2 : 1) * large_page, of_small_pages = taken * 3 / 4;
+    const std::size_t taken = (ahead == Ahead::of_a_sheet ? 4 : 2) * large_page, of_small_pages = taken * 3 / 8;
     void* const block = std::malloc(taken + large_page);
     if (block == nullptr) return;
     const auto begin = reinterpret_cast<std::uintptr_t>(block);
