@@ -8,10 +8,19 @@
 #include <sys/mman.h>
 #endif
 
+// Sanitizers keep what is freed from being used again, so that nothing can be taken ahead.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define KINEGRAPH_MEMORY_WATCHED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
+#define KINEGRAPH_MEMORY_WATCHED 1
+#endif
+#endif
+
 namespace kinegraph::app {
 
 void take_memory_ahead([[maybe_unused]] Ahead ahead) {
-#if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE) && defined(MADV_HUGEPAGE)
+#if !defined(KINEGRAPH_MEMORY_WATCHED) && defined(__GLIBC__) && defined(MADV_POPULATE_WRITE) && defined(MADV_HUGEPAGE)
     constexpr std::size_t large_page = std::size_t{2} << 20U, small_page = 4096;
     const std::size_t taken = (ahead == Ahead::of_a_sheet ? 4 : 2) * large_page, of_small_pages = taken * 3 / 8;
     void* const block = std::malloc(taken + large_page);
@@ -20,8 +29,8 @@ void take_memory_ahead([[maybe_unused]] Ahead ahead) {
     const auto up_to = [begin](std::size_t page) { return (begin + page - 1) / page * page; };
     const std::uintptr_t first_large = up_to(large_page);
     std::free(block);
-    // What lies before the first large page is left alone, never touched: it would come in small ones. (Volatile: who asks for
-    // memory and makes nothing of it is not heard.)
+    // What lies before the first large page is left alone to the end, never touched: it would come in small ones. (Volatile: who
+    // asks for memory and makes nothing of it is not heard.)
     [[maybe_unused]] void* volatile const before = std::malloc(first_large - begin);
     if (madvise(reinterpret_cast<void*>(first_large), taken, MADV_HUGEPAGE) == 0)
         madvise(reinterpret_cast<void*>(first_large), taken, MADV_POPULATE_WRITE);
