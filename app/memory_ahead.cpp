@@ -2,8 +2,8 @@
 #include "app/memory_ahead.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
+#include <memory>
 #if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
 #endif
@@ -23,19 +23,24 @@ void take_memory_ahead([[maybe_unused]] Ahead ahead) {
 #if !defined(KINEGRAPH_MEMORY_WATCHED) && defined(__GLIBC__) && defined(MADV_POPULATE_WRITE) && defined(MADV_HUGEPAGE)
     constexpr std::size_t large_page = std::size_t{2} << 20U, small_page = 4096;
     const std::size_t taken = (ahead == Ahead::of_a_sheet ? 4 : 2) * large_page, of_small_pages = taken * 3 / 8;
-    void* const block = std::malloc(taken + large_page);
+    const std::size_t asked = taken + large_page;
+    void* const block = std::malloc(asked);
     if (block == nullptr) return;
-    const auto begin = reinterpret_cast<std::uintptr_t>(block);
-    const auto up_to = [begin](std::size_t page) { return (begin + page - 1) / page * page; };
-    const std::uintptr_t first_large = up_to(large_page);
+    const auto first_after = [&](std::size_t page) {
+        void* first = block;
+        std::size_t space = asked;
+        return std::align(page, 1, first, space);
+    };
+    void *const large = first_after(large_page), *const small = first_after(small_page);
+    const auto before_large = static_cast<std::size_t>(static_cast<char*>(large) - static_cast<char*>(block));
     std::free(block);
     // What lies before the first large page is left alone to the end, never touched: it would come in small ones. (Volatile: who
     // asks for memory and makes nothing of it is not heard.)
-    [[maybe_unused]] void* volatile const before = std::malloc(first_large - begin);
-    if (madvise(reinterpret_cast<void*>(first_large), taken, MADV_HUGEPAGE) == 0)
-        madvise(reinterpret_cast<void*>(first_large), taken, MADV_POPULATE_WRITE);
+    [[maybe_unused]] void* volatile const left_alone = std::malloc(before_large);
+    if (madvise(large, taken, MADV_HUGEPAGE) == 0)
+        madvise(large, taken, MADV_POPULATE_WRITE);
     else
-        madvise(reinterpret_cast<void*>(up_to(small_page)), of_small_pages, MADV_POPULATE_WRITE);
+        madvise(small, of_small_pages, MADV_POPULATE_WRITE);
 #endif
 }
 

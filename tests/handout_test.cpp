@@ -147,8 +147,10 @@ ShownAndSaid shown_and_said(const std::vector<Page>& pages) {
 
 /// A point that is argued with is in the file, or can be seen: as a letter, or by its image in a polygon.
 TEST(Brief, NamesNoPointThatNoFigureShows) {
+    int turn = 0;
     for (const std::string& name : example_names())
         for (const Language language : {Language::en, Language::it}) {
+            if (++turn % unless_sanitized(1, 5) != 0) continue;
             const Solution solution = example(name);
             const ShownAndSaid sheet = shown_and_said(lay_out(solution, brief(language), fonts()));
             const auto is_bar = [&](const std::string& bar) {

@@ -20,6 +20,7 @@
 #include "render/tables/force_tables.hpp"
 #include "tests/command_line.hpp"
 #include "tests/pages.hpp"
+#include "tests/random_mechanism.hpp"
 
 namespace {
 
@@ -572,7 +573,9 @@ TEST(FigureOne, StandsWhereTheSolutionHasIt) {
         }
     };
     expect_in_place(tests::solved(drag_link), "drag link");
-    for (const std::string& name : example_names()) expect_in_place(example(name), name);
+    int turn = 0;
+    for (const std::string& name : example_names())
+        if (++turn % unless_sanitized(1, 4) == 0) expect_in_place(example(name), name);
 }
 
 TEST(Effort, ThatIsNothingIsToldAndHasItsRow) {

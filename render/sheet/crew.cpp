@@ -47,7 +47,8 @@ struct Crew::Shared {
     }
 };
 
-Crew::Crew(int helpers, std::function<void()> first, std::function<void()> last) : shared_(std::make_unique<Shared>()) {
+Crew::Crew(int helpers, const std::function<void()>& first, const std::function<void()>& last)
+    : shared_(std::make_unique<Shared>()) {
     shared_->helpers.reserve(static_cast<std::size_t>(std::max(helpers, 0)));
     for (int i = 0; i < helpers; ++i) {
         try {

@@ -12,7 +12,7 @@ class Crew {
 public:
     /// `helpers`: beside the thread that shares out work; fewer, or none, where the machine gives no more. `first`, `last`: what
     /// each does when it begins, and before it ends.
-    explicit Crew(int helpers, std::function<void()> first = {}, std::function<void()> last = {});
+    explicit Crew(int helpers, const std::function<void()>& first = {}, const std::function<void()>& last = {});
     Crew(const Crew&) = delete;
     Crew& operator=(const Crew&) = delete;
     ~Crew();

@@ -139,7 +139,8 @@ private:
             double radius = 0;
             if (q.part == (is_omega ? Quantity::Part::relative : Quantity::Part::tangential)) {
                 const Unit& unit = is_omega ? mechanism_.units.velocity : mechanism_.units.acceleration;
-                const bool own = std::any_of(together.begin(), together.end(), [&](BodyIndex body) { return is_across(body, q); });
+                const bool own =
+                    std::any_of(together.begin(), together.end(), [&](BodyIndex body) { return is_across(body, q); });
                 if (own) radius = other.drawing * unit.si.to_double() / turning;
             } else if (is_omega && q.part == Quantity::Part::whole) {
                 for (const BodyIndex body : together) radius = std::max(radius, distance_from_pivot(body, q));
@@ -153,8 +154,8 @@ private:
         answer.read_off = best->symbol;
         answer.detail = best->detail;
     }
-    /// Whether a part of a motion is that of one point of a body against another of the same. (A pin is told by one of its bodies:
-    /// a pin of coupler and rocker turns about the rocker's pivot, and with the rocker.)
+    /// Whether a part of a motion is that of one point of a body against another of the same. (A pin is told by one of its
+    /// bodies: a pin of coupler and rocker turns about the rocker's pivot, and with the rocker.)
     bool is_across(BodyIndex body, const Quantity& part) const {
         const bool has_tip = part.body == body || carries(body, part.point);
         return has_tip && (part.seen_from == none || part.other == body || carries(body, part.seen_from));
