@@ -985,7 +985,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"idle by rule", "no force (by rule)", "scarica (a vista)"},
     // kinds of bodies, for the key
     FixedWords{"crank", "crank", "manovella"},
-    FixedWords{"coincident point", "{0} at {1}", "{0} in {1}"},
+    FixedWords{"coincident point", "{0}\u00A0at\u00A0{1}", "{0}\u00A0in\u00A0{1}"},
     FixedWords{"rocker", "rocker", "bilanciere"},
     FixedWords{"coupler", "coupler", "biella"},
     FixedWords{"slider", "slider", "cursore"},
