@@ -19,15 +19,9 @@
 #include <cstdlib>
 #include <new>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define KINEGRAPH_BLOCKS_WATCHED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-#define KINEGRAPH_BLOCKS_WATCHED 1
-#endif
-#endif
+#include "engine/watched_memory.hpp"
 
-#if defined(KINEGRAPH_BLOCKS_WATCHED) || !defined(__GLIBC__) || __SIZEOF_POINTER__ != 8
+#if defined(KINEGRAPH_MEMORY_WATCHED) || !defined(__GLIBC__) || __SIZEOF_POINTER__ != 8
 
 namespace kinegraph::app {
 void give_back_block_memory() {}

@@ -4,17 +4,10 @@
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
+
+#include "engine/watched_memory.hpp"
 #if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
-#endif
-
-// Sanitizers keep what is freed from being used again, so that nothing can be taken ahead.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define KINEGRAPH_MEMORY_WATCHED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-#define KINEGRAPH_MEMORY_WATCHED 1
-#endif
 #endif
 
 namespace kinegraph::app {

@@ -12,17 +12,11 @@
 #include <cstddef>
 #include <cstring>
 
-#if defined(__SANITIZE_ADDRESS__)
-#define KINEGRAPH_NUMBERS_WATCHED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define KINEGRAPH_NUMBERS_WATCHED 1
-#endif
-#endif
+#include "engine/watched_memory.hpp"
 
 namespace kinegraph {
 
-#if defined(KINEGRAPH_NUMBERS_WATCHED)
+#if defined(KINEGRAPH_MEMORY_WATCHED)
 
 void keep_number_memory() {}
 void give_back_number_memory() {}

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -33,13 +34,15 @@ TEST(Crew, DoesEachPartOnce) {
 
 TEST(Crew, WorksSideBySide) {
     Crew crew(1);
-    std::atomic<int> here = 0;
-    // Each waits for the other: one after the other they would never end.
+    std::atomic<int> here = 0, met = 0;
+    // Each waits for the other: one after the other they would wait in vain.
+    const auto late = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     crew.share(2, [&](std::size_t) {
         ++here;
-        while (here < 2) std::this_thread::yield();
+        while (here < 2 && std::chrono::steady_clock::now() < late) std::this_thread::yield();
+        if (std::chrono::steady_clock::now() < late) ++met;
     });
-    EXPECT_EQ(here, 2);
+    EXPECT_EQ(met, 2);
 }
 
 TEST(Crew, BringsOutTheFirstFaultByNumberWhenAllIsDone) {

@@ -84,6 +84,16 @@ TEST(Sheet, FiguresAreNumberedAndSayTheirScale) {
     EXPECT_TRUE(says(pages[0], "1/" + std::to_string(pages.size())));
 }
 
+TEST(Sheet, SaysWhichPointsCoincide) {
+    EXPECT_TRUE(says(example_pages("quick_return"), "A*\u00A0at\u00A0A"));
+    // Stars of the file's own are names.
+    std::string text = tests::contents(tests::example_file("quick_return"));
+    for (std::size_t at = text.find("\"A\""); at != std::string::npos; at = text.find("\"A\"", at + 1)) text.insert(at + 2, "*");
+    const std::vector<Page> pages = lay_out(tests::solved(text), {}, fonts());
+    EXPECT_TRUE(says(pages, "A**\u00A0at\u00A0A*"));
+    EXPECT_FALSE(says(pages, " A*\u00A0at\u00A0"));
+}
+
 TEST(Sheet, TheFourBarFitsOneA3) { EXPECT_EQ(lay_out(example("four_bar"), {Paper::a3, Language::en, {}}, fonts()).size(), 1u); }
 
 TEST(Sheet, WithoutMotionThereIsStillADrawing) {

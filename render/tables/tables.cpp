@@ -720,11 +720,13 @@ std::vector<RichText> coincident_points(BodyIndex body, const Solution& solution
     std::vector<RichText> all;
     std::set<std::string> told;
     const auto point = [&](const std::string& of) { return typeset(Symbol{Symbol::Letter::point, of, ""}, language); };
+    const auto is_of_the_file = [&](const std::string& name) { return solution.mechanism.point_named(name).has_value(); };
     for (const Image& image : solution.protocol.images) {
         const std::string& name = image.symbol.about;
-        const std::string plain_name = name.substr(0, name.find_last_not_of('*') + 1);
-        if (image.body == body && !plain_name.empty() && plain_name.size() < name.size() && told.insert(name).second)
-            all.push_back(word("coincident point", {point(name), point(plain_name)}, language));
+        std::string place = name;  // a file's own names may end with stars
+        while (!is_of_the_file(place) && place.ends_with('*')) place.pop_back();
+        if (image.body == body && place != name && is_of_the_file(place) && told.insert(name).second)
+            all.push_back(word("coincident point", {point(name), point(place)}, language));
     }
     return all;
 }

@@ -129,11 +129,6 @@ struct Hash : std::hash<std::string_view> {
 
 }  // namespace
 
-/// By length and then by sign: as the numbers that they write.
-bool is_lower_code(const std::string& one, const std::string& other) {
-    return one.size() != other.size() ? one.size() < other.size() : one < other;
-}
-
 struct Fonts::State {
     std::mutex mutex;  // of words being set: figures may be drawn side by side
     struct FaceOfFont {
@@ -143,7 +138,7 @@ struct Fonts::State {
         std::unordered_map<std::string, Word, Hash, std::equal_to<>> words;
     };
     std::array<FaceOfFont, std::tuple_size_v<Typefaces>> faces;
-    std::set<std::string, decltype(&is_lower_code)> missing{&is_lower_code};
+    std::set<char32_t> missing;
     std::vector<char32_t> characters;
     std::vector<std::uint32_t> begins;  // of each character in the word, bytes
     std::vector<std::uint8_t> faces_of;
@@ -199,7 +194,7 @@ void Fonts::State::shape_run(std::span<const char32_t> run, std::span<const std:
 /// A character that no face has: its code in a box.
 void Fonts::State::draw_code(char32_t c, std::uint32_t from, Word& into) {
     const std::string name = code_name(c);
-    missing.insert(name);
+    missing.insert(c);
     const std::u32string code(name.begin(), name.end());
     Ink box;
     box.left = into.advance + code_side;
@@ -770,7 +765,11 @@ std::string_view Fonts::file(std::uint8_t face) const {
     return state_->faces[face].typeface->file();
 }
 
-std::vector<std::string> Fonts::missing() const { return {state_->missing.begin(), state_->missing.end()}; }
+std::vector<std::string> Fonts::missing() const {
+    std::vector<std::string> names;
+    for (const char32_t c : state_->missing) names.push_back(code_name(c));
+    return names;
+}
 
 void Fonts::start_anew() {
     constexpr std::size_t most_words = 6'000;

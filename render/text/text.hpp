@@ -69,7 +69,7 @@ private:
     std::shared_ptr<const Parts> parts_;
 };
 
-/// The font's four faces, opened once; shaping is const and deterministic.
+/// The font's four faces, opened once; shaping is const and deterministic, and several threads may shape at once.
 class Fonts final : public Glyphs {
 public:
     explicit Fonts(Typefaces faces);

@@ -983,9 +983,9 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"compression", "compression", "compressione"},
     FixedWords{"idle", "no force", "scarica"},
     FixedWords{"idle by rule", "no force (by rule)", "scarica (a vista)"},
-    // kinds of bodies, for the key
-    FixedWords{"crank", "crank", "manovella"},
+    // of bodies, for the key: a point that coincides with another, and their kinds
     FixedWords{"coincident point", "{0}\u00A0at\u00A0{1}", "{0}\u00A0in\u00A0{1}"},
+    FixedWords{"crank", "crank", "manovella"},
     FixedWords{"rocker", "rocker", "bilanciere"},
     FixedWords{"coupler", "coupler", "biella"},
     FixedWords{"slider", "slider", "cursore"},
