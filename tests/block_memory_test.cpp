@@ -86,7 +86,7 @@ TEST(BlockMemory, BlocksOfAnotherThreadAreKeptUpToAMeasure) {
 }
 
 // A module has a new and a delete of its own, which are those of C.
-#if defined(__GLIBC__) && !defined(KINEGRAPH_BLOCKS_WATCHED)
+#if defined(__GLIBC__) && !defined(KINEGRAPH_MEMORY_WATCHED)
 TEST(BlockMemory, TakesAndGivesBlocksOfC) {
     void* (*volatile of_c)(std::size_t) = std::malloc;  // the compiler warns of what is tested here
     for (std::size_t size = 1; size < largest; ++size) ::operator delete(of_c(size), size);
