@@ -25,6 +25,10 @@ target_compile_options(kinegraph_flags INTERFACE
     -ffunction-sections -fdata-sections
     -fno-semantic-interposition)                      # nobody puts a function of his own in the place of one of ours
 
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    add_compile_options(-fsized-deallocation)  # which C++ has since 2014, and clang when it is asked
+endif()
+
 if(KINEGRAPH_FUZZ)
     set(CMAKE_CXX_FLAGS_RELEASE "-O1 -g1")
     add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS)
@@ -37,6 +41,8 @@ elseif(KINEGRAPH_SANITIZE)
     # compile time. The target of libFuzzer asks everything.
     add_compile_options(-fno-sanitize=null,alignment,vptr,object-size)
     # GCC 12 sees uninitialised members in std::regex and std::variant once the sanitizers' code stands between.
-    add_compile_options(-Wno-maybe-uninitialized)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        add_compile_options(-Wno-maybe-uninitialized)
+    endif()
     add_link_options(-fsanitize=address,undefined)
 endif()

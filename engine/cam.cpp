@@ -172,7 +172,7 @@ std::string title_of(const Cam& cam, double turn) {
 class FileOfCam {
 public:
     FileOfCam(const Cam& cam, const CamGeometry& geometry, double turn)
-        : cam_(cam), geometry_(geometry), state_(geometry.at(turn)), unit_(cam.units.length.si.to_double()), turn_(turn) {
+        : cam_(cam), state_(geometry.at(turn)), unit_(cam.units.length.si.to_double()), turn_(turn) {
         // Farther off than this a centre of curvature is no place to draw, and the profile is as good as straight.
         is_straight_ = std::abs(state_.curvature) * cam.base_circle.to_double() < 1e-6;
         is_round_about_origin_ = state_.rise.first == 0 && state_.rise.second == 0;
@@ -270,7 +270,6 @@ private:
     }
 
     const Cam& cam_;
-    const CamGeometry& geometry_;
     CamState state_;
     double unit_, turn_;
     bool is_straight_ = false, is_round_about_origin_ = false;

@@ -80,7 +80,7 @@ TEST(RandomForces4, ObeyTheLaws) { hold_quarter(3); }
 /// A weight at a point where all joints of its body are; springs whose pull the bodies between their ends take among themselves,
 /// so that all other forces vanish.
 TEST(RandomForces, FoundWrongOnce) {
-    for (const std::uint64_t seed : {789, 1460, 1941, 5423, 6790}) EXPECT_TRUE(hold(seed)) << seed;
+    for (const std::uint64_t seed : {789U, 1460U, 1941U, 5423U, 6790U}) EXPECT_TRUE(hold(seed)) << seed;
 }
 
 }  // namespace

@@ -261,7 +261,7 @@ TEST(Gears, PlanetaryTrainObeysWillis) {
         const Solution solution = solved(planetary("gear", turns, drivers));
         expect_solved(solution);
         const Reading read{solution};
-        const auto willis = [&](auto quantity, const Exact& arm) {
+        const auto willis = [&, turns = turns, drivers = drivers](auto quantity, const Exact& arm) {
             const Exact ring = turns ? quantity("5") : Exact(0);
             EXPECT_EQ(3 * (quantity("2") - arm), -7 * (ring - arm)) << drivers;
             EXPECT_EQ(3 * (quantity("2") - arm), -2 * (quantity("3") - arm)) << drivers;

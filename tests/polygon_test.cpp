@@ -197,9 +197,10 @@ TEST(PolygonDetail, NamesEveryVectorOnceOnEveryExample) {
             for (const auto& [vector, where] : places)
                 if (const auto found = said.find(vector); found != said.end()) {
                     // Once more in the sketch that says why the Coriolis term points where it does.
-                    const bool sketched = std::any_of(sketches.begin(), sketches.end(), [&](const SceneCoriolis& sketch) {
-                        return plain(typeset(sketch.coriolis, Language::en)) == vector;
-                    });
+                    const bool sketched =
+                        std::any_of(sketches.begin(), sketches.end(), [&, vector = vector](const SceneCoriolis& sketch) {
+                            return plain(typeset(sketch.coriolis, Language::en)) == vector;
+                        });
                     EXPECT_GE(found->second, static_cast<int>(where.size())) << vector;
                     EXPECT_LE(found->second, static_cast<int>(where.size()) + (sketched ? 1 : 0)) << vector;
                 }

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "engine/watched_memory.hpp"
+
 namespace kinegraph {
 
 /// std::mt19937_64 is the same everywhere, the distributions of <random> are not: so these are our own.
@@ -36,7 +38,7 @@ RandomMechanism random_mechanism(std::uint64_t seed);
 
 /// As many as that; under sanitizers, where everything takes several times as long, fewer.
 constexpr int unless_sanitized([[maybe_unused]] int count, [[maybe_unused]] int sanitized) {
-#ifdef __SANITIZE_ADDRESS__
+#if defined(KINEGRAPH_MEMORY_WATCHED)
     return sanitized;
 #else
     return count;

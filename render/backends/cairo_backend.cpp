@@ -405,13 +405,14 @@ Picture to_picture(const Page& page, const Glyphs& glyphs, double dpi) {
         page, glyphs, size, (size.height + 1) / 2,
         [&](std::size_t, const Strip& strip) { return memory + size.bytes(strip.first); },
         [](std::size_t, const Strip&, const unsigned char*) {});
-    Picture picture{size.width, size.height, {}, dpi};
-    picture.pixels.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+    const auto width = static_cast<std::size_t>(size.width);
+    Picture picture{size.width, size.height, std::vector<Colour>(width * static_cast<std::size_t>(size.height)), dpi};
     for (int y = 0; y < size.height; ++y) {
         const auto* row = reinterpret_cast<const std::uint32_t*>(memory + size.bytes(y));
-        for (int x = 0; x < size.width; ++x)
-            picture.pixels.push_back({static_cast<std::uint8_t>(row[x] >> 16), static_cast<std::uint8_t>(row[x] >> 8),
-                                      static_cast<std::uint8_t>(row[x])});
+        std::transform(row, row + width, picture.pixels.data() + width * static_cast<std::size_t>(y), [](std::uint32_t pixel) {
+            return Colour{static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
+                          static_cast<std::uint8_t>(pixel)};
+        });
     }
     return picture;
 }

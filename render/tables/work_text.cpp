@@ -319,11 +319,9 @@ private:
             {upright(in({"action", "azione"})), upright(in({"ratios", "rapporti"})),
              upright(in({"work", "lavoro"}) + " / ") + coordinate(freedom, true) + upright(", " + work_unit().symbol)}};
         const Equations& equations = *freedom.equations;
-        double total = 0;
         for (const Entry& entry : work.entries) {
             const auto own = work_by_ratios(equations, entry);
             if (!own) return;
-            total += *own;
             Symbol symbol = entry.symbol;
             if (entry.force.is_zero()) symbol.letter = Symbol::Letter::M;
             rows.push_back({force(symbol), ratios_of(equations, entry.body, entry.at, !entry.force.is_zero()), work_of(*own)});
