@@ -6,12 +6,12 @@
 #   boundaries_test.sh --self-test  that each kind of breach is seen
 set -u
 
-# includes PATTERN ROOM…: file:line:text of the includes that match, paths relative to the root.
+# includes PATTERN ROOM…: file:line:text of the includes that match, of all that `check` has listed.
 includes() {
     pattern=$1
     shift
-    find "$@" -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) 2>/dev/null | sort |
-        xargs -r grep -nHE "^[[:space:]]*#[[:space:]]*include[[:space:]]*$pattern"
+    within=$(printf '%s|' "$@")
+    printf '%s\n' "$all" | grep -E "^(${within%|})/[^:]*:[0-9]+:[[:space:]]*#[[:space:]]*include[[:space:]]*$pattern"
 }
 
 breach() { sed "s|\$|   <- $1|"; }
@@ -28,6 +28,9 @@ floor() {
 check() {
     cd "$1" || return 2
     rooms="engine constructions render app tests bench"
+    # shellcheck disable=SC2086 # lists of words
+    all=$(find $rooms -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) 2>/dev/null | sort |
+        xargs -r grep -nHE '^[[:space:]]*#[[:space:]]*include')
     # shellcheck disable=SC2086 # lists of words
     found=$(
         includes '["<](constructions|render|app|tests|bench)/' engine | breach "engine knows no other room"
