@@ -7,7 +7,7 @@
 #include "constructions/solve.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/text/words.hpp"
 
 namespace kinegraph::app {

@@ -3,7 +3,7 @@
 #include "app/files.hpp"
 #include "constructions/solve.hpp"
 #include "engine/equations.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/tables/equation_text.hpp"
 #include "render/tables/point_text.hpp"
 

@@ -8,7 +8,7 @@
 #include "constructions/degeneracy.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/sheet/pair_sheet.hpp"
 #include "render/tables/pair_tables.hpp"
 

@@ -20,7 +20,7 @@
 #include "engine/drivers.hpp"
 #include "engine/equations.hpp"
 #include "engine/moved.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "engine/units.hpp"
 #include "render/live/live_page.hpp"
 #include "render/sheet/crew.hpp"

@@ -14,7 +14,7 @@
 #include "app/sweep_parameter.hpp"
 #include "constructions/cycle.hpp"
 #include "constructions/solve.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/sheet/cycle_sheet.hpp"
 #include "render/text/words.hpp"
 

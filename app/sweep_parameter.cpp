@@ -15,7 +15,7 @@
 #include "constructions/largest_difference.hpp"
 #include "constructions/named_results.hpp"
 #include "constructions/solve.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "engine/result_names.hpp"
 #include "engine/spelling.hpp"
 #include "engine/variation.hpp"

@@ -22,7 +22,7 @@
 #include "app/roster.hpp"
 #include "constructions/variants.hpp"
 #include "engine/file_text.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/sheet/exercise_text.hpp"
 #include "render/sheet/handout.hpp"
 #include "render/sheet/key_sheet.hpp"

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/quantity_name.hpp"
 #include "engine/check.hpp"
 #include "engine/check_forces.hpp"
 #include "engine/magnitudes.hpp"

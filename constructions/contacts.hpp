@@ -2,7 +2,7 @@
 // teeth have their radii there, and Hertz's theory says the rest (constructions/hertz.hpp). Knows no file and no sheet.
 #pragma once
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "engine/solution.hpp"
 
 namespace kinegraph {

@@ -11,7 +11,7 @@
 //   on the axis: round 3.45, ellipse 3.69 (Thomas and Hoersch, incomplete elliptic integrals), line 4.49.
 #pragma once
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 
 namespace kinegraph {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "engine/pose.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 
 namespace kinegraph {
 

@@ -1,6 +1,7 @@
 #include "constructions/instant_centres.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "engine/assert.hpp"
@@ -11,6 +12,16 @@ namespace {
 
 std::size_t at(auto index) { return at_index(index); }
 using Drawing = PointOn<Plane::drawing>;
+
+/// Says where the centre of a pair lies; none where the pair alone does not tell.
+std::optional<Sentence> primary_sentence(const PlanePair& pair) {
+    if (pair.is_hinge()) return Sentence::primary_revolute;
+    if (pair.is_clamp()) return Sentence::primary_weld;
+    if (pair.is_sleeve()) return Sentence::primary_prismatic;
+    if (pair.meshes()) return Sentence::primary_gear;
+    if (pair.rolls()) return Sentence::primary_rolling;
+    return std::nullopt;
+}
 
 }  // namespace
 
@@ -72,7 +83,8 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
         entry.normals.emplace_back(board_.through(board_.place(joint.point), board_.normal(index_of_joint)), joint.point);
         return;
     }
-    if (entry.centre.everywhere || !known.primary) return;
+    const std::optional<Sentence> says = primary_sentence(known);
+    if (entry.centre.everywhere || !says) return;
     const auto names = [&] {
         return std::vector<Argument>{symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}};
     };
@@ -80,7 +92,7 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
         entry.centre.everywhere = true;
         entry.centre.how = InstantCentre::How::primary;
         entry.centre.order = order_++;
-        entry.centre.statement = say(*known.primary, names());
+        entry.centre.statement = say(*says, names());
         return;
     }
     const auto place = [&] {
@@ -92,7 +104,7 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
         if (!board_.coincide(*entry.point, place())) entry.centre.everywhere = true;
         return;
     }
-    entry.centre.statement = say(*known.primary, {});
+    entry.centre.statement = say(*says, {});
     settle(entry, place(), InstantCentre::How::primary);
     board_.statement(entry.centre.statement).message.arguments = names();
 }

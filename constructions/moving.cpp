@@ -14,7 +14,7 @@
 #include "engine/centre_symbol.hpp"
 #include "engine/drivers.hpp"
 #include "engine/moved.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "engine/replay.hpp"
 #include "engine/sliding.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "constructions/cycle.hpp"
 #include "engine/displacements.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "engine/result_names.hpp"
 #include "engine/sliding.hpp"
 #include "engine/spelling.hpp"

@@ -7,7 +7,7 @@
 
 #include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 
 namespace kinegraph {
 

@@ -11,7 +11,7 @@
 //          F₁ = b r ∫ sin θ (r − h cos θ) dθ equilibrium about the pivot is Q c = C (N₁ ∓ f F₁), − where friction helps the force
 #pragma once
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 
 namespace kinegraph {
 

@@ -25,7 +25,7 @@
 #include "constructions/workings.hpp"
 #include "engine/assert.hpp"
 #include "engine/equations.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 
 namespace kinegraph {
 namespace {

@@ -5,7 +5,7 @@
 // for one force, summed over the face of contact.
 #pragma once
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 
 namespace kinegraph {
 

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "engine/pose.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 
 namespace kinegraph {
 

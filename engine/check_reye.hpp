@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 
 namespace kinegraph {
 

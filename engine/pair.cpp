@@ -1,7 +1,5 @@
 #include "engine/pair.hpp"
 
-#include "engine/statement.hpp"
-
 namespace kinegraph {
 namespace {
 
@@ -19,7 +17,6 @@ constexpr std::array rows{
         .holds_tangent = true,
         .holds_rotation = false,
         .joins_many = true,
-        .primary = Sentence::primary_revolute,
     },
     PlanePair{
         .kind = JointKind::prismatic,
@@ -32,7 +29,6 @@ constexpr std::array rows{
         .holds_tangent = false,
         .holds_rotation = true,
         .joins_many = false,
-        .primary = Sentence::primary_prismatic,
     },
     PlanePair{
         .kind = JointKind::pin_slot,
@@ -45,7 +41,6 @@ constexpr std::array rows{
         .holds_tangent = false,
         .holds_rotation = false,
         .joins_many = false,
-        .primary = {},
     },
     PlanePair{
         .kind = JointKind::rolling,
@@ -58,7 +53,6 @@ constexpr std::array rows{
         .holds_tangent = true,
         .holds_rotation = false,
         .joins_many = false,
-        .primary = Sentence::primary_rolling,
     },
     PlanePair{
         .kind = JointKind::contact,
@@ -71,7 +65,6 @@ constexpr std::array rows{
         .holds_tangent = false,
         .holds_rotation = false,
         .joins_many = false,
-        .primary = {},
     },
     PlanePair{
         .kind = JointKind::gear,
@@ -84,7 +77,6 @@ constexpr std::array rows{
         .holds_tangent = true,
         .holds_rotation = false,
         .joins_many = false,
-        .primary = Sentence::primary_gear,
     },
     PlanePair{
         .kind = JointKind::weld,
@@ -97,7 +89,6 @@ constexpr std::array rows{
         .holds_tangent = true,
         .holds_rotation = true,
         .joins_many = false,
-        .primary = Sentence::primary_weld,
     },
 };
 

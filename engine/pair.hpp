@@ -10,12 +10,9 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <string_view>
 
 namespace kinegraph {
-
-enum class Sentence;
 
 enum class JointKind { revolute, prismatic, pin_slot, rolling, contact, gear, weld };
 
@@ -39,7 +36,6 @@ struct PlanePair {
     bool holds_tangent;  ///< … nor along it …
     bool holds_rotation;
     bool joins_many;                  ///< more than two bodies may share it
-    std::optional<Sentence> primary;  ///< says where its instant centre is, where the pair alone tells
 
     /// Unknowns of its reaction: one for each freedom that it holds.
     int reactions() const { return (holds_normal ? 1 : 0) + (holds_tangent ? 1 : 0) + (holds_rotation ? 1 : 0); }

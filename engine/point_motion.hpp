@@ -1,12 +1,10 @@
-// The motion of a point, as a file states it in place of joints, and motions in the large, between positions of a body; what was
-// found of either. Values in SI units, angles in radians. Methods: constructions/point_motion.hpp and finite_displacements.hpp;
-// numeric checks: engine/check_point_motion.hpp.
+// What was found of the motion of a point, and of motions in the large, between positions of a body. Values in SI units, angles in
+// radians. Methods: constructions/point_motion.hpp and finite_displacements.hpp; numeric checks: engine/check_point_motion.hpp.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "engine/board.hpp"
@@ -17,41 +15,6 @@ namespace kinegraph {
 struct Solution;
 
 // ----- the motion of a point
-
-/// A law of the file and its place.
-struct StatedLaw {
-    std::string symbol;  ///< "x", "θ", "s"; "f" of a path
-    std::string text;    ///< as the file has it
-    std::string where;
-    Expressed law;
-};
-/// Where the way s is counted along a curve y = f(x), in the sense of growing x, from x = `start`.
-struct GraphPath {
-    StatedLaw f;
-    Exact start;
-};
-/// Counter-clockwise, from the angle `start`.
-struct CirclePath {
-    Vector centre;
-    Exact radius, start;
-};
-/// Along `direction` (no unit vector), from `from`.
-struct LinePath {
-    Vector from;
-    Vector direction;
-};
-using StatedPath = std::variant<GraphPath, CirclePath, LinePath>;
-
-struct PointProblem {
-    std::string point;
-    enum class Form { cartesian, polar, path } form = Form::cartesian;
-    /// x and y, or r and θ, or s.
-    std::vector<StatedLaw> laws;
-    std::optional<StatedPath> path;
-    NamedConstants constants;
-    Exact at, from, to;  ///< s
-    std::string where, where_at, where_from;
-};
 
 /// A law and its derivatives in symbols.
 struct Derived {
@@ -91,17 +54,6 @@ std::string motion_json(const Solution& solution);
 
 // ----- motions in the large
 
-/// Two points of a body in two or three positions.
-struct PositionsProblem {
-    std::array<std::string, 2> points;
-    struct Position {
-        std::array<Vector, 2> places;
-        double moved = 0;  ///< by how much the second was moved along AB, that it keep its distance (m)
-        std::string where;
-    };
-    std::vector<Position> positions;
-    std::string where;
-};
 /// What takes a body from one position to another.
 struct Displacement {
     std::size_t from = 0, to = 1;

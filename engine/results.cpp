@@ -8,11 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "engine/quantity_name.hpp"
 #include "engine/assert.hpp"
 #include "engine/displacements.hpp"
 #include "engine/equations.hpp"
 #include "engine/json_text.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "engine/solution.hpp"
 
 namespace kinegraph {

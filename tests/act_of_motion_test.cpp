@@ -10,6 +10,7 @@
 #include <random>
 #include <string>
 
+#include "engine/quantity_name.hpp"
 #include "constructions/solve.hpp"
 #include "render/figures/figure.hpp"
 #include "render/page/shapes.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/quantity_name.hpp"
 #include "tests/random_mechanism.hpp"
 #include "tests/solved.hpp"
 #include "tests/told.hpp"

@@ -14,7 +14,7 @@
 
 #include "constructions/variants.hpp"
 #include "engine/file_text.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "engine/result_names.hpp"
 #include "engine/variation.hpp"
 #include "render/sheet/key_sheet.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "constructions/named_results.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/sheet/sheet.hpp"
 #include "tests/command_line.hpp"
 #include "tests/pages.hpp"

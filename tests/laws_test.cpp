@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "engine/quantity_name.hpp"
 #include "constructions/solve.hpp"
 #include "tests/random_mechanism.hpp"
 #include "tests/sketch.hpp"

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/quantity_name.hpp"
 #include "tests/told.hpp"
 
 namespace kinegraph {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/quantity_name.hpp"
 #include "engine/solution.hpp"
 
 namespace kinegraph::tests {

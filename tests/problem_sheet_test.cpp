@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/steps.hpp"

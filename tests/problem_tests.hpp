@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "tests/solved.hpp"
 
 namespace kinegraph::tests {

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "engine/quantity_name.hpp"
 #include "constructions/check_rows.hpp"
 #include "engine/magnitudes.hpp"
 #include "render/sheet/sheet.hpp"

@@ -9,7 +9,7 @@
 
 #include "constructions/cycle.hpp"
 #include "constructions/named_results.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "engine/result_names.hpp"
 #include "render/sheet/drawn_sheet.hpp"
 #include "render/sheet/exercise_text.hpp"

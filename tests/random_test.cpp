@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/quantity_name.hpp"
 #include "constructions/solve.hpp"
 #include "tests/motion_laws.hpp"
 #include "tests/random_mechanism.hpp"

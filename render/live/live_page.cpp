@@ -11,7 +11,7 @@
 
 #include "engine/equations.hpp"
 #include "engine/json_text.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/backends/backends.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/live/live_data.hpp"

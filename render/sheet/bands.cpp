@@ -8,7 +8,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/loads_alone.hpp"
 #include "render/scene/sentences.hpp"

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/sheet/problem_sheet.hpp"
 
 namespace kinegraph::render {

@@ -10,7 +10,7 @@
 
 #include "engine/compound_units.hpp"
 #include "engine/exercise.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "engine/result_names.hpp"
 #include "engine/sliding.hpp"
 #include "render/figures/caption.hpp"

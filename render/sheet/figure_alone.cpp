@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/contact_pages.hpp"

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "engine/check_hertz.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/figures/hertz_figures.hpp"
 #include "render/sheet/problem_sections.hpp"
 #include "render/text/formula.hpp"

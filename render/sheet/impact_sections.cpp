@@ -1,7 +1,7 @@
 // An impact in words: given and its class, the equations of the impulses, the phases, velocities afterwards, energy.
 #include <cmath>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/figures/impact_figures.hpp"
 #include "render/sheet/problem_sections.hpp"
 #include "render/text/formula.hpp"

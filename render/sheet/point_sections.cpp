@@ -1,7 +1,7 @@
 // The motion of a point as questions of its sheet: which figures stand with which sentences.
 #include <utility>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/figures/point_figures.hpp"
 #include "render/sheet/problem_sections.hpp"
 

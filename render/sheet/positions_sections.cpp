@@ -1,5 +1,5 @@
 // Motions in the large in words: the positions, each displacement, the fixed pivots.
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/figures/positions_figures.hpp"
 #include "render/sheet/problem_sections.hpp"
 #include "render/text/formula.hpp"

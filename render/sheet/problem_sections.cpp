@@ -1,6 +1,6 @@
 #include "render/sheet/problem_sections.hpp"
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 
 namespace kinegraph::render {
 

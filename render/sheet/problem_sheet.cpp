@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/exercise.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/block.hpp"
 #include "render/page/set_formula.hpp"

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/drawn_sheet.hpp"
 #include "render/sheet/exercise_text.hpp"

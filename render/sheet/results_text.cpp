@@ -4,7 +4,7 @@
 
 #include "engine/displacements.hpp"
 #include "engine/magnitudes.hpp"
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/contact_pages.hpp"
 #include "render/sheet/problem_sheet.hpp"

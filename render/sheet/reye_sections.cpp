@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/figures/reye_figures.hpp"
 #include "render/sheet/problem_sections.hpp"
 #include "render/text/formula.hpp"

@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/sheet/contact_pages.hpp"
 #include "render/sheet/drawn_sheet.hpp"
 #include "render/sheet/handout.hpp"

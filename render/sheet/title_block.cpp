@@ -8,7 +8,7 @@
 #include <optional>
 #include <system_error>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/wanted_figures.hpp"

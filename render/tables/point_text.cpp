@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/problem.hpp"
+#include "engine/problem_solution.hpp"
 #include "render/text/expression_formula.hpp"
 #include "render/text/formula.hpp"
 

@@ -1,10 +1,9 @@
 // Names of quantities, as the results file prints them.
-#include "engine/quantity.hpp"
+#include "engine/quantity_name.hpp"
 
 #include <algorithm>
 
 #include "engine/assert.hpp"
-#include "engine/pose.hpp"
 #include "engine/solution.hpp"
 
 namespace kinegraph {
@@ -136,69 +135,5 @@ private:
 }  // namespace
 
 std::string name_of(const Quantity& quantity, const Solution& solution) { return Namer(solution).name(quantity); }
-
-std::string_view name_of(Topic topic) {
-    switch (topic) {
-        case Topic::unnamed:
-            return "";
-        case Topic::velocity:
-            return "velocity";
-        case Topic::acceleration:
-            return "acceleration";
-        case Topic::relative_motion:
-            return "relative motion";
-        case Topic::centres:
-            return "centres";
-        case Topic::curvature:
-            return "curvature";
-        case Topic::forces:
-            return "forces";
-    }
-    KG_ASSERT(false, "a sentence has a topic");
-}
-
-Quantity velocity_of(const PointMotion& motion) {
-    return {.kind = Kind::velocity, .body = motion.bodies.front(), .point = motion.point};
-}
-Quantity acceleration_of(const PointMotion& motion) {
-    return {.kind = Kind::acceleration, .body = motion.bodies.front(), .point = motion.point};
-}
-Quantity quantity_of(const InstantCentre& centre) { return {.kind = Kind::centre, .body = centre.first, .other = centre.second}; }
-Quantity quantity_of(const JointForce& action) {
-    return {.kind = Kind::force, .body = action.on, .other = action.from, .joint = action.joint};
-}
-Vector unit_of_component(const JointForce& action) {
-    Vector along = *action.along;
-    const Exact x = abs(along.x), y = abs(along.y);
-    const Exact& largest = x > y ? x : y;
-    KG_ASSERT(!largest.is_zero(), "a component has a direction");
-    along = {along.x / largest, along.y / largest};
-    // On a pose with a leftover an upright direction is upright within 2^-100 or so; its sense must not hang on that.
-    const Exact noise = Exact::power_of_two(-80);
-    if (x / largest < noise) along.x = 0;
-    if (y / largest < noise) along.y = 0;
-    if (along.x.sign() < 0 || (along.x.is_zero() && along.y.sign() < 0)) along = -along;
-    constexpr int bits = 100;
-    return unit_along(along, bits);
-}
-double component_of(const JointForce& action) { return dot(*action.component, unit_of_component(action)).to_double(); }
-Quantity quantity_of(const FreeBody& body, const AppliedForce& applied) {
-    switch (applied.kind) {
-        case AppliedForce::Kind::reaction:
-            return {.kind = Kind::force, .body = body.body, .other = applied.from, .joint = applied.joint};
-        case AppliedForce::Kind::load:
-        case AppliedForce::Kind::spring:
-            return {.kind = Kind::load, .given = applied.given};
-        case AppliedForce::Kind::weight:
-            return {.kind = Kind::weight, .given = applied.given};
-        case AppliedForce::Kind::inertia:
-            return {.kind = Kind::inertia, .given = applied.given};
-        case AppliedForce::Kind::effort:
-            return {.kind = Kind::effort, .given = applied.given};
-        case AppliedForce::Kind::resultant:
-            return {.kind = Kind::resultant, .body = body.body};
-    }
-    KG_ASSERT(false, "what acts is of one kind");
-}
 
 }  // namespace kinegraph
