@@ -21,11 +21,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/algebra_source.hpp"
-#include "app/commands.hpp"
-#include "app/files.hpp"
-#include "engine/assert.hpp"
-#include "engine/number_memory.hpp"
+#include "app/commands/algebra_source.hpp"
+#include "app/commands/commands.hpp"
+#include "app/files/files.hpp"
+#include "engine/number/assert.hpp"
+#include "engine/number/number_memory.hpp"
 
 namespace kinegraph::app {
 namespace {

@@ -9,13 +9,13 @@
 #include <string>
 #include <variant>
 
-#include "constructions/cycle.hpp"
-#include "constructions/solve.hpp"
-#include "engine/check.hpp"
-#include "engine/mobility.hpp"
-#include "engine/pose.hpp"
-#include "engine/replay.hpp"
-#include "tests/four_bars_in_a_row.hpp"
+#include "constructions/positions/cycle.hpp"
+#include "constructions/solving/solve.hpp"
+#include "engine/check/check.hpp"
+#include "engine/motion/mobility.hpp"
+#include "engine/drawing/pose.hpp"
+#include "engine/board/replay.hpp"
+#include "tests/support/four_bars_in_a_row.hpp"
 
 namespace {
 

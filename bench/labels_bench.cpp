@@ -6,8 +6,8 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "constructions/solve.hpp"
-#include "engine/mechanism.hpp"
+#include "constructions/solving/solve.hpp"
+#include "engine/mechanism/mechanism.hpp"
 #include "render/figures/figure.hpp"
 
 namespace {

@@ -3,8 +3,8 @@ file(READ ${INPUT} text)
 if(text MATCHES "\\)schema\"")
     message(FATAL_ERROR "${INPUT} holds )schema\", which would end the literal")
 endif()
-file(WRITE ${OUTPUT} "// Made from engine/mechanism.schema.json by cmake/embed_schema.cmake.
-#include \"engine/mechanism_schema.hpp\"
+file(WRITE ${OUTPUT} "// Made from engine/reading/mechanism.schema.json by cmake/embed_schema.cmake.
+#include \"engine/reading/mechanism_schema.hpp\"
 
 namespace kinegraph {
 

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Holds the walls between the rooms: app → render → engine, app → constructions → engine; the floors of render, each of which
-# knows those below it; CGAL in at most two files of the engine, Eigen in the two checks alone, cairo in its backend alone; the
-# kinds of joint known by name to the table of pairs and the check alone.
+# Holds the order of the folders: app → render → engine, app → constructions → engine; within each of them every folder includes
+# those that its `floor` line names, and no other. CGAL in at most two files of the engine, Eigen in the numeric check alone, cairo
+# in its backend alone; the kinds of joint known by name to the table of pairs and the check alone.
 #   boundaries_test.sh ROOT         every breach in the tree, one a line; status 1 if there is one
 #   boundaries_test.sh --self-test  that each kind of breach is seen
 set -u
 
-# includes PATTERN ROOM…: file:line:text of the includes that match, of all that `check` has listed.
+# includes PATTERN FOLDER…: file:line:text of the includes that match, of all that `check` has listed.
 includes() {
     pattern=$1
     shift
@@ -16,57 +16,99 @@ includes() {
 
 breach() { sed "s|\$|   <- $1|"; }
 
-# floor ROOM BELOW…: the includes by which a room of render knows another one than those below it.
+# floor TOP FOLDER BELOW…: the includes by which TOP/FOLDER knows another folder of TOP than those below it.
 floor() {
-    room=$1
+    top=$1 folder=$2
+    floors="$floors $top/$folder"
+    shift
     known=$(printf '|%s' "$@")
     shift
-    includes '["<]render/' "render/$room" | grep -vE "include[[:space:]]*[\"<]render/(${known#|})/" |
-        breach "of render's rooms $room knows ${*:-itself alone}"
+    includes "[\"<]$top/" "$top/$folder" | grep -vE "include[[:space:]]*[\"<]$top/(${known#|})/" |
+        breach "in $top, $folder knows ${*:-itself alone}"
+}
+
+# Every folder of the product has its floor line.
+unordered() {
+    for folder in engine/* constructions/* render/* app/*; do
+        [ -d "$folder" ] || continue
+        case " $floors " in *" $folder "*) ;; *) printf '%s   <- has no place in the order of folders\n' "$folder" ;; esac
+    done
+    find engine constructions -maxdepth 1 -name '*.[ch]pp' 2>/dev/null | breach "source files stand in a folder of their subject"
 }
 
 check() {
     cd "$1" || return 2
-    rooms="engine constructions render app tests bench"
+    folders="engine constructions render app tests bench"
+    floors=
     # shellcheck disable=SC2086 # lists of words
-    all=$(find $rooms -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) 2>/dev/null | sort |
+    all=$(find $folders -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) 2>/dev/null | sort |
         xargs -r grep -nHE '^[[:space:]]*#[[:space:]]*include')
     # shellcheck disable=SC2086 # lists of words
     found=$(
-        includes '["<](constructions|render|app|tests|bench)/' engine | breach "engine knows no other room"
+        includes '["<](constructions|render|app|tests|bench)/' engine | breach "engine knows no other part"
         includes '["<](render|app|tests|bench)/' constructions | breach "constructions knows the engine alone"
         includes '["<](app|tests|bench)/' render | breach "render knows nothing of app"
         includes '["<]constructions/' render | breach "render needs no construction"
-        floor ink
-        floor text ink
-        floor page ink text
-        floor backends ink text page
-        floor scene ink text page
-        floor tables ink text page scene
-        floor mechanism ink text page scene tables
-        floor figures ink text page scene tables mechanism
-        floor sheet ink text page scene tables mechanism figures
-        floor live ink text page scene tables mechanism figures sheet backends
+        floor engine number
+        floor engine file number
+        floor engine mechanism file number
+        floor engine sentences mechanism file number
+        floor engine drawing sentences mechanism file number
+        floor engine board drawing sentences mechanism file number
+        floor engine motion drawing sentences mechanism file number
+        floor engine equations motion drawing sentences mechanism file number
+        floor engine solution equations board motion drawing sentences mechanism file number
+        floor engine results solution equations board motion drawing sentences mechanism file number
+        floor engine reading results solution equations board motion drawing sentences mechanism file number
+        floor engine check drawing sentences mechanism file number
+        floor constructions kinematics
+        floor constructions statics kinematics
+        floor constructions verdicts
+        floor constructions problems
+        floor constructions solving problems verdicts statics kinematics
+        floor constructions positions solving verdicts
+        floor constructions moving positions solving
+        floor render ink
+        floor render text ink
+        floor render page ink text
+        floor render backends ink text page
+        floor render scene ink text page
+        floor render tables ink text page scene
+        floor render equations ink text page scene tables
+        floor render mechanism ink text page scene tables
+        floor render figures ink text page scene tables equations mechanism
+        floor render content ink text page scene tables equations mechanism figures
+        floor render layout ink text page scene tables equations mechanism figures content
+        floor render problems ink text page scene tables equations mechanism figures content
+        floor render sheet ink text page scene tables equations mechanism figures content layout problems
+        floor render live ink text page scene tables equations mechanism figures content layout problems sheet backends
+        floor app files
+        floor app server files
+        floor app commands files server modules
+        floor app modules
+        unordered
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
-        includes '"' $rooms | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|tests|bench)/[a-z]' |
-            breach "own headers are written from the root, room first"
-        includes '[<"](unsupported/)?Eigen/' $rooms | grep -vE '^engine/(check(_forces|_hertz)?\.cpp|numeric/[a-z_]*\.[ch]pp):' |
-            breach "Eigen is the checks': engine/check.cpp's and those of its like"
-        includes '["<]engine/numeric/' $rooms | grep -vE '^engine/(check|numeric/)' | breach "engine/numeric is the checks' alone"
-        includes '[<"](cairo/)?cairo' $rooms | grep -v '^render/backends/cairo_backend\.cpp:' |
+        includes '"' $folders | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|tests|bench)/[a-z]' |
+            breach "own headers are written from the root"
+        includes '[<"](unsupported/)?Eigen/' $folders | grep -vE '^engine/check/[a-z_]*\.[ch]pp:' |
+            breach "Eigen is the numeric check's"
+        includes '["<]engine/check/' engine | grep -vE '^engine/check/' | breach "the check is no source of results"
+        includes '[<"](cairo/)?cairo' $folders | grep -v '^render/backends/cairo_backend\.cpp:' |
             breach "cairo is render/backends/cairo_backend.cpp's"
-        includes '[<"]hb' $rooms | grep -vE '^render/text/(typeface|subset)\.cpp:' |
+        includes '[<"]hb' $folders | grep -vE '^render/text/(typeface|subset)\.cpp:' |
             breach "HarfBuzz is render/text/typeface.cpp's and subset.cpp's"
-        includes '<sys/socket\.h>' $rooms | grep -v '^app/local_server\.cpp:' | breach "sockets are app/local_server.cpp's"
-        includes '[<"](ginac|cln)/' $rooms | grep -v '^engine/algebra_ginac\.cpp:' |
-            breach "GiNaC is engine/algebra_ginac.cpp's"
-        includes '[<"]CGAL/' $rooms | grep -v '^engine/' | breach "CGAL is the engine's"
+        includes '<sys/socket\.h>' $folders | grep -v '^app/server/local_server\.cpp:' |
+            breach "sockets are app/server/local_server.cpp's"
+        includes '[<"](ginac|cln)/' $folders | grep -v '^engine/file/algebra_ginac\.cpp:' |
+            breach "GiNaC is engine/file/algebra_ginac.cpp's"
+        includes '[<"]CGAL/' $folders | grep -v '^engine/' | breach "CGAL is the engine's"
         users=$(includes '[<"]CGAL/' engine | cut -d: -f1 | sort -u)
         if [ "$(printf '%s' "$users" | grep -c .)" -gt 2 ]; then
             printf '%s\n' "$users" | breach "more than two files of the engine include CGAL"
         fi
         grep -rn 'JointKind::' engine constructions render app 2>/dev/null |
-            grep -vE '^engine/(pair|check|check_forces|mechanism|numeric/equilibrium_equations)\.[ch]pp:' | breach "kinds of joint are engine/pair's and the check's"
+            grep -vE '^engine/(mechanism/(pair|mechanism)|check/[a-z_]*)\.[ch]pp:' |
+            breach "kinds of joint are the table of pairs' and the check's"
     )
     [ -z "$found" ] && return 0
     printf '%s\n' "$found"
@@ -97,34 +139,38 @@ if [ "$1" != --self-test ]; then
     exit
 fi
 failed=0
-seen "engine knows" engine/a.cpp '"constructions/b.hpp"'
-seen "engine knows" engine/a.hpp '"render/b.hpp"'
-seen "engine alone" constructions/a.hpp '"render/b.hpp"'
-seen "nothing of app" render/a.cpp '"app/b.hpp"'
+seen "engine knows" engine/board/a.cpp '"constructions/b.hpp"'
+seen "engine knows" engine/board/a.hpp '"render/b.hpp"'
+seen "engine alone" constructions/statics/a.hpp '"render/b.hpp"'
+seen "nothing of app" render/page/a.cpp '"app/b.hpp"'
 seen "needs no construction" render/page/a.cpp '"constructions/b.hpp"'
+seen "file knows number" engine/file/a.hpp '"engine/mechanism/b.hpp"'
+seen "board knows" engine/board/a.cpp '"engine/solution/b.hpp"'
+seen "statics knows kinematics" constructions/statics/a.cpp '"constructions/solving/b.hpp"'
 seen "ink knows itself alone" render/ink/a.hpp '"render/text/b.hpp"'
 seen "page knows ink text" render/page/a.hpp '"render/figures/b.hpp"'
-seen "tables knows" render/tables/a.cpp '"render/figures/b.hpp"'
-seen "scene knows" render/scene/a.cpp '"render/figures/b.hpp"'
 seen "figures knows" render/figures/a.cpp '"render/sheet/b.hpp"'
-seen "backends knows" render/backends/a.cpp '"render/scene/b.hpp"'
-seen "room first" render/a.cpp '"../app/b.hpp"'
-seen "room first" engine/a.cpp '"b.hpp"'
-seen "check.cpp's" engine/board.cpp '<Eigen/Dense>'
-seen "check.cpp's" tests/a_test.cpp '<Eigen/Dense>'
-seen "check.cpp's" engine/check_forces.hpp '<Eigen/Dense>'
-seen "the checks' alone" constructions/a.cpp '"engine/numeric/b.hpp"'
-seen "the checks' alone" engine/board.cpp '"engine/numeric/b.hpp"'
+seen "content knows" render/content/a.cpp '"render/layout/b.hpp"'
+seen "files knows" app/files/a.cpp '"app/commands/b.hpp"'
+seen "no place in the order" engine/elsewhere/a.cpp '<vector>'
+seen "folder of their subject" engine/a.cpp '<vector>'
+seen "from the root" render/page/a.cpp '"../app/b.hpp"'
+seen "from the root" engine/board/a.cpp '"b.hpp"'
+seen "numeric check's" engine/board/board.cpp '<Eigen/Dense>'
+seen "numeric check's" tests/a_test.cpp '<Eigen/Dense>'
+seen "source of results" engine/results/a.cpp '"engine/check/b.hpp"'
 seen "cairo_backend.cpp's" render/text/text.cpp '<cairo/cairo.h>'
 seen "cairo_backend.cpp's" app/main.cpp '<cairo-pdf.h>'
-seen "algebra_ginac.cpp's" engine/expression.cpp '<ginac/ginac.h>'
+seen "algebra_ginac.cpp's" engine/file/expression.cpp '<ginac/ginac.h>'
 seen "HarfBuzz is" render/text/text.cpp '<hb.h>'
-seen "the engine's" constructions/a.cpp '<CGAL/Point_2.h>'
-seen "more than two" engine/a.cpp '<CGAL/a.h>' engine/b.cpp '<CGAL/a.h>' engine/c.hpp '<CGAL/a.h>'
-seen "kinds of joint" constructions/a.cpp 'JointKind::gear'
-seen "" engine/pair.cpp 'JointKind::gear' engine/check_forces.cpp 'JointKind::weld' tests/a_test.cpp 'JointKind::gear'
-seen "" engine/a.cpp '<CGAL/a.h>' engine/a.cpp '<CGAL/b.h>' engine/b.cpp '<CGAL/a.h>' engine/check.cpp '<Eigen/QR>' \
-    engine/check_forces.cpp '<Eigen/Dense>' engine/numeric/a.hpp '<Eigen/Dense>' engine/check_forces.cpp '"engine/numeric/a.hpp"' \
-    render/backends/cairo_backend.cpp '<cairo/cairo.h>' app/main.cpp '"render/page/page.hpp"' render/text/a.cpp '"render/ink/a.hpp"' \
-    render/figures/a.cpp '"render/tables/a.hpp"' render/figures/a.cpp '"render/figures/b.hpp"' constructions/a.cpp '"engine/a.hpp"'
+seen "the engine's" constructions/statics/a.cpp '<CGAL/Point_2.h>'
+seen "more than two" engine/number/a.cpp '<CGAL/a.h>' engine/number/b.cpp '<CGAL/a.h>' engine/number/c.hpp '<CGAL/a.h>'
+seen "kinds of joint" constructions/statics/a.cpp 'JointKind::gear'
+seen "" engine/mechanism/pair.cpp 'JointKind::gear' engine/check/check_forces.cpp 'JointKind::weld' \
+    tests/a_test.cpp 'JointKind::gear'
+seen "" engine/number/a.cpp '<CGAL/a.h>' engine/number/a.cpp '<CGAL/b.h>' engine/number/b.cpp '<CGAL/a.h>' \
+    engine/check/check.cpp '<Eigen/QR>' engine/check/check_forces.cpp '"engine/check/a.hpp"' \
+    render/backends/cairo_backend.cpp '<cairo/cairo.h>' app/main.cpp '"render/page/page.hpp"' \
+    render/text/a.cpp '"render/ink/a.hpp"' render/figures/a.cpp '"render/tables/a.hpp"' \
+    constructions/solving/a.cpp '"engine/check/a.hpp"' constructions/statics/forces/a.cpp '"constructions/kinematics/a.hpp"'
 exit $failed

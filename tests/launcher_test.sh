@@ -18,7 +18,7 @@ same() {
 top="$tree/a clone"
 mkdir -p "$top/engine" "$tree/tools" "$tree/elsewhere"
 cp -r "$root/kinegraph" "$root/cmake" "$top/"
-touch "$top/CMakeLists.txt" "$top/engine/board.cpp"
+touch "$top/CMakeLists.txt" "$top/engine/board/board.cpp"
 cat >"$tree/tools/dpkg-query" <<'TXT'
 #!/bin/sh
 shift 3
@@ -71,10 +71,10 @@ same "through PATH" "elsewhere|x|" "$(PATH="$top:$PATH" kinegraph x 2>&1)"
 same "from its own directory" "a clone|x|" "$(cd "$top" && sh kinegraph x 2>&1)"
 same "none of these builds" 1 "$(builds)"
 
-later "1 minute" "$top/engine/board.cpp"
+later "1 minute" "$top/engine/board/board.cpp"
 "$top/kinegraph" x >/dev/null 2>&1
 same "a newer source builds" 2 "$(builds)"
-later "1 minute ago" "$top/engine/board.cpp"
+later "1 minute ago" "$top/engine/board/board.cpp"
 "$top/kinegraph" x >/dev/null 2>&1
 same "then no more" 2 "$(builds)"
 

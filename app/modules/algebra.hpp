@@ -2,7 +2,7 @@
 // milliseconds to load and to set up, twice as long as many a run takes; so the motion of a point alone loads them.
 #pragma once
 
-#include "engine/algebra.hpp"
+#include "engine/file/algebra.hpp"
 
 namespace kinegraph::app {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/error.hpp"
-#include "engine/pose.hpp"
+#include "engine/file/error.hpp"
+#include "engine/drawing/pose.hpp"
 
 namespace kinegraph::drafting {
 

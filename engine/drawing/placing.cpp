@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph::drafting {
 

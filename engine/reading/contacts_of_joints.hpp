@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/form_reader.hpp"
-#include "engine/problem.hpp"
+#include "engine/reading/form_reader.hpp"
+#include "engine/mechanism/problem.hpp"
 #include "engine/reading/materials.hpp"
 
 namespace kinegraph {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "engine/assert.hpp"
-#include "engine/drivers.hpp"
+#include "engine/number/assert.hpp"
+#include "engine/mechanism/drivers.hpp"
 
 namespace kinegraph {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/law_reader.hpp"
+#include "engine/reading/law_reader.hpp"
 #include "engine/reading/joints_section.hpp"
 
 namespace kinegraph {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "engine/form_reader.hpp"
-#include "engine/problem.hpp"
+#include "engine/reading/form_reader.hpp"
+#include "engine/mechanism/problem.hpp"
 #include "engine/reading/materials.hpp"
 #include "engine/reading/problem_bodies.hpp"
 

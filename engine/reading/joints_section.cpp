@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "engine/units.hpp"
+#include "engine/file/units.hpp"
 
 namespace kinegraph {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/expression.hpp"
-#include "engine/form_reader.hpp"
+#include "engine/file/expression.hpp"
+#include "engine/reading/form_reader.hpp"
 
 namespace kinegraph {
 

@@ -5,8 +5,8 @@
 #include <initializer_list>
 #include <utility>
 
-#include "engine/expression.hpp"
-#include "engine/pose.hpp"
+#include "engine/file/expression.hpp"
+#include "engine/drawing/pose.hpp"
 
 namespace kinegraph {
 namespace {

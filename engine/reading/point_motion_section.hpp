@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "engine/form_reader.hpp"
-#include "engine/problem.hpp"
+#include "engine/reading/form_reader.hpp"
+#include "engine/mechanism/problem.hpp"
 #include "engine/reading/law_constants.hpp"
 
 namespace kinegraph {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "engine/form_reader.hpp"
-#include "engine/mechanism.hpp"
-#include "engine/point_cycles.hpp"
+#include "engine/reading/form_reader.hpp"
+#include "engine/mechanism/mechanism.hpp"
+#include "engine/motion/point_cycles.hpp"
 
 namespace kinegraph {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/pose.hpp"
+#include "engine/drawing/pose.hpp"
 
 namespace kinegraph {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "engine/form_reader.hpp"
-#include "engine/problem.hpp"
+#include "engine/reading/form_reader.hpp"
+#include "engine/mechanism/problem.hpp"
 
 namespace kinegraph {
 

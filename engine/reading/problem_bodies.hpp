@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "engine/form_reader.hpp"
+#include "engine/reading/form_reader.hpp"
 
 namespace kinegraph {
 

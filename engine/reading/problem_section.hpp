@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "engine/form_reader.hpp"
-#include "engine/problem.hpp"
+#include "engine/reading/form_reader.hpp"
+#include "engine/mechanism/problem.hpp"
 
 namespace kinegraph {
 

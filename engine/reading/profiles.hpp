@@ -1,8 +1,8 @@
 // The profiles that touch in a contact: given with the joint, or the circles of its bodies, or their common tangent alone.
 #pragma once
 
-#include "engine/form_reader.hpp"
-#include "engine/mechanism.hpp"
+#include "engine/reading/form_reader.hpp"
+#include "engine/mechanism/mechanism.hpp"
 
 namespace kinegraph {
 

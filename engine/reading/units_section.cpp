@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "engine/scale_text.hpp"
-#include "engine/units.hpp"
+#include "engine/file/scale_text.hpp"
+#include "engine/file/units.hpp"
 
 namespace kinegraph {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "engine/form_reader.hpp"
-#include "engine/mechanism.hpp"
-#include "engine/truss.hpp"
+#include "engine/reading/form_reader.hpp"
+#include "engine/mechanism/mechanism.hpp"
+#include "engine/solution/truss.hpp"
 
 namespace kinegraph {
 

@@ -20,7 +20,7 @@
 #include <span>
 #include <utility>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 #include "render/backends/backends.hpp"
 #include "render/backends/live_text.hpp"
 #include "render/backends/pdf_language.hpp"

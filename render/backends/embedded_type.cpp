@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 #include "render/backends/live_text.hpp"
 #include "render/text/utf8.hpp"
 

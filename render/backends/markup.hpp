@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph::render {
 

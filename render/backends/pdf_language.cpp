@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cstddef>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph::render {
 namespace {

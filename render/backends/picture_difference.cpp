@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/words.hpp"
+#include "engine/file/words.hpp"
 #include "render/page/page.hpp"
 
 namespace kinegraph::render {

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/assert.hpp"
-#include "engine/json_text.hpp"
+#include "engine/number/assert.hpp"
+#include "engine/file/json_text.hpp"
 #include "render/backends/backends.hpp"
 #include "render/backends/live_text.hpp"
 #include "render/backends/markup.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/centre_symbol.hpp"
-#include "engine/held.hpp"
+#include "engine/sentences/centre_symbol.hpp"
+#include "engine/solution/held.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/displacements.hpp"
+#include "engine/solution/displacements.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/work_text.hpp"
+#include "render/equations/work_text.hpp"
 
 namespace kinegraph::render {
 

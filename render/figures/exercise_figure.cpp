@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "engine/compound_units.hpp"
+#include "engine/mechanism/compound_units.hpp"
 #include "render/figures/exercise_figure.hpp"
 #include "render/mechanism/clutter.hpp"
 #include "render/mechanism/sketch.hpp"

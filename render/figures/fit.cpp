@@ -1,7 +1,7 @@
 // Fit: see fit.hpp.
 #include "render/figures/fit.hpp"
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph::render {
 namespace {

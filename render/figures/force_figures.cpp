@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "engine/held.hpp"
-#include "engine/shifts.hpp"
+#include "engine/solution/held.hpp"
+#include "engine/solution/shifts.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/strings.hpp"
 #include "render/mechanism/clutter.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/mechanism/sketch.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "engine/assert.hpp"
-#include "engine/held.hpp"
+#include "engine/number/assert.hpp"
+#include "engine/solution/held.hpp"
 #include "render/figures/fit.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"

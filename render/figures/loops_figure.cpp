@@ -3,8 +3,8 @@
 #include <cmath>
 #include <set>
 
-#include "engine/equations.hpp"
-#include "engine/equations_values.hpp"
+#include "engine/equations/equations.hpp"
+#include "engine/equations/equations_values.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"

@@ -3,7 +3,7 @@
 // scale.
 #pragma once
 
-#include "engine/pair_catalogue.hpp"
+#include "engine/mechanism/pair_catalogue.hpp"
 #include "render/page/figure.hpp"
 #include "render/scene/drawing_context.hpp"
 

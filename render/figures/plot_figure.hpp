@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/column.hpp"
+#include "engine/sentences/column.hpp"
 #include "render/page/figure.hpp"
 #include "render/scene/drawing_context.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/problem_solution.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
 #include "render/page/scale.hpp"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "engine/held.hpp"
+#include "engine/solution/held.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render::drawing {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/strings.hpp"
 #include "render/mechanism/sketch.hpp"

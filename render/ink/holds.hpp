@@ -1,4 +1,4 @@
-// Holds: what a mark hangs on, for whoever moves the figure. Names are those of engine/held.hpp; a drawing that stands still
+// Holds: what a mark hangs on, for whoever moves the figure. Names are those of engine/solution/held.hpp; a drawing that stands still
 // needs none of it.
 #pragma once
 

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "engine/index.hpp"
+#include "engine/number/index.hpp"
 #include "render/ink/holds.hpp"
 #include "render/ink/spot.hpp"
 

@@ -1,4 +1,4 @@
-// The joints closed in the browser: Newton's method on the closure's rows, as engine/positions.cpp does it, begun near the place
+// The joints closed in the browser: Newton's method on the closure's rows, as engine/motion/positions.cpp does it, begun near the place
 // that the cycle was found to pass. Knows no construction and no figure.
 
 /**
@@ -159,7 +159,7 @@ class Places {
         return false;
     }
 
-    /** Points, guides, normals and tangents, m, as engine/positions.cpp reads them. */
+    /** Points, guides, normals and tangents, m, as engine/motion/positions.cpp reads them. */
     read() {
         const {points, joints, unit} = this.data;
         const scaled = (/** @type {Spot} */ a) => ({x: unit * a.x, y: unit * a.y});

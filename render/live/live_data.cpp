@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/centre_symbol.hpp"
-#include "engine/json_text.hpp"
+#include "engine/sentences/centre_symbol.hpp"
+#include "engine/file/json_text.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/page/figure.hpp"
 #include "render/text/formula.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/moving.hpp"
-#include "engine/solution.hpp"
+#include "engine/solution/moving.hpp"
+#include "engine/solution/solution.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/text/words.hpp"
 

@@ -9,16 +9,16 @@
 #include <set>
 #include <vector>
 
-#include "engine/equations.hpp"
-#include "engine/json_text.hpp"
-#include "engine/problem_solution.hpp"
+#include "engine/equations/equations.hpp"
+#include "engine/file/json_text.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "render/backends/backends.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/live/live_data.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/figure_alone.hpp"
-#include "render/sheet/title_block.hpp"
-#include "render/tables/equation_text.hpp"
+#include "render/content/title_block.hpp"
+#include "render/equations/equation_text.hpp"
 
 namespace kinegraph::render {
 namespace {

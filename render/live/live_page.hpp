@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "engine/moving.hpp"
-#include "engine/solution.hpp"
+#include "engine/solution/moving.hpp"
+#include "engine/solution/solution.hpp"
 #include "render/sheet/sheet.hpp"
 
 namespace kinegraph::render {

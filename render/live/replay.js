@@ -1,5 +1,5 @@
-// A program replayed in the browser, stroke by stroke, with every guard asked: the text of engine/program.hpp and
-// engine/replay.cpp in JavaScript, in the same order of operations. Knows no position and no figure.
+// A program replayed in the browser, stroke by stroke, with every guard asked: the text of engine/board/program.hpp and
+// engine/board/replay.cpp in JavaScript, in the same order of operations. Knows no position and no figure.
 
 /** In the order of Verb. */
 const verbs = [

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/centre_symbol.hpp"
+#include "engine/sentences/centre_symbol.hpp"
 #include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {

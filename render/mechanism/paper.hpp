@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/exact.hpp"
+#include "engine/number/exact.hpp"
 #include "render/page/figure.hpp"
 #include "render/page/labels.hpp"
 #include "render/page/scale.hpp"

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/solution.hpp"
+#include "engine/solution/solution.hpp"
 #include "render/mechanism/paper.hpp"
 
 namespace kinegraph::render::drawing {

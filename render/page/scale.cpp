@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph::render {
 namespace {

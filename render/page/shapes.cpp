@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 #include "render/page/scale.hpp"
 
 namespace kinegraph::render {

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "engine/json_source.hpp"
-#include "engine/units.hpp"
+#include "engine/file/json_source.hpp"
+#include "engine/file/units.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/error.hpp"
-#include "engine/index.hpp"
+#include "engine/file/error.hpp"
+#include "engine/number/index.hpp"
 #include "render/ink/path.hpp"
 
 namespace kinegraph::render {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/result_names.hpp"
+#include "engine/results/result_names.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/solution.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph::render {
 

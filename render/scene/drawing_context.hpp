@@ -1,7 +1,7 @@
 // What everything that is drawn or set from a Solution is given: the Solution, the look, the type, the language.
 #pragma once
 
-#include "engine/solution.hpp"
+#include "engine/solution/solution.hpp"
 #include "render/page/theme.hpp"
 #include "render/text/text.hpp"
 #include "render/text/words.hpp"

@@ -2,7 +2,7 @@
 // mechanics.
 #pragma once
 
-#include "engine/solution.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph::render {
 

@@ -1,6 +1,6 @@
 #include "render/scene/loads_alone.hpp"
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph::render {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/solution.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph::render {
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 #include "render/ink/spot.hpp"
 #include "render/scene/drawn_by.hpp"
 

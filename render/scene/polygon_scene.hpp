@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/solution.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph::render {
 

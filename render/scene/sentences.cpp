@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/pair.hpp"
+#include "engine/mechanism/pair.hpp"
 
 namespace kinegraph::render {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/board.hpp"
+#include "engine/board/board.hpp"
 
 namespace kinegraph::render {
 

@@ -6,7 +6,7 @@
 
 #include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
-#include "render/sheet/exercise_text.hpp"
+#include "render/content/exercise_text.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "engine/cam.hpp"
-#include "engine/column.hpp"
+#include "engine/mechanism/cam.hpp"
+#include "engine/sentences/column.hpp"
 #include "render/text/rich_text.hpp"
 #include "render/text/words.hpp"
 

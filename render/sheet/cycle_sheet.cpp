@@ -9,9 +9,9 @@
 #include "render/figures/caption.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/sheet/title_block.hpp"
+#include "render/content/title_block.hpp"
 #include "render/tables/extremes.hpp"
-#include "render/tables/prose.hpp"
+#include "render/equations/prose.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <functional>
 
-#include "engine/problem_solution.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
-#include "render/sheet/contact_pages.hpp"
-#include "render/sheet/problem_sheet.hpp"
-#include "render/sheet/title_block.hpp"
-#include "render/sheet/wanted_figures.hpp"
+#include "render/problems/contact_pages.hpp"
+#include "render/problems/problem_sheet.hpp"
+#include "render/content/title_block.hpp"
+#include "render/content/wanted_figures.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -8,21 +8,21 @@
 #include <span>
 #include <utility>
 
-#include "engine/exercise.hpp"
+#include "engine/mechanism/exercise.hpp"
 #include "render/figures/caption.hpp"
 #include "render/figures/exercise_figure.hpp"
 #include "render/figures/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/loads_alone.hpp"
-#include "render/sheet/bands.hpp"
-#include "render/sheet/drawn_sheet.hpp"
-#include "render/sheet/exercise_text.hpp"
-#include "render/sheet/page_plan.hpp"
-#include "render/sheet/title_block.hpp"
-#include "render/sheet/wanted_figures.hpp"
+#include "render/content/bands.hpp"
+#include "render/layout/drawn_sheet.hpp"
+#include "render/content/exercise_text.hpp"
+#include "render/layout/page_plan.hpp"
+#include "render/content/title_block.hpp"
+#include "render/content/wanted_figures.hpp"
 #include "render/tables/answers.hpp"
-#include "render/tables/equation_block.hpp"
-#include "render/tables/prose.hpp"
+#include "render/equations/equation_block.hpp"
+#include "render/equations/prose.hpp"
 
 namespace kinegraph::render {
 namespace {

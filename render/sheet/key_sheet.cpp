@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "render/page/shapes.hpp"
-#include "render/sheet/title_block.hpp"
+#include "render/content/title_block.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {

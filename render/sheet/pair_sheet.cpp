@@ -5,12 +5,12 @@
 #include <string>
 #include <utility>
 
-#include "engine/pair_catalogue.hpp"
+#include "engine/mechanism/pair_catalogue.hpp"
 #include "render/figures/pair_figures.hpp"
 #include "render/page/block.hpp"
 #include "render/page/shapes.hpp"
-#include "render/sheet/title_block.hpp"
-#include "render/tables/prose.hpp"
+#include "render/content/title_block.hpp"
+#include "render/equations/prose.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {

@@ -6,14 +6,14 @@
 #include <charconv>
 #include <cmath>
 
-#include "engine/problem_solution.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "render/scene/sentences.hpp"
-#include "render/sheet/drawn_sheet.hpp"
-#include "render/sheet/exercise_text.hpp"
+#include "render/layout/drawn_sheet.hpp"
+#include "render/content/exercise_text.hpp"
 #include "render/sheet/figure_alone.hpp"
-#include "render/sheet/page_plan.hpp"
-#include "render/sheet/problem_sections.hpp"
-#include "render/sheet/title_block.hpp"
+#include "render/layout/page_plan.hpp"
+#include "render/problems/problem_sections.hpp"
+#include "render/content/title_block.hpp"
 #include "render/tables/answers.hpp"
 #include "render/text/formula.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "render/sheet/drawn_sheet.hpp"
+#include "render/layout/drawn_sheet.hpp"
 #include "render/tables/answers.hpp"
 
 namespace kinegraph::render {

@@ -1,7 +1,7 @@
 // Whether the vectors that are sought can be read on the sheet of a solution.
 #pragma once
 
-#include "engine/exercise.hpp"
+#include "engine/mechanism/exercise.hpp"
 #include "render/sheet/sheet.hpp"
 
 namespace kinegraph::render {

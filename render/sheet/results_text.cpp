@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/displacements.hpp"
-#include "engine/magnitudes.hpp"
-#include "engine/problem_solution.hpp"
+#include "engine/solution/displacements.hpp"
+#include "engine/solution/magnitudes.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "render/page/shapes.hpp"
-#include "render/sheet/contact_pages.hpp"
-#include "render/sheet/problem_sheet.hpp"
+#include "render/problems/contact_pages.hpp"
+#include "render/problems/problem_sheet.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/text/utf8.hpp"
 #include "render/text/words.hpp"

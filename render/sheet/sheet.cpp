@@ -12,13 +12,13 @@
 #include <optional>
 #include <utility>
 
-#include "engine/problem_solution.hpp"
-#include "render/sheet/contact_pages.hpp"
-#include "render/sheet/drawn_sheet.hpp"
+#include "engine/solution/problem_solution.hpp"
+#include "render/problems/contact_pages.hpp"
+#include "render/layout/drawn_sheet.hpp"
 #include "render/sheet/handout.hpp"
-#include "render/sheet/problem_sheet.hpp"
-#include "render/sheet/sheet_choice.hpp"
-#include "render/sheet/sheet_pages.hpp"
+#include "render/problems/problem_sheet.hpp"
+#include "render/layout/sheet_choice.hpp"
+#include "render/layout/sheet_pages.hpp"
 
 namespace kinegraph::render {
 namespace {

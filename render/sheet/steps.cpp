@@ -8,18 +8,18 @@
 #include <set>
 #include <string>
 
-#include "engine/problem_solution.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "render/figures/caption.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/loads_alone.hpp"
 #include "render/scene/sentences.hpp"
-#include "render/sheet/contact_pages.hpp"
-#include "render/sheet/problem_sheet.hpp"
-#include "render/sheet/title_block.hpp"
-#include "render/sheet/wanted_figures.hpp"
+#include "render/problems/contact_pages.hpp"
+#include "render/problems/problem_sheet.hpp"
+#include "render/content/title_block.hpp"
+#include "render/content/wanted_figures.hpp"
 #include "render/tables/force_tables.hpp"
-#include "render/tables/prose.hpp"
+#include "render/equations/prose.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/centre_symbol.hpp"
-#include "engine/displacements.hpp"
-#include "engine/result_names.hpp"
-#include "engine/sliding.hpp"
-#include "engine/units.hpp"
+#include "engine/sentences/centre_symbol.hpp"
+#include "engine/solution/displacements.hpp"
+#include "engine/results/result_names.hpp"
+#include "engine/solution/sliding.hpp"
+#include "engine/file/units.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"

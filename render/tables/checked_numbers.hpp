@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "engine/magnitudes.hpp"
-#include "engine/solution.hpp"
+#include "engine/solution/magnitudes.hpp"
+#include "engine/solution/solution.hpp"
 
 namespace kinegraph::render {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/column.hpp"
+#include "engine/sentences/column.hpp"
 
 namespace kinegraph::render {
 

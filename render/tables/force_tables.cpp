@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/polygon_scene.hpp"
 #include "render/tables/checked_numbers.hpp"

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/tables.hpp"
 

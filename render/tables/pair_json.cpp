@@ -3,9 +3,9 @@
 #include <map>
 #include <sstream>
 
-#include "engine/chain.hpp"
-#include "engine/json_text.hpp"
-#include "engine/pair_catalogue.hpp"
+#include "engine/mechanism/chain.hpp"
+#include "engine/file/json_text.hpp"
+#include "engine/mechanism/pair_catalogue.hpp"
 #include "render/tables/pair_tables.hpp"
 
 namespace kinegraph::render {

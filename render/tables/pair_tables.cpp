@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "engine/chain.hpp"
-#include "engine/pair_catalogue.hpp"
+#include "engine/mechanism/chain.hpp"
+#include "engine/mechanism/pair_catalogue.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {

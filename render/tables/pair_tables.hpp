@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/mechanism.hpp"
-#include "engine/mobility.hpp"
+#include "engine/mechanism/mechanism.hpp"
+#include "engine/motion/mobility.hpp"
 #include "render/text/words.hpp"
 
 namespace kinegraph::render {

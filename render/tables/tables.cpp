@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "engine/assert.hpp"
-#include "engine/centre_symbol.hpp"
+#include "engine/number/assert.hpp"
+#include "engine/sentences/centre_symbol.hpp"
 #include "render/page/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "engine/expression.hpp"
+#include "engine/file/expression.hpp"
 #include "render/text/math.hpp"
 #include "render/text/words.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/problem_solution.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "render/text/rich_text.hpp"
 #include "render/text/words.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/words.hpp"
+#include "engine/file/words.hpp"
 
 namespace kinegraph::render {
 

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "engine/assert.hpp"
+#include "engine/number/assert.hpp"
 #include "render/text/typeface.hpp"
 #include "render/text/utf8.hpp"
 

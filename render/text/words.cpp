@@ -1,5 +1,5 @@
 // Words: the only file that speaks. One table of sentences and one of fixed words, each row in every language, and how symbols
-// and numbers are typeset. Knows no page; what a sentence means is said in engine/statement.hpp.
+// and numbers are typeset. Knows no page; what a sentence means is said in engine/sentences/statement.hpp.
 //
 // A pattern holds the places {0} … of its arguments; {0|one|several} chooses by the number of what {0} is; what stands in [square
 // brackets] is said only when all its arguments are given; ~ is a blank at which no line ends; ω and α are set as symbols (α is ω̇
@@ -16,8 +16,8 @@
 #include <map>
 #include <utility>
 
-#include "engine/assert.hpp"
-#include "engine/index.hpp"
+#include "engine/number/assert.hpp"
+#include "engine/number/index.hpp"
 #include "render/text/joined_names.hpp"
 
 namespace kinegraph::render {

@@ -1,14 +1,14 @@
 // Words: every sentence, heading and name the sheet says, in English and Italian. Faults of
-// files and of the command line carry theirs themselves (engine/words.hpp). Terms differ by
+// files and of the command line carry theirs themselves (engine/file/words.hpp). Terms differ by
 // language, not only by translation (instant centre P_ij / centro di istantanea rotazione C_ij; language.hpp).
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "engine/mechanism.hpp"
-#include "engine/mobility.hpp"
-#include "engine/statement.hpp"
+#include "engine/mechanism/mechanism.hpp"
+#include "engine/motion/mobility.hpp"
+#include "engine/sentences/statement.hpp"
 #include "render/text/language.hpp"
 #include "render/text/text.hpp"
 

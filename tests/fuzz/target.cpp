@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "tests/fonts.hpp"
+#include "tests/support/fonts.hpp"
 #include "tests/fuzz/mutate.hpp"
-#include "tests/through_all.hpp"
+#include "tests/support/through_all.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t longest);
 

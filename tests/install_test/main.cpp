@@ -1,8 +1,8 @@
 // Uses the installed library: a header, a function and the embedded schema must be there and link.
 #include <iostream>
 
-#include "engine/exact.hpp"
-#include "engine/mechanism_schema.hpp"
+#include "engine/number/exact.hpp"
+#include "engine/reading/mechanism_schema.hpp"
 
 int main() {
     const auto tenth = kinegraph::Exact::from_decimal("0.1");

@@ -1,0 +1,23 @@
+// Asked values: see asked_values.hpp.
+#include "app/commands/asked_values.hpp"
+
+#include "engine/mechanism/exercise.hpp"
+
+namespace kinegraph::app {
+
+std::vector<render::AskedValue> asked_values(const std::vector<NamedResult>& results, const Units& units) {
+    std::vector<render::AskedValue> asked;
+    for (const NamedResult& each : results) {
+        const ToldResult unit = told(each, units);
+        const double size = each.unit.empty() ? unit_of(each.column.unit, units).si.to_double() : 1;
+        asked.push_back({each.column, each.value, unit.unit, size});
+    }
+    return asked;
+}
+
+std::vector<render::AskedValue> asked_values(const Solution& solution) {
+    if (asked_of(solution.mechanism).empty()) return {};
+    return asked_values(results_for(*solution.mechanism.exercise, solution), solution.mechanism.units);
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,86 @@
+// batch: lines from standard input through the workers to standard output, in their order. A line that is wrong has an answer
+// that says so; what ends a run is the end of its input, a signal, or answers that nobody takes.
+#include <csignal>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands/batch_worker.hpp"
+#include "app/commands/commands.hpp"
+#include "app/files/files.hpp"
+#include "app/commands/in_order.hpp"
+#include "app/files/line_reader.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+constexpr const char* blanks = " \t\r";
+
+/// Feeds the workers until the input ends or no more answers are taken.
+LineReader::Event feed(LineReader& lines, InOrder& workers) {
+    std::string line;
+    while (true) {
+        const LineReader::Event event = lines.next(line);
+        if (event != LineReader::Event::line) return event;
+        if (line.find_first_not_of(blanks) == std::string::npos) continue;
+        if (!workers.add(std::move(line))) return LineReader::Event::end;
+        line.clear();
+    }
+}
+
+/// What there is to say of a run as a whole.
+void sum_up(const BatchTally& tally, Language language) {
+    const auto number = [](long count) { return std::to_string(count); };
+    if (tally.resumed > 0)
+        refuse({"lines done before: {1} of {0}", "righe già svolte: {1} su {0}", number(tally.answered), number(tally.resumed)},
+               language);
+    if (tally.refused > 0)
+        refuse({"lines that could not be carried out: {1} of {0} (\"errors\" in their answers say why)",
+                "righe che non si sono potute svolgere: {1} su {0} (il perché è in \"errors\" nelle risposte)",
+                number(tally.answered), number(tally.refused)},
+               language);
+}
+
+}  // namespace
+
+Status batch_command(const BatchRequest& request) {
+    const Language language = request.defaults.language;
+    auto answers = Growing::open("-");
+    if (!answers) return fail_to_write(answers.error(), language);
+    BatchTally tally;
+    std::optional<NotWritten> failure;
+    std::vector<InOrder::Worker> workers;
+    for (int job = 0; job < request.jobs; ++job)
+        workers.emplace_back(
+            [worker = std::make_shared<BatchWorker>(request, tally)](const std::string& line) { return worker->answer(line); });
+    int signal = 0;
+    {
+        LineReader lines;
+        const auto sink = [&](const std::string& answer) {
+            failure = answers->add(answer);
+            return !failure;
+        };
+        InOrder in_order(std::move(workers), sink, [] { return LineReader::signal() != 0; });
+        const LineReader::Event end = feed(lines, in_order);
+        in_order.finish();
+        signal = LineReader::signal();
+        if (end == LineReader::Event::failed) {
+            say({"standard input", "ingresso standard"}, lines.why(), language);
+            return Status::bad_input;
+        }
+    }
+    sum_up(tally, language);
+    if (failure) return fail_to_write(*failure, language);
+    if (signal != 0) {
+        refuse({"stopped, lines answered: {0}; --resume does the rest", "interrotto, righe svolte: {0}; --resume fa il resto",
+                std::to_string(tally.answered)},
+               language);
+        std::raise(signal);
+    }
+    return Status::done;
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,143 @@
+// diff EXPECTED ACTUAL: reads two pictures, compares them, says by how much they differ and shows it.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "app/commands/commands.hpp"
+#include "app/files/files.hpp"
+#include "app/files/svg_picture.hpp"
+#include "render/backends/picture_difference.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+using render::Picture;
+using render::PictureDifference;
+
+/// Begins like XML, perhaps after a byte order mark.
+bool may_be_svg(std::string_view bytes) {
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && bytes[first] == '<';
+}
+
+/// One of the two: its bytes, and the picture as soon as it is known.
+struct Side {
+    Words name;
+    std::string bytes;
+    std::optional<Picture> picture;
+    Language language = Language::en;
+};
+
+Status fails(const Side& side, const Words& why, Status status = Status::bad_input) {
+    say(side.name, why, side.language);
+    return status;
+}
+
+/// The bytes, and what they show if that is a PNG.
+Status read(Side& side, const std::string& path) {
+    side.name = spoken(path);
+    auto bytes = read_whole(path, {"picture", "disegno"});
+    if (!bytes) return fails(side, bytes.error());
+    side.bytes = *std::move(bytes);
+    if (!render::is_png(side.bytes)) {
+        if (!may_be_svg(side.bytes)) return fails(side, {"is neither PNG nor SVG", "non è né PNG né SVG"});
+        return Status::done;
+    }
+    auto picture = render::decode_png(side.bytes);
+    if (!picture) return fails(side, picture.error());
+    side.picture = *std::move(picture);
+    return Status::done;
+}
+
+Status draw(Side& side, double dpi) {
+    const auto png = svg_to_png(side.bytes, dpi);
+    if (!png) return fails(side, png.error().why, png.error().status);
+    auto picture = render::decode_png(*png);
+    if (!picture)
+        return fails(side,
+                     {"drawn at {0} dpi {1}", "disegnato a {0} dpi {1}", std::to_string(std::lround(dpi)), picture.error()});
+    side.picture = *std::move(picture);
+    return Status::done;
+}
+
+/// Up to six decimals, the same in every locale.
+std::string digits(double value) {
+    char text[32];
+    std::string written(text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 6).ptr);
+    written.erase(written.find_last_not_of('0') + 1);
+    if (written.ends_with('.')) written.pop_back();
+    return written;
+}
+
+std::string size_of(const Picture& picture) { return std::to_string(picture.width) + " × " + std::to_string(picture.height); }
+
+/// What was found, as one line.
+std::string verdict(const Side& expected, const Side& actual, const PictureDifference& difference, double threshold) {
+    const Language language = expected.language;
+    Words line(one_line(in(expected.name, language)) + ", " + one_line(in(actual.name, language)) + ": ");
+    const Picture &a = *expected.picture, &b = *actual.picture;
+    const auto text = [](auto number) { return std::to_string(number); };
+    if (a.width != b.width || a.height != b.height)
+        line += {"{0} pixels became {1}; ", "{0} pixel sono diventati {1}; ", size_of(a), size_of(b)};
+    if (difference.differing == 0) {
+        line += {"the same", "uguali"};
+        if (difference.forgiven > 0)
+            line += {" but for antialiasing ({0} pixels)", " salvo l’antialiasing ({0} pixel)", text(difference.forgiven)};
+    } else {
+        line += {"{0} % of the pixels differ ({1} of {2}), columns {3} to {4}, rows {5} to {6}",
+                 "il {0} % dei pixel è diverso ({1} su {2}), colonne da {3} a {4}, righe da {5} a {6}",
+                 digits(100 * difference.share()),
+                 text(difference.differing),
+                 text(difference.verdicts.size()),
+                 text(difference.left),
+                 text(difference.right),
+                 text(difference.top),
+                 text(difference.bottom)};
+        if (difference.forgiven > 0)
+            line += {"; {0} more by antialiasing alone", "; altri {0} solo per l’antialiasing", text(difference.forgiven)};
+        if (threshold > 0) line += {"; {0} % may", "; ammesso il {0} %", digits(100 * threshold)};
+    }
+    return in(line, language) + '\n';
+}
+
+}  // namespace
+
+Status diff_command(const DiffRequest& request) {
+    const Language language = request.language;
+    if (request.expected == "-" && request.actual == "-")
+        return refuse(
+            {"standard input can be one of the two pictures only", "l’ingresso standard può essere uno solo dei due disegni"},
+            language);
+    if (request.output == "-")
+        return refuse({"the difference picture needs a file: standard output carries the verdict",
+                       "il disegno delle differenze richiede un file: l’uscita standard porta il giudizio"},
+                      language);
+    for (const std::string& picture : {request.expected, request.actual})
+        if (!request.output.empty() && same_file(request.output, picture))
+            return refuse({"-o {0} would overwrite a picture that is compared",
+                           "-o {0} sovrascriverebbe un disegno da confrontare", request.output},
+                          language);
+    Side expected, actual;
+    expected.language = actual.language = language;
+    if (const Status status = read(expected, request.expected); status != Status::done) return status;
+    if (const Status status = read(actual, request.actual); status != Status::done) return status;
+    double dpi = request.dpi;
+    for (const Side* side : {&expected, &actual})
+        if (dpi == 0 && side->picture && side->picture->dpi) dpi = std::min(*side->picture->dpi, 1200.0);
+    if (dpi == 0) dpi = 150;
+    for (Side* side : {&expected, &actual})
+        if (!side->picture)
+            if (const Status status = draw(*side, dpi); status != Status::done) return status;
+
+    const PictureDifference difference = render::compare(*expected.picture, *actual.picture, request.tolerance);
+    std::vector<Output> outputs{{"-", verdict(expected, actual, difference, request.threshold)}};
+    if (!request.output.empty())
+        outputs.push_back({request.output, encode_png(render::side_by_side(*expected.picture, *actual.picture, difference))});
+    if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language);
+    const bool same_size = expected.picture->width == actual.picture->width && expected.picture->height == actual.picture->height;
+    return same_size && difference.share() <= request.threshold ? Status::done : Status::difference;
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,52 @@
+// Quizzes: the variants of a run gathered for learning platforms, one file for each platform: moodle.xml, qti.zip, answers.csv.
+// Chooses no words and no numbers: those are the items'.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/commands/outputs.hpp"
+#include "constructions/positions/variants.hpp"
+#include "render/page/quiz.hpp"
+#include "render/sheet/sheet.hpp"
+
+namespace kinegraph::app {
+
+class Quizzes {
+public:
+    /// `platforms`: some of "moodle", "qti", "csv". `original`: the file as it stands; `title` names its questions together.
+    Quizzes(const std::vector<std::string>& platforms, const Mechanism& original, std::string title, unsigned long long seed);
+
+    bool are_wanted() const { return moodle_ || qti_ || csv_; }
+    /// Which files belong to a variant.
+    struct Files {
+        std::string question, solution, results, file;
+    };
+    /// Which of the answers no reading tells from zero: their names.
+    std::vector<std::string> add(const std::string& number, const std::string& owner, const Variant& variant, const Files& files,
+                                 const render::SheetOptions& options, double dpi, const Press& press);
+    /// What is to be written; `folder` ends in a slash. Else it has been said what is missing.
+    tl::expected<std::vector<Output>, Status> outputs(const std::string& folder, Language language) const;
+
+private:
+    void add_row(const render::QuizItem& item, const Variant& variant, const Files& files);
+    std::string csv() const;
+
+    bool moodle_ = false, qti_ = false, csv_ = false, has_owners_ = false;
+    std::string title_, seed_;
+    Units units_;
+    std::vector<render::QuizItem> items_;  ///< without their figures
+    std::vector<std::string> figures_;     ///< PNG; none where only answers are wanted
+    struct Row {
+        std::string owner;
+        std::vector<std::string> parameters;
+        std::vector<render::QuizBlank> blanks;
+        std::string number;
+        Files files;
+    };
+    std::vector<std::string> parameters_;  ///< that vary
+    std::vector<Row> rows_;
+};
+
+}  // namespace kinegraph::app

@@ -1,0 +1,146 @@
+#include "app/commands/sweep_drawing.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "engine/file/spelling.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+/// "a, b" → "a" and "b".
+std::vector<std::string> parted(const std::string& text) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == ',')
+            parts.emplace_back();
+        else if (c != ' ' || !parts.back().empty())
+            parts.back() += c;
+    }
+    for (std::string& part : parts)
+        while (part.ends_with(' ')) part.pop_back();
+    return parts;
+}
+
+/// What a reader wants to see first.
+std::vector<std::vector<std::size_t>> usual_plots(const std::vector<Column>& columns) {
+    std::vector<std::vector<std::size_t>> plots;
+    std::optional<Quantity> subject;
+    for (const Column& column : columns)
+        if (column.kind == Column::Kind::slid) subject = column.quantity;
+    if (!subject)
+        for (const Column& column : columns)
+            if (column.kind == Column::Kind::angle) subject = column.quantity;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        if (columns[i].quantity.kind == Quantity::Kind::effort) plots.push_back({i});
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const Quantity& q = columns[i].quantity;
+        if (!subject || q.kind == Quantity::Kind::unnamed) continue;
+        const bool slides = subject->joint != none && q.joint == subject->joint &&
+                            (q.kind == Quantity::Kind::sliding_velocity || q.kind == Quantity::Kind::sliding_acceleration);
+        const bool turns = subject->joint == none && q.body == subject->body &&
+                           (q.kind == Quantity::Kind::omega || q.kind == Quantity::Kind::alpha);
+        if (slides || turns) plots.push_back({i});
+    }
+    return plots;
+}
+
+}  // namespace
+
+tl::expected<std::vector<std::vector<std::size_t>>, Words> plots_of(const std::vector<std::string>& asked,
+                                                                    const std::vector<Column>& columns) {
+    if (asked.empty()) return usual_plots(columns);
+    std::vector<std::string> names;
+    for (const Column& column : columns) names.push_back(column.name);
+    std::vector<std::vector<std::size_t>> plots;
+    for (const std::string& text : asked) {
+        std::vector<std::size_t>& plot = plots.emplace_back();
+        for (const std::string& name : parted(text)) {
+            const auto found = std::find(names.begin(), names.end(), name);
+            if (found == names.end()) {
+                Speller speller;
+                return tl::unexpected(Words("--plot: there is no quantity {0}{1}; the columns of the CSV are those there are",
+                                            "--plot: non c’è la grandezza {0}{1}; quelle che ci sono sono le colonne del CSV",
+                                            quoted(name), did_you_mean(speller.nearest(name, names))));
+            }
+            plot.push_back(static_cast<std::size_t>(found - names.begin()));
+            if (columns[plot.back()].unit != columns[plot.front()].unit)
+                return tl::unexpected(Words("--plot {0}: quantities of different units need plots of their own",
+                                            "--plot {0}: grandezze di unità diverse vogliono ciascuna il suo diagramma",
+                                            quoted(text)));
+        }
+        constexpr std::size_t most = 4;
+        if (plot.size() > most)
+            return tl::unexpected(Words("--plot {0}: at most four quantities in one plot",
+                                        "--plot {0}: al più quattro grandezze in un diagramma", quoted(text)));
+    }
+    return plots;
+}
+
+tl::expected<std::vector<Trace>, Words> traces_of(const std::vector<std::string>& asked, const Mechanism& mechanism) {
+    const auto nearest = [](const std::string& name, const auto& list) {
+        std::vector<std::string> names;
+        for (const auto& each : list) names.push_back(each.name);
+        Speller speller;
+        return did_you_mean(speller.nearest(name, names));
+    };
+    std::vector<Trace> traces;
+    for (const std::string& text : asked) {
+        const std::vector<std::string> parts = parted(text);
+        Trace trace;
+        trace.name = text;
+        const auto point = mechanism.point_named(parts[0]);
+        if (!point)
+            return tl::unexpected(Words("--trace: no point is named {0}{1}", "--trace: nessun punto si chiama {0}{1}",
+                                        quoted(parts[0]), nearest(parts[0], mechanism.points)));
+        trace.point = *point;
+        if (parts.size() > 2 || (parts.size() == 2 && !parts[1].starts_with("on ")))
+            return tl::unexpected(
+                Words("--trace {0} is not P or \"P,on BODY\"", "--trace {0} non è P né \"P,on CORPO\"", quoted(text)));
+        if (parts.size() == 2) {
+            const std::string name = parts[1].substr(3);
+            const auto body = mechanism.body_named(name);
+            if (!body)
+                return tl::unexpected(Words("--trace: no body is named {0}{1}", "--trace: nessun corpo si chiama {0}{1}",
+                                            quoted(name), nearest(name, mechanism.bodies)));
+            trace.on = *body;
+        }
+        traces.push_back(std::move(trace));
+    }
+    return traces;
+}
+
+std::vector<render::Way> ways_of(const Mechanism& mechanism, Positions positions, const Travel& travel, int poses,
+                                 const std::vector<Trace>& traces) {
+    std::vector<render::Way> ways;
+    Places places;
+    // Short of the ends, where the driver may stop.
+    const auto move_along = [&](double share) {
+        constexpr double short_of = 1e-6;
+        share = std::clamp(share, travel.starts_at_limit ? short_of : 0, travel.ends_at_limit ? 1 - short_of : 1);
+        if (!positions.move_to(travel.from + share * (travel.to - travel.from))) return false;
+        positions.read(places);
+        return true;
+    };
+    const bool closes = !travel.starts_at_limit && !travel.ends_at_limit;
+    for (int i = 0; i < poses; ++i) {
+        if (!move_along(static_cast<double>(i) / (closes ? poses : std::max(poses - 1, 1)))) continue;
+        for (const Body& body : mechanism.bodies) {
+            if (&body == &mechanism.bodies.front() || body.points.size() < 2) continue;
+            render::Way& way = ways.emplace_back(render::Way{body.name, false, {}});
+            for (const PointIndex point : body.points) way.places.push_back(places.points[at_index(point)]);
+            if (body.points.size() > 2) way.places.push_back(way.places.front());
+        }
+    }
+    constexpr int samples = 720;
+    const std::size_t first = ways.size();
+    for (const Trace& trace : traces) ways.push_back({trace.name, true, {}});
+    for (int i = 0; !traces.empty() && i <= samples; ++i) {
+        if (!move_along(static_cast<double>(i) / samples)) continue;
+        for (std::size_t k = 0; k < traces.size(); ++k)
+            ways[first + k].places.push_back(positions.seen_from(traces[k].on, places.points[at_index(traces[k].point)]));
+    }
+    return ways;
+}
+
+}  // namespace kinegraph::app

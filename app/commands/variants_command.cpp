@@ -1,0 +1,540 @@
+// variants FILE: draws variants of an exercise and writes the sheets, the results and the file of each, and the key of all.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+
+#include "app/commands/asked_values.hpp"
+#include "app/commands/commands.hpp"
+#include "app/files/csv_text.hpp"
+#include "app/files/json_text.hpp"
+#include "app/commands/outputs.hpp"
+#include "app/commands/quizzes.hpp"
+#include "app/commands/receipt.hpp"
+#include "app/files/roster.hpp"
+#include "constructions/positions/variants.hpp"
+#include "engine/reading/file_text.hpp"
+#include "engine/solution/problem_solution.hpp"
+#include "render/content/exercise_text.hpp"
+#include "render/sheet/handout.hpp"
+#include "render/sheet/key_sheet.hpp"
+#include "render/sheet/readable.hpp"
+#include "render/text/words.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+std::string in_english(const Message& message) { return render::tell(message, render::Language::en); }
+
+// --- stopping -----------------------------------------------------------------------------------------------------------------
+
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): all that a signal may touch
+volatile std::sig_atomic_t stop_asked = 0;
+void ask_to_stop(int signal) { stop_asked = signal; }
+
+/// While it lives, Ctrl-C asks to stop and nothing more: what is being written becomes whole.
+class Stopping {
+public:
+    Stopping() {
+        stop_asked = 0;
+        for (std::size_t i = 0; i < signals.size(); ++i) before_.at(i) = std::signal(signals.at(i), ask_to_stop);
+    }
+    ~Stopping() {
+        for (std::size_t i = 0; i < signals.size(); ++i) std::signal(signals.at(i), before_.at(i));
+    }
+    Stopping(const Stopping&) = delete;
+    Stopping& operator=(const Stopping&) = delete;
+    static int asked() { return stop_asked; }
+
+private:
+    static constexpr std::array<int, 2> signals{SIGINT, SIGTERM};
+    std::array<void (*)(int), 2> before_{};
+};
+
+/// How many are done and how long the rest will take, on a terminal, once it takes over a second.
+class Countdown {
+public:
+    Countdown(std::size_t all, Language language) : all_(all), language_(language), shows_(::isatty(STDERR_FILENO) != 0) {}
+    ~Countdown() {
+        if (shown_) std::fputs("\r\x1b[K", stderr);
+    }
+    Countdown(const Countdown&) = delete;
+    Countdown& operator=(const Countdown&) = delete;
+    void at(std::size_t done) {
+        const auto now = std::chrono::steady_clock::now();
+        if (!shows_ || done == 0 || now < next_) return;
+        next_ = now + std::chrono::milliseconds(200);
+        shown_ = true;
+        const std::chrono::duration<double> taken = now - begun_;
+        const double left = taken.count() / static_cast<double>(done) * static_cast<double>(all_ - done);
+        const Words line("{0} of {1}, {2} s left", "{0} di {1}, mancano {2} s", std::to_string(done), std::to_string(all_),
+                         std::to_string(static_cast<long>(left + 1)));
+        std::fprintf(stderr, "\r\x1b[K%s", in(line, language_).c_str());
+    }
+
+private:
+    std::size_t all_;
+    Language language_;
+    bool shows_, shown_ = false;
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now(), next_ = begun_ + std::chrono::seconds(1);
+};
+
+// --- the key ------------------------------------------------------------------------------------------------------------------
+
+/// A line for each variant: its number, whose it is, its parameters and what is asked for.
+class Key {
+public:
+    Key(const Mechanism& original, bool has_names, Language language)
+        : units_(original.units), has_names_(has_names), language_(language) {
+        columns_.push_back({in(Words("variant", "variante"), language), "", true});
+        csv_ = "variant";
+        if (has_names) {
+            columns_.push_back({in(Words("name", "nome"), language), "", true});
+            csv_ += ",name";
+        }
+        for (const Variation& each : original.exercise->vary) {
+            columns_.push_back({each.parameter, "", false});
+            csv_ += "," + csv_cell(each.parameter);
+        }
+    }
+
+    void add(const std::string& number, const std::string& name, const Variant& variant, const render::Fonts& fonts) {
+        if (rows_.empty()) add_heads(variant, fonts);
+        std::vector<std::string> row{number};
+        csv_ += number;
+        if (has_names_) {
+            row.push_back(name);
+            csv_ += "," + csv_cell_of_text(name);
+        }
+        for (const Setting& each : variant.values) {
+            row.push_back(in(printed(each.value), language_));
+            csv_ += "," + csv_cell(each.value);
+        }
+        // A further variant may lack what is only chosen because the first has it.
+        for (const std::string& result : names_) {
+            const auto found = std::find_if(variant.results.begin(), variant.results.end(),
+                                            [&](const NamedResult& each) { return each.column.name == result; });
+            const bool has = found != variant.results.end();
+            const double value = has ? told(*found, units_).value : 0;
+            row.push_back(has ? render::number(value, 4, language_) : "");
+            csv_ += "," + (has ? render::shortest(value) : std::string());
+        }
+        csv_ += "\n";
+        rows_.push_back(std::move(row));
+    }
+
+    std::size_t size() const { return rows_.size(); }
+    const std::string& csv() const { return csv_; }
+    render::KeyTable table(const std::string& title) const { return {title, columns_, rows_}; }
+
+private:
+    /// On paper by the symbols of the question, unless two have the same.
+    void add_heads(const Variant& variant, const render::Fonts& fonts) {
+        const render::Theme theme;
+        const render::DrawingContext context{variant.solution, theme, fonts, language_, render::Dimensions::off};
+        std::vector<render::RichText> symbols;
+        for (const NamedResult& each : variant.results) symbols.push_back(render::asked_text(context, each.column).symbol);
+        const auto is_told_apart = [&](const render::RichText& symbol) {
+            return std::count_if(symbols.begin(), symbols.end(),
+                                 [&](const auto& other) { return render::plain(other) == render::plain(symbol); }) == 1;
+        };
+        for (std::size_t i = 0; i < variant.results.size(); ++i) {
+            const NamedResult& each = variant.results[i];
+            const std::string unit = told(each, units_).unit;
+            names_.push_back(each.column.name);
+            columns_.push_back({each.column.name, unit, false, is_told_apart(symbols[i]) ? symbols[i] : render::RichText()});
+            csv_ += "," + csv_cell(each.column.name + (unit.empty() ? "" : " [" + unit + "]"));
+        }
+        csv_ += "\n";
+    }
+    /// As it is printed: a true minus, the comma of Italian.
+    static Words printed(std::string value) {
+        if (value.starts_with('-')) value.replace(0, 1, "−");
+        std::string italian = value;
+        std::replace(italian.begin(), italian.end(), '.', ',');
+        return {value, italian};
+    }
+
+    Units units_;
+    bool has_names_;
+    Language language_;
+    std::vector<render::KeyTable::Column> columns_;
+    std::vector<std::string> names_;
+    std::vector<std::vector<std::string>> rows_;
+    std::string csv_;
+};
+
+// --- a run --------------------------------------------------------------------------------------------------------------------
+
+/// "007": the same whatever the count is.
+std::string number_of(std::size_t variant) {
+    const std::string digits = std::to_string(variant);
+    constexpr std::size_t least = 3;
+    return std::string(digits.size() < least ? least - digits.size() : 0, '0') + digits;
+}
+
+class Run {
+public:
+    Run(const VariantsRequest& request, std::string text, Variants variants, std::vector<std::string> names, std::size_t count,
+        Press press, const render::Theme& theme, std::string theme_text)
+        : request_(request),
+          text_(std::move(text)),
+          source_(*JsonSource::read(text_)),
+          variants_(std::move(variants)),
+          names_(std::move(names)),
+          count_(count),
+          press_(std::move(press)),
+          options_(request.sheet),
+          theme_text_(std::move(theme_text)),
+          key_(variants_.original(), !names_.empty(), request.sheet.language),
+          quizzes_(request.platforms, variants_.original(), title(), request.seed) {
+        options_.theme = theme;
+    }
+
+    Status carry_out() {
+        const Stopping stopping;
+        {
+            Countdown countdown(count_, language());
+            const auto is_readable = [&](const Solution& solution, Condition::Polygon polygon) {
+                return render::is_readable(solution, polygon, options_, press_.fonts());
+            };
+            while (key_.size() < count_ && Stopping::asked() == 0) {
+                countdown.at(key_.size());
+                auto variant = variants_.next(is_readable, [] { return Stopping::asked() != 0; });
+                if (!variant) return say(spoken(request_.file), variant.error(), language());
+                if (!*variant) break;
+                if (const auto status = write(**variant)) return *status;
+            }
+        }
+        if (key_.size() > 0)
+            if (const auto status = write_key()) return *status;
+        if (key_.size() > 0 && Stopping::asked() == 0) take_away_what_no_key_lists();
+        return report();
+    }
+
+private:
+    Language language() const { return request_.sheet.language; }
+    void line(const Words& words) const { say(spoken(request_.file), words, language()); }
+    std::string path(const std::string& name) const {
+        return request_.folder + (request_.folder.ends_with('/') ? "" : "/") + name;
+    }
+
+    std::string title() const {
+        const std::string& given = in(variants_.original().title, language());
+        return given.empty() ? bare_name(request_.file) : given;
+    }
+
+    /// All that one variant has, whole or not at all; a status where it cannot be written.
+    std::optional<Status> write(Variant& variant) {
+        const std::size_t index = key_.size();
+        const std::string number = number_of(index + 1), name = index < names_.size() ? names_[index] : "";
+        variant.solution.mechanism.source = number + ".json";
+        const std::string drawn = hash_of(told_of(number, name, variant));
+        const Receipt receipt(path(number), asked_of(number, name, variant));
+        // A theme from standard input is read once, and is not known again.
+        const bool is_there = request_.resume && request_.theme != "-" && receipt.answer();
+        render::SheetOptions options = options_;
+        if (!name.empty()) options.author = name + (options.author.empty() ? "" : "  ·  " + options.author);
+        std::vector<Output> outputs;
+        if (!is_there || request_.merge) add_sheets(variant, number, options, outputs);
+        if (is_there)
+            ++there_before_;
+        else if (const auto status = put(variant, number, drawn, receipt, std::move(outputs)))
+            return status;
+        if (quizzes_.are_wanted()) add_quiz(variant, number, name);
+        key_.add(number, name, variant, press_.fonts());
+        return std::nullopt;
+    }
+    void add_sheets(const Variant& variant, const std::string& number, render::SheetOptions options,
+                    std::vector<Output>& outputs) {
+        options.kind = render::SheetKind::question;
+        print(stands_for_joints(variant.solution.mechanism)
+                  ? render::lay_out(variant.solution, options, press_.fonts())
+                  : render::lay_out_handout(variant.solution, options, press_.fonts(),
+                                            asked_values(variant.results, variant.solution.mechanism.units)),
+              number + "-question", questions_, outputs);
+        options.kind = render::SheetKind::solution;
+        options.grid = false;
+        print(render::lay_out(variant.solution, options, press_.fonts()), number + "-solution", solutions_, outputs);
+    }
+    std::optional<Status> put(const Variant& variant, const std::string& number, const std::string& drawn, const Receipt& receipt,
+                              std::vector<Output> outputs) {
+        std::vector<Setting> set = variant.values;
+        set.insert(set.end(), request_.set.begin(), request_.set.end());
+        constexpr std::array<std::string_view, 2> without{"vary", "require"};
+        outputs.push_back({path(number + ".json"), file_with(source_, set, without)});
+        outputs.push_back({path(number + "-results.json"), results_json(variant.solution, false, in_english)});
+        std::vector<std::string> paths;
+        for (const Output& each : outputs) paths.push_back(each.path);
+        const std::vector<std::string> before = receipt.files_of(number, drawn);
+        if (const auto failure = receipt.make_room()) return not_put(*failure);
+        outputs.push_back(receipt.of(outputs, "{\"files\": " + quoted(paths) + ", \"of\": \"" + drawn + "\"}"));
+        if (const auto status = put(outputs)) return status;
+        // Sheets in another format of what this number no longer is; those of what it still is stay beside the new ones.
+        for (const std::string& each : before)
+            if (std::none_of(paths.begin(), paths.end(), [&](const std::string& now) { return same_file(now, each); }))
+                take_away(each);
+        return std::nullopt;
+    }
+    /// Variants beyond the last, which an earlier run has left: they would be handed out without a solution in the key. What has
+    /// been altered since then stays.
+    void take_away_what_no_key_lists() {
+        std::error_code trouble;
+        std::vector<std::size_t> beyond;
+        for (const auto& entry : std::filesystem::directory_iterator(path(".kinegraph"), trouble)) {
+            const std::string name = entry.path().filename().string();
+            std::size_t number = 0;
+            const auto end = std::from_chars(name.data(), name.data() + name.size(), number).ptr;
+            if (end == name.data() + name.size() && number > key_.size() && name == number_of(number)) beyond.push_back(number);
+        }
+        std::sort(beyond.begin(), beyond.end());
+        for (const std::size_t each : beyond) {
+            const Receipt receipt(path(number_of(each)), "");
+            const std::vector<std::string> files = receipt.files_of(number_of(each));
+            if (files.empty()) continue;
+            for (const std::string& file : files) take_away(file);
+            take_away(receipt.path());
+            taken_away_.push_back(number_of(each));
+        }
+    }
+    /// What a variant is, whatever its sheets look like.
+    std::vector<std::string> told_of(const std::string& number, const std::string& name, const Variant& variant) const {
+        std::vector<std::string> fields{"variant", number, name, text_};
+        for (const std::vector<Setting>* settings : {&variant.values, &request_.set}) {
+            fields.push_back(std::to_string(settings->size()));
+            for (const Setting& each : *settings) fields.insert(fields.end(), {each.name, each.value});
+        }
+        return fields;
+    }
+    /// By what a variant's files are known again: all that decides their bytes.
+    std::string asked_of(const std::string& number, const std::string& name, const Variant& variant) const {
+        std::vector<std::string> fields = told_of(number, name, variant);
+        fields.insert(fields.end(), {theme_text_, request_.format, std::to_string(request_.dpi)});
+        for (const int each :
+             {static_cast<int>(options_.paper), static_cast<int>(options_.language), static_cast<int>(options_.orientation),
+              static_cast<int>(options_.dimensions), static_cast<int>(options_.detail), static_cast<int>(options_.grid),
+              static_cast<int>(request_.merge)})
+            fields.push_back(std::to_string(each));
+        fields.insert(fields.end(), {options_.author, options_.date, bare_name(request_.file)});
+        return hash_of(fields);
+    }
+    void add_quiz(const Variant& variant, const std::string& number, const std::string& name) {
+        const std::string ending = "." + request_.format;
+        Quizzes::Files files{number + "-question" + ending, number + "-solution" + ending, number + "-results.json",
+                             number + ".json"};
+        if (request_.merge) files.question = "questions.pdf", files.solution = "solutions.pdf";
+        render::SheetOptions options = options_;
+        options.kind = render::SheetKind::question;
+        std::string names;
+        for (const std::string& each : quizzes_.add(number, name, variant, files, options, request_.dpi, press_))
+            names += (names.empty() ? "" : ", ") + each;
+        if (!names.empty())
+            line({"{0}: at the scales of its figures a reading says nothing of {1}: zero and the wrong sign pass",
+                  "{0}: alle scale delle sue figure una lettura non dice nulla di {1}: passano anche zero e il segno opposto",
+                  number, names});
+    }
+
+    void print(std::vector<render::Page> pages, const std::string& name, std::vector<render::Page>& merged,
+               std::vector<Output>& outputs) {
+        if (request_.merge) {
+            std::move(pages.begin(), pages.end(), std::back_inserter(merged));
+            return;
+        }
+        std::vector<std::string> remarks;
+        press_.print(pages, {path(name + "." + request_.format), format()}, request_.dpi, outputs, remarks);
+    }
+    Format format() const {
+        return request_.format == "svg" ? Format::svg : request_.format == "png" ? Format::png : Format::pdf;
+    }
+
+    std::optional<Status> put(const std::vector<Output>& outputs) {
+        for (const Output& each : outputs) {
+            if (same_file(each.path, request_.file) || same_file(each.path, request_.roster))
+                return refuse({"{0} would be written over; choose another folder",
+                               "{0} sarebbe sovrascritto; scegliere un’altra cartella", each.path},
+                              language());
+        }
+        const auto failure = write_all(outputs);
+        return failure ? not_put(*failure) : std::nullopt;
+    }
+    /// Says what could not be written, what there is, and how to go on.
+    std::optional<Status> not_put(const NotWritten& failure) const {
+        const Status status = fail_to_write(failure, language());
+        const bool one = count_ == 1;
+        line(
+            {one ? "{0} of {1} variant is in {2}, whole; its key is missing, --resume writes the rest"
+                 : "{0} of {1} variants are in {2}, each of them whole; their key is missing, --resume writes the rest",
+             one ? "{0} di {1} variante è in {2}, intera; manca la chiave con le soluzioni, --resume scrive il resto"
+                 : "{0} di {1} varianti sono in {2}, ciascuna intera; manca la chiave con le soluzioni, --resume scrive il resto",
+             std::to_string(key_.size()), std::to_string(count_), request_.folder});
+        return status;
+    }
+
+    std::optional<Status> write_key() {
+        std::vector<Output> outputs{{path("key.csv"), key_.csv()}};
+        std::vector<std::string> remarks;
+        render::SheetOptions options = options_;
+        options.orientation = request_.sheet.orientation;
+        press_.print(
+            render::lay_out_key(key_.table(title() + " – " + in(Words("key", "soluzioni"), language())), options, press_.fonts()),
+            {path("key.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
+        if (request_.merge) {
+            press_.print(questions_, {path("questions.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
+            press_.print(solutions_, {path("solutions.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
+        }
+        auto quizzes = quizzes_.outputs(path(""), language());
+        if (!quizzes) return quizzes.error();
+        std::move(quizzes->begin(), quizzes->end(), std::back_inserter(outputs));
+        return put(outputs);
+    }
+
+    static Words variants(std::size_t count) {
+        return {count == 1 ? "1 variant" : "{0} variants", count == 1 ? "1 variante" : "{0} varianti", std::to_string(count)};
+    }
+    Words combinations() const {
+        const std::uint64_t count = variants_.combinations();
+        return {count == 1 ? "1 combination" : "{0} combinations", count == 1 ? "1 combinazione" : "{0} combinazioni",
+                std::to_string(count)};
+    }
+
+    Status report() const {
+        std::vector<std::string> remarks;
+        press_.remark_missing(remarks);
+        for (const std::string& each : remarks) line(render::word("a remark", language()) + ": " + each);
+        const bool one = variants_.looked_at() == 1;
+        line({one ? "{0} in {1}; {2} of {3} was looked at" : "{0} in {1}; {2} of {3} were looked at",
+              one ? "{0} in {1}; è stata esaminata {2} di {3}" : "{0} in {1}; sono state esaminate {2} di {3}",
+              variants(key_.size()), request_.folder, std::to_string(variants_.looked_at()), combinations()});
+        if (there_before_ == 1)
+            line({"one of them was there, whole, and stayed", "una di esse c’era già, intera, ed è rimasta"});
+        else if (there_before_ > 0)
+            line({"{0} of them were there, whole, and stayed", "{0} di esse c’erano già, intere, e sono rimaste",
+                  std::to_string(there_before_)});
+        if (taken_away_.size() == 1)
+            line({"{0} of an earlier run is taken away, for the key does not list it",
+                  "tolta la {0} di un’esecuzione precedente, che la chiave non elenca", taken_away_.front()});
+        else if (!taken_away_.empty())
+            line({"{0} to {1} of an earlier run are taken away, for the key does not list them",
+                  "tolte quelle da {0} a {1} di un’esecuzione precedente, che la chiave non elenca", taken_away_.front(),
+                  taken_away_.back()});
+        for (const Variants::Rejection& each : variants_.rejections())
+            line({"{0} rejected: {1}", each.count == 1 ? "{0} scartata: {1}" : "{0} scartate: {1}", std::to_string(each.count),
+                  each.why});
+        if (const int signal = Stopping::asked(); signal != 0) {
+            line({"stopped: what is there is whole; --resume writes the rest",
+                  "interrotto: ciò che c’è è intero; --resume scrive il resto"});
+            std::signal(signal, SIG_DFL);
+            std::raise(signal);
+        }
+        if (key_.size() == count_) return Status::done;
+        const Words wanted(count_ == 1 ? "one was asked for" : "{0} were asked for",
+                           count_ == 1 ? "ne è chiesta una" : "ne sono chieste {0}", std::to_string(count_));
+        if (variants_.is_exhausted())
+            line({"the conditions leave {0} of {1}; {2}", "le condizioni lasciano {0} su {1}; {2}", std::to_string(key_.size()),
+                  combinations(), wanted});
+        else
+            line({"the conditions leave too few: {0} found, then {1} combinations one after the other failed; {2}",
+                  "le condizioni ne lasciano troppo poche: trovate {0}, poi {1} combinazioni di fila non le soddisfano; {2}",
+                  std::to_string(key_.size()), std::to_string(Variants::most_in_a_row), wanted});
+        return Status::unsolved;
+    }
+
+    const VariantsRequest& request_;
+    std::string text_;
+    JsonSource source_;
+    Variants variants_;
+    std::vector<std::string> names_;
+    std::size_t count_;
+    Press press_;
+    render::SheetOptions options_;
+    std::string theme_text_;
+    Key key_;
+    Quizzes quizzes_;
+    std::size_t there_before_ = 0;
+    std::vector<std::string> taken_away_;  ///< numbers, ascending
+    std::vector<render::Page> questions_, solutions_;
+};
+
+/// The roster's names; none without one. Else it has been said what is wrong.
+tl::expected<std::vector<std::string>, Status> names_of(const VariantsRequest& request) {
+    if (request.roster.empty()) return std::vector<std::string>();
+    const auto text = read_whole(request.roster, {"roster", "elenco"});
+    const auto names = text ? read_roster(*text) : tl::unexpected(text.error());
+    if (names) return *names;
+    say(spoken(request.roster), names.error(), request.sheet.language);
+    return tl::unexpected(Status::bad_input);
+}
+
+/// The folder is there, and one can write into it; else it has been said why not.
+std::optional<Status> folder_fails(const VariantsRequest& request) {
+    std::error_code trouble;
+    std::filesystem::create_directories(request.folder, trouble);
+    if (!trouble && !std::filesystem::is_directory(request.folder, trouble))
+        trouble = std::make_error_code(std::errc::not_a_directory);
+    if (!trouble && ::access(request.folder.c_str(), W_OK) != 0) trouble = {errno, std::generic_category()};
+    if (!trouble) return std::nullopt;
+    return fail_to_write({Words(request.folder), Words(trouble.message())}, request.sheet.language);
+}
+
+/// What decides how it looks: its name, and what a file of that name holds.
+std::string text_of_theme(const std::string& name) {
+    if (name == "-" || render::built_in_theme(name)) return name;
+    const auto text = read_whole(name, {"theme file", "file di tema"});
+    return text ? name + '\n' + *text : name;
+}
+
+}  // namespace
+
+Status variants_command(const VariantsRequest& request) {
+    const Language language = request.sheet.language;
+    if (request.merge && request.format != "pdf")
+        return refuse({"--merge makes PDF; take --format {0} out", "--merge fa PDF; togliere --format {0}", request.format},
+                      language);
+    if (request.file == "-" && request.roster == "-")
+        return refuse({"standard input can be the mechanism file or the roster, not both",
+                       "l’ingresso standard può essere il file del meccanismo o l’elenco, non entrambi"},
+                      language);
+    const auto names = names_of(request);
+    if (!names) return names.error();
+    const std::size_t count = request.count > 0 ? static_cast<std::size_t>(request.count) : names->size();
+    if (count == 0)
+        return refuse({"how many variants? give --count, or --roster", "quante varianti? dare --count, o --roster"}, language);
+    if (count < names->size())
+        return refuse({"--count {0} is fewer than the {1} names of the roster", "--count {0} è meno dei {1} nomi dell’elenco",
+                       std::to_string(count), std::to_string(names->size())},
+                      language);
+    const auto theme = theme_of(request.theme, request.file, language);
+    if (!theme) return theme.error();
+    auto text = read_whole(request.file, {"mechanism file", "file di meccanismo"});
+    if (!text) {
+        say(spoken(request.file), text.error(), language);
+        return Status::bad_input;
+    }
+    auto variants = Variants::of(*text, bare_name(request.file), request.set, request.seed);
+    if (!variants) return say(spoken(request.file), variants.error(), language);
+    for (const Variation& each : variants->original().exercise->vary)
+        if (std::any_of(request.set.begin(), request.set.end(), [&](const Setting& set) { return set.name == each.parameter; }))
+            return refuse(
+                {"--set {0}: {0} varies in this exercise, and a value set would be lost; set another parameter, or take "
+                 "{0} out of \"vary\"",
+                 "--set {0}: {0} varia in questo esercizio, e un valore dato andrebbe perso; dare un altro parametro, o "
+                 "togliere {0} da \"vary\"",
+                 each.parameter},
+                language);
+    auto press = Press::open({{"", Format::pdf}}, language);
+    if (!press) return press.error();
+    if (const auto status = folder_fails(request)) return *status;
+    return Run(request, *std::move(text), *std::move(variants), *names, count, *std::move(press), *theme,
+               text_of_theme(request.theme))
+        .carry_out();
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,207 @@
+// watch FILE: serves the live page of a file while it is worked on. Two paths are known, the page and what is new; all else is
+// not found, so no file of the machine can be reached.
+#include <sys/random.h>
+#include <sys/signalfd.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+#include "app/commands/commands.hpp"
+#include "app/files/files.hpp"
+#include "app/files/json_text.hpp"
+#include "app/server/local_server.hpp"
+#include "app/commands/outputs.hpp"
+#include "app/server/watched_file.hpp"
+#include "constructions/positions/conditions.hpp"
+#include "constructions/moving/moving.hpp"
+#include "constructions/solving/solve.hpp"
+#include "engine/number/assert.hpp"
+#include "render/live/live_page.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+constexpr int between_looks = 100;  // ms
+
+/// Ctrl-C and its like, as a descriptor that can be read when one has come. Threads that start later leave them to it.
+class Interruption {
+public:
+    Interruption() {
+        sigset_t signals;
+        ::sigemptyset(&signals);
+        for (const int each : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&signals, each);
+        ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+        descriptor_ = ::signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC);
+        KG_ASSERT(descriptor_ >= 0, "signals can be waited for");
+    }
+    Interruption(const Interruption&) = delete;
+    Interruption& operator=(const Interruption&) = delete;
+    ~Interruption() { ::close(descriptor_); }
+
+    int descriptor() const { return descriptor_; }
+    bool has_come() const {
+        signalfd_siginfo signal{};
+        return ::read(descriptor_, &signal, sizeof signal) > 0;
+    }
+
+private:
+    int descriptor_ = -1;
+};
+
+/// A name for the page that nobody guesses: others who use this machine reach its ports as well.
+std::string secret_name() {
+    std::array<unsigned char, 16> random{};
+    KG_ASSERT(::getrandom(random.data(), random.size(), 0) == static_cast<ssize_t>(random.size()), "there is randomness");
+    constexpr const char* digits = "0123456789abcdef";
+    std::string name;
+    for (const unsigned char byte : random) {
+        name += digits[byte >> 4U];
+        name += digits[byte & 15U];
+    }
+    return name;
+}
+
+/// {"page": 2, "faults": [{"line": 3, "column": 5, "where": "/joints/2", "en": "…", "it": "…"}]}
+std::string as_json(const Watched& watched) {
+    std::string faults;
+    for (const FileFault& fault : watched.faults) {
+        faults += faults.empty() ? "{" : ", {";
+        if (fault.place)
+            faults +=
+                "\"line\": " + std::to_string(fault.place->line) + ", \"column\": " + std::to_string(fault.place->column) + ", ";
+        faults += "\"where\": " + quoted(fault.error.where) + ", \"en\": " + quoted(fault.error.message.en) +
+                  ", \"it\": " + quoted(fault.error.message.it) + "}";
+    }
+    return "{\"page\": " + std::to_string(watched.pages) + ", \"faults\": [" + faults + "]}\n";
+}
+
+/// What is served, under which paths.
+class Site {
+public:
+    Site(std::string name, std::string waiting)
+        : path_("/" + std::move(name) + "/"), page_(std::make_shared<const std::string>(std::move(waiting))) {
+        show({});
+    }
+    const std::string& path() const { return path_; }
+    void show(const Watched& watched) {
+        if (watched.page) page_ = watched.page;
+        news_ = std::make_shared<const std::string>(as_json(watched));
+    }
+    HttpAnswer answer(const HttpHead& head) const {
+        HttpAnswer answer;
+        const bool is_page = head.target == path_;
+        if (!is_page && head.target != path_ + "news") {
+            answer.status = 404;
+        } else if (head.method != "GET" && head.method != "HEAD") {
+            answer.status = 405;
+            answer.more = "Allow: GET, HEAD\r\n";
+        } else {
+            answer.type = is_page ? "text/html; charset=utf-8" : "application/json; charset=utf-8";
+            answer.body = is_page ? page_ : news_;
+            answer.more = "Content-Security-Policy: frame-ancestors 'none'\r\n";
+        }
+        return answer;
+    }
+
+private:
+    std::string path_;
+    std::shared_ptr<const std::string> page_, news_;
+};
+
+/// What a page is made with, once for all pages.
+struct Tools {
+    const WatchRequest& request;
+    const render::Theme& theme;
+    std::optional<Press> press = std::nullopt;
+
+    render::SheetOptions options() const {
+        render::SheetOptions options;
+        options.language = request.language;
+        options.theme = theme;
+        return options;
+    }
+    Result<std::string> page(const std::string& text, int number) {
+        auto mechanism = read_mechanism(text, bare_name(request.file));
+        if (!mechanism) return tl::unexpected(mechanism.error());
+        const auto solution = solve(*std::move(mechanism));
+        if (!solution) return tl::unexpected(solution.error());
+        if (Errors missing = missing_in(*solution); !missing.empty()) return tl::unexpected(std::move(missing));
+        const auto ready = Press::prepare(press, request.language);
+        KG_ASSERT(ready.has_value(), "the press was opened before");
+        const auto moving = moving_of(*solution, rereading_of(text, bare_name(request.file), {}));
+        return render::live_page(*solution, moving, options(), dark_beside(request.theme), press->fonts(), number);
+    }
+};
+
+/// On the terminal too, as other commands say it.
+void tell(const WatchRequest& request, const Watched& watched) {
+    Errors errors;
+    for (const FileFault& fault : watched.faults) {
+        Error& error = errors.emplace_back(fault.error);
+        if (fault.place)
+            error.message = Words("line {0}, column {1}: {2}", "riga {0}, colonna {1}: {2}", std::to_string(fault.place->line),
+                                  std::to_string(fault.place->column), fault.error.message);
+    }
+    say(spoken(request.file), errors, request.language);
+}
+
+/// Until it is interrupted.
+void serve(LocalServer& server, Site& site, WatchedFile& file, const Interruption& interruption, const WatchRequest& request) {
+    const Answering answer = [&site](const HttpHead& head) { return site.answer(head); };
+    while (!interruption.has_come()) {
+        if (const auto news = file.look()) {
+            site.show(*news);
+            tell(request, *news);
+        }
+        server.serve(between_looks, interruption.descriptor(), answer);
+    }
+}
+
+Words why_not_watched(const std::string& file) {
+    if (file == "-") return {"watch needs a file that can be saved again", "watch vuole un file che si possa salvare di nuovo"};
+    struct stat status {};
+    if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+        return {"is no plain file, which could be saved again", "non è un file comune, che si possa salvare di nuovo"};
+    const auto text = read_whole(file, {"mechanism file", "file di meccanismo"});
+    return text ? Words() : text.error();
+}
+
+}  // namespace
+
+Status watch_command(const WatchRequest& request) {
+    const Language language = request.language;
+    if (const Words why = why_not_watched(request.file); !why.empty()) {
+        say(spoken(request.file), why, language);
+        return Status::bad_input;
+    }
+    const auto theme = theme_of(request.theme, request.file, language);
+    if (!theme) return theme.error();
+    Tools tools{request, *theme};
+    if (const auto ready = Press::prepare(tools.press, language); !ready) return ready.error();
+    auto server = LocalServer::open(request.port);
+    if (!server) {
+        refuse({"port {0} of 127.0.0.1 cannot be had: {1}; choose another, or none",
+                "la porta {0} di 127.0.0.1 non si può avere: {1}; sceglierne un’altra, o nessuna", std::to_string(request.port),
+                server.error()},
+               language);
+        return Status::output;
+    }
+    const Interruption interruption;
+    Site site(secret_name(), render::waiting_page(bare_name(request.file), tools.options(), dark_beside(request.theme)));
+    const std::string address = "http://127.0.0.1:" + std::to_string(server->port()) + site.path() + "\n";
+    if (const Status printed = print(address, language); printed != Status::done) return printed;
+    auto file = std::make_unique<WatchedFile>(request.file,
+                                              [&tools](const std::string& text, int number) { return tools.page(text, number); });
+    serve(*server, site, *file, interruption, request);
+    // A long solution is not waited for: nothing of it is kept.
+    if (file->is_busy()) std::_Exit(static_cast<int>(Status::done));
+    return Status::done;
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,298 @@
+// Reading whole, writing whole or not at all: plain POSIX calls, every one of them checked.
+#include "app/files/files.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace kinegraph::app {
+namespace {
+
+/// Why the system refuses; in Italian what happens to people, the rest as the system says it.
+Words reason() {
+    const std::string english = std::strerror(errno);
+    switch (errno) {
+        case ENOENT:
+            return {english, "file o cartella inesistente"};
+        case EACCES:
+        case EPERM:
+            return {english, "permesso negato"};
+        case EISDIR:
+            return {english, "è una cartella"};
+        case ENOTDIR:
+            return {english, "non è una cartella"};
+        case ENOSPC:
+            return {english, "spazio esaurito sul disco"};
+        case EROFS:
+            return {english, "disco di sola lettura"};
+        case EFBIG:
+            return {english, "file troppo grande"};
+        case EPIPE:
+            return {english, "nessuno legge più"};
+        default:
+            return english;
+    }
+}
+
+std::string folder_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    if (slash == std::string::npos) return ".";
+    return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+bool write_to(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+/// Through symbolic links to the name that is to be replaced, so that a link stays one.
+std::string followed(std::string path) {
+    for (int links = 0; links < 40; ++links) {
+        char target[PATH_MAX];
+        const ssize_t length = ::readlink(path.c_str(), target, sizeof target);
+        if (length < 0 || static_cast<std::size_t>(length) == sizeof target) break;
+        const std::string to(target, static_cast<std::size_t>(length));
+        path = to.starts_with('/') ? to : folder_of(path).append(1, '/').append(to);
+    }
+    return path;
+}
+
+std::string temporary_beside(const std::string& target, int number) {
+    return folder_of(target) + "/.kinegraph-" + std::to_string(::getpid()) + '-' + std::to_string(number);
+}
+/// A new file beside the target; < 0: it cannot be made.
+int create_beside(const std::string& target, std::string& name) {
+    for (int number = 0; number < 10000; ++number) {
+        const std::string candidate = temporary_beside(target, number);
+        const int file = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file >= 0) name = candidate;
+        if (file >= 0 || errno != EEXIST) return file;
+    }
+    return -1;
+}
+
+/// One output under way: what lies on disk for it besides its target is removed with it.
+class Pending {
+public:
+    explicit Pending(const Output& output) : output_(output) {}
+    Pending(const Pending&) = delete;
+    Pending& operator=(const Pending&) = delete;
+    ~Pending() {
+        if (renamed_ && !kept_) undo();
+        if (!temporary_.empty()) ::unlink(temporary_.c_str());
+        if (!backup_.empty()) ::unlink(backup_.c_str());
+    }
+
+    /// Safe on disk beside the target; nothing that is seen has changed.
+    bool prepare() {
+        if (output_.path == "-" || output_.written == "-") {
+            to_stream_ = true;
+            return true;
+        }
+        struct stat status {};
+        existed_ = ::stat(output_.path.c_str(), &status) == 0;
+        if (existed_ && S_ISDIR(status.st_mode)) return fails_with(EISDIR);
+        if (existed_ && !S_ISREG(status.st_mode)) {
+            to_stream_ = true;
+            return true;
+        }
+        if (existed_ && ::access(output_.path.c_str(), W_OK) != 0) return false;
+        ours_ = existed_ && (::geteuid() == 0 || ::geteuid() == status.st_uid);
+        target_ = followed(output_.path);
+        if (!output_.written.empty()) {
+            temporary_ = output_.written;
+            return !existed_ || ::chmod(temporary_.c_str(), status.st_mode & 07777) == 0;
+        }
+        const int file = create_beside(target_, temporary_);
+        if (file < 0) return false;
+        const bool written = write_to(file, output_.bytes) && (!existed_ || ::fchmod(file, status.st_mode & 07777) == 0);
+        const int why = errno;
+        if (::close(file) != 0 && written) return false;
+        return written || fails_with(why);
+    }
+    /// Straight to where it goes, if that is no plain file.
+    bool stream() const {
+        if (!to_stream_ || output_.written == "-") return true;
+        if (output_.path == "-") return write_to(STDOUT_FILENO, output_.bytes);
+        const int file = ::open(output_.path.c_str(), O_WRONLY | O_CLOEXEC);
+        if (file < 0) return false;
+        const bool written = write_to(file, output_.bytes);
+        const int why = errno;
+        if (::close(file) != 0 && written) return false;
+        return written || fails_with(why);
+    }
+    bool rename(bool last) {
+        if (to_stream_) return true;
+        // A second name for what the target was, in case a later output of the same run can't be written. A file system
+        // without such names goes without; so does another user's file, whose second name could not be removed again.
+        if (existed_ && ours_ && !last) back_up();
+        if (::rename(temporary_.c_str(), target_.c_str()) != 0) return false;
+        temporary_.clear();
+        renamed_ = true;
+        return true;
+    }
+    void keep() { kept_ = true; }
+    const std::string& path() const { return output_.path; }
+
+private:
+    static bool fails_with(int why) {
+        errno = why;
+        return false;
+    }
+    std::string beside(int number) const { return temporary_beside(target_, number); }
+    void back_up() {
+        for (int number = 0; number < 10000; ++number) {
+            const std::string candidate = beside(number);
+            if (::link(target_.c_str(), candidate.c_str()) == 0) {
+                backup_ = candidate;
+                return;
+            }
+            if (errno != EEXIST) return;
+        }
+    }
+    void undo() {
+        if (!existed_)
+            ::unlink(target_.c_str());
+        else if (!backup_.empty() && ::rename(backup_.c_str(), target_.c_str()) == 0)
+            backup_.clear();
+    }
+
+    const Output& output_;
+    std::string target_, temporary_, backup_;
+    bool existed_ = false, ours_ = false, to_stream_ = false, renamed_ = false, kept_ = false;
+};
+
+/// Why it could not be written, as the last call left it.
+NotWritten not_written(const std::string& path) {
+    const Words why = reason();
+    return {path == "-" ? Words("standard output", "uscita standard") : Words(path), why};
+}
+
+}  // namespace
+
+tl::expected<std::string, Words> read_whole(const std::string& path, const Words& kind) {
+    const bool standard = path == "-";
+    const int file = standard ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return tl::unexpected(Words("cannot be read: {0}", "non si può leggere: {0}", reason()));
+    struct stat status {};
+    const bool known = ::fstat(file, &status) == 0;
+    std::string text;
+    Words why;
+    if (known && S_ISDIR(status.st_mode)) {
+        why = {"is a directory, not a {0}", "è una cartella, non un {0}", kind};
+    } else {
+        const std::size_t expected =
+            known && S_ISREG(status.st_mode) ? std::min(static_cast<std::size_t>(status.st_size), largest_input) : 65536;
+        std::size_t size = 0;
+        text.resize(expected + 1);  // one more, so that the end is seen without growing
+        while (why.empty()) {
+            const ssize_t got = ::read(file, text.data() + size, text.size() - size);
+            if (got == 0) break;
+            if (got > 0) size += static_cast<std::size_t>(got);
+            if (got < 0 && errno != EINTR) why = {"cannot be read: {0}", "non si può leggere: {0}", reason()};
+            if (size > largest_input)
+                why = {"is larger than 64 MiB, more than is read of a {0}", "supera 64 MiB, più di quanto si legga di un {0}",
+                       kind};
+            if (size == text.size()) text.resize(2 * size);
+        }
+        text.resize(size);
+    }
+    if (!standard) ::close(file);
+    if (!why.empty()) return tl::unexpected(why);
+    return text;
+}
+
+bool same_file(const std::string& one, const std::string& other) {
+    struct stat a {};
+    struct stat b {};
+    return ::stat(one.c_str(), &a) == 0 && ::stat(other.c_str(), &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
+std::optional<NotWritten> write_all(const std::vector<Output>& outputs) {
+    std::vector<std::unique_ptr<Pending>> all;
+    all.reserve(outputs.size());
+    for (const Output& output : outputs) all.push_back(std::make_unique<Pending>(output));
+    for (const auto& pending : all)
+        if (!pending->prepare()) return not_written(pending->path());
+    for (const auto& pending : all)
+        if (!pending->stream()) return not_written(pending->path());
+    for (const auto& pending : all)
+        if (!pending->rename(pending == all.back())) return not_written(pending->path());
+    for (const auto& pending : all) pending->keep();
+    return std::nullopt;
+}
+
+tl::expected<Growing, NotWritten> Growing::open(const std::string& path) {
+    Growing made;
+    made.path_ = path;
+    struct stat status {};
+    const bool exists = ::stat(path.c_str(), &status) == 0;
+    if (path == "-") {
+        made.file_ = ::dup(STDOUT_FILENO);
+    } else if (exists && S_ISDIR(status.st_mode)) {
+        errno = EISDIR;
+    } else if (exists && !S_ISREG(status.st_mode)) {
+        made.file_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    } else {
+        made.file_ = create_beside(followed(path), made.temporary_);
+    }
+    if (made.file_ < 0) return tl::unexpected(not_written(path));
+    return made;
+}
+Growing::Growing(Growing&& other) noexcept
+    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})), file_(std::exchange(other.file_, -1)) {}
+Growing::~Growing() {
+    if (file_ >= 0) ::close(file_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+std::optional<NotWritten> Growing::add(std::string_view bytes) {
+    if (write_to(file_, bytes)) return std::nullopt;
+    return not_written(path_);
+}
+Output Growing::finish() && {
+    ::close(std::exchange(file_, -1));
+    Output output{path_, {}, temporary_.empty() ? "-" : temporary_};
+    temporary_.clear();
+    return output;
+}
+
+std::optional<NotWritten> make_folder(const std::string& path) {
+    std::error_code refused;
+    std::filesystem::create_directories(path, refused);
+    if (!refused) return std::nullopt;
+    errno = refused.value();
+    return not_written(path);
+}
+
+std::optional<NotWritten> take_away(const std::string& path) {
+    if (::unlink(path.c_str()) == 0 || errno == ENOENT) return std::nullopt;
+    return not_written(path);
+}
+
+Status print(const std::string& text, Language language) {
+    if (const auto failure = write_all({{"-", text}})) return fail_to_write(*failure, language);
+    return Status::done;
+}
+
+Status fail_to_write(const NotWritten& failure, Language language) {
+    say(failure.path, {"cannot be written: {0}", "non si può scrivere: {0}", failure.why}, language);
+    return Status::output;
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,70 @@
+// Lines on standard error.
+#include "app/files/messages.hpp"
+
+#include <cstdio>
+#include <utility>
+
+#include "engine/number/assert.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+/// Who listens on this thread; null: standard error.
+thread_local Hearing* hearing = nullptr;
+
+}  // namespace
+
+Hearing::Hearing() {
+    KG_ASSERT(hearing == nullptr, "one listens at a time");
+    hearing = this;
+}
+Hearing::~Hearing() { hearing = nullptr; }
+std::vector<std::string> Hearing::take() { return std::exchange(lines_, {}); }
+
+std::string one_line(std::string_view text) {
+    std::string line;
+    for (const char letter : text) {
+        const auto code = static_cast<unsigned char>(letter);
+        if (letter == '\n') {
+            line += "\\n";
+        } else if (letter == '\t') {
+            line += "\\t";
+        } else if (code < 0x20 || code == 0x7f) {
+            constexpr const char* digits = "0123456789abcdef";
+            line += "\\x";
+            line += digits[code >> 4];
+            line += digits[code & 15];
+        } else {
+            line += letter;
+        }
+    }
+    return line;
+}
+
+void say(const Words& subject, const Words& message, Language language) {
+    std::string line = one_line(in(subject, language)) + ": " + one_line(in(message, language));
+    if (hearing != nullptr) {
+        hearing->lines_.push_back(std::move(line));
+        return;
+    }
+    // In one piece, so that the lines of two programs that write to one terminal do not mix.
+    line += '\n';
+    std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+Status refuse(const Words& message, Language language) {
+    say(std::string_view("kinegraph"), message, language);
+    return Status::bad_input;
+}
+
+Status say(const Words& file, const Errors& errors, Language language) {
+    Status status = Status::bad_input;
+    for (const Error& error : errors) {
+        say(file, error.where.empty() ? error.message : Words(error.where + ": ") + error.message, language);
+        if (error.code == ErrorCode::output) status = Status::output;
+        if (error.code == ErrorCode::no_unique_answer) status = Status::unsolved;
+    }
+    return status;
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,124 @@
+// rsvg-convert as a child: the SVG on its standard input, the PNG from its standard output, both through memory files, so that
+// neither waits for the other.
+#include "app/files/svg_picture.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <string_view>
+
+namespace kinegraph::app {
+namespace {
+
+constexpr rlim_t longest = 60;                // seconds of computing
+constexpr rlim_t largest = rlim_t{4} << 30;   // bytes of memory
+constexpr rlim_t longest_answer = 512 << 20;  // bytes of picture
+constexpr int not_found = 127;                // as a shell says it
+
+/// A file without a name, gone when it is closed.
+class MemoryFile {
+public:
+    MemoryFile() : file_(::memfd_create("kinegraph", MFD_CLOEXEC)) {}
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+    ~MemoryFile() {
+        if (file_ >= 0) ::close(file_);
+    }
+    int descriptor() const { return file_; }
+
+    bool fill(std::string_view bytes) const {
+        while (!bytes.empty()) {
+            const ssize_t written = ::write(file_, bytes.data(), bytes.size());
+            if (written < 0 && errno == EINTR) continue;
+            if (written < 0) return false;
+            bytes.remove_prefix(static_cast<std::size_t>(written));
+        }
+        return ::lseek(file_, 0, SEEK_SET) == 0;
+    }
+    std::string contents() const {
+        std::string bytes;
+        std::array<char, 65536> piece{};
+        ::lseek(file_, 0, SEEK_SET);
+        for (;;) {
+            const ssize_t got = ::read(file_, piece.data(), piece.size());
+            if (got < 0 && errno == EINTR) continue;
+            if (got <= 0) return bytes;
+            bytes.append(piece.data(), static_cast<std::size_t>(got));
+        }
+    }
+
+private:
+    int file_;
+};
+
+/// The child's part: never returns.
+[[noreturn]] void become_rsvg_convert(const MemoryFile& in, const MemoryFile& out, const MemoryFile& err,
+                                      const std::string& dpi) {
+    const auto limit = [](auto resource, rlim_t most) {
+        const rlimit both{most, most};
+        ::setrlimit(resource, &both);
+    };
+    limit(RLIMIT_CPU, longest);
+    limit(RLIMIT_AS, largest);
+    limit(RLIMIT_FSIZE, longest_answer);
+    limit(RLIMIT_CORE, 0);
+    if (::dup2(in.descriptor(), STDIN_FILENO) >= 0 && ::dup2(out.descriptor(), STDOUT_FILENO) >= 0 &&
+        ::dup2(err.descriptor(), STDERR_FILENO) >= 0)
+        ::execlp("rsvg-convert", "rsvg-convert", "--format", "png", "--accept-language", "en", "--dpi-x", dpi.c_str(), "--dpi-y",
+                 dpi.c_str(), static_cast<char*>(nullptr));
+    ::_exit(not_found);
+}
+
+/// The exit status; a child that was ended by a signal has none.
+std::optional<int> wait_for(pid_t child) {
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) return std::nullopt;
+    return WIFEXITED(status) ? std::optional(WEXITSTATUS(status)) : std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<std::string, NotDrawn> svg_to_png(const std::string& svg, double dpi) {
+    const MemoryFile in, out, err;
+    if (out.descriptor() < 0 || err.descriptor() < 0 || in.descriptor() < 0 || !in.fill(svg))
+        return tl::unexpected(NotDrawn{
+            Status::output,
+            {"no memory for drawing it: {0}", "manca la memoria per disegnarlo: {0}", std::string(std::strerror(errno))}});
+    const std::string resolution = std::to_string(dpi);
+    const pid_t child = ::fork();
+    if (child < 0)
+        return tl::unexpected(NotDrawn{
+            Status::output,
+            {"rsvg-convert cannot be started: {0}", "rsvg-convert non si può avviare: {0}", std::string(std::strerror(errno))}});
+    if (child == 0) become_rsvg_convert(in, out, err, resolution);
+    const auto status = wait_for(child);
+    if (status == not_found)
+        return tl::unexpected(
+            NotDrawn{Status::output,
+                     {"an SVG is compared by means of rsvg-convert, which is missing: install the Debian package librsvg2-bin",
+                      "un SVG si confronta per mezzo di rsvg-convert, che manca: installare il pacchetto Debian librsvg2-bin"}});
+    if (!status)
+        return tl::unexpected(
+            NotDrawn{Status::bad_input,
+                     {"is no SVG that can be drawn: rsvg-convert needed too much time or memory",
+                      "non è un SVG che si possa disegnare: a rsvg-convert servivano troppo tempo o troppa memoria"}});
+    if (*status != 0) {
+        std::string why = err.contents();
+        while (!why.empty() && why.back() == '\n') why.pop_back();
+        return tl::unexpected(
+            NotDrawn{Status::bad_input, {"is no SVG that can be drawn: {0}", "non è un SVG che si possa disegnare: {0}", why}});
+    }
+    return out.contents();
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,56 @@
+// A server for one reader on this machine: plain HTTP on 127.0.0.1, one request a connection, one thread, nothing that blocks. So
+// neither a thousand connections nor requests that never end keep it from answering, which a thread for each connection would not
+// stand. Knows what is asked only by the function that answers.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <memory>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "app/server/http_head.hpp"
+
+namespace kinegraph::app {
+
+struct HttpAnswer {
+    int status = 200;
+    std::string type = "text/plain; charset=utf-8";
+    std::shared_ptr<const std::string> body;  ///< shared: a page is large, and many may be on their way
+    std::string more = {};                    ///< header lines, each with its line end
+};
+/// Of a request that is well formed and comes from here.
+using Answering = std::function<HttpAnswer(const HttpHead&)>;
+
+class LocalServer {
+public:
+    /// Listens on 127.0.0.1; port 0: any that is free. Error: what the system says.
+    static tl::expected<LocalServer, std::string> open(int port);
+    LocalServer(LocalServer&& other) noexcept;
+    LocalServer& operator=(LocalServer&&) = delete;
+    ~LocalServer();
+
+    int port() const { return port_; }
+    /// Serves what comes within `milliseconds`; returns early where `signals` (a descriptor) can be read.
+    void serve(int milliseconds, int signals, const Answering& answer);
+
+private:
+    struct Connection;
+
+    LocalServer();
+    void take_in();
+    void close(std::list<Connection>::iterator connection);
+    bool advance(Connection& connection, const Answering& answer) const;
+    bool read_from(Connection& connection, const Answering& answer) const;
+    static bool write_to(Connection& connection);
+    static bool drain(Connection& connection);
+    std::string reply_to(std::string_view head, const Answering& answer, std::shared_ptr<const std::string>& body) const;
+
+    int listening_ = -1;
+    int port_ = 0;
+    std::list<Connection> connections_;  ///< the oldest first
+};
+
+}  // namespace kinegraph::app

@@ -1,0 +1,363 @@
+#include "constructions/kinematics/instant_centres.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "engine/number/assert.hpp"
+#include "engine/sentences/centre_symbol.hpp"
+
+namespace kinegraph {
+namespace {
+
+std::size_t at(auto index) { return at_index(index); }
+using Drawing = PointOn<Plane::drawing>;
+
+/// Says where the centre of a pair lies; none where the pair alone does not tell.
+std::optional<Sentence> primary_sentence(const PlanePair& pair) {
+    if (pair.is_hinge()) return Sentence::primary_revolute;
+    if (pair.is_clamp()) return Sentence::primary_weld;
+    if (pair.is_sleeve()) return Sentence::primary_prismatic;
+    if (pair.meshes()) return Sentence::primary_gear;
+    if (pair.rolls()) return Sentence::primary_rolling;
+    return std::nullopt;
+}
+
+}  // namespace
+
+InstantCentres::InstantCentres(Structure& structure, Board& board)
+    : structure_(structure),
+      board_(board),
+      diagram_(structure, board),
+      count_(static_cast<int>(structure.mechanism().bodies.size())) {
+    for (const BodyIndex i : indices_of(structure_.mechanism().bodies)) {
+        for (const BodyIndex j : structure_.mechanism().bodies_after(i)) {
+            Pair entry;
+            entry.centre.first = i;
+            entry.centre.second = j;
+            pairs_.push_back(std::move(entry));
+        }
+    }
+}
+
+std::size_t InstantCentres::index(BodyIndex i, BodyIndex j) const {
+    if (i > j) std::swap(i, j);
+    // Row i of the upper triangle starts after the rows before it.
+    return at(i.number() * (2 * count_ - i.number() - 1) / 2 + (j.number() - i.number() - 1));
+}
+
+Symbol InstantCentres::symbol(BodyIndex i, BodyIndex j) {
+    if (i > j) std::swap(i, j);
+    const Pair& entry = pairs_[index(i, j)];
+    return centre_symbol(structure_.mechanism(), i, j, entry.point && board_.is_at_infinity(*entry.point));
+}
+
+StatementIndex InstantCentres::say(Sentence sentence, std::vector<Argument> arguments) {
+    Statement statement;
+    statement.message = {sentence, std::move(arguments)};
+    statement.section = Topic::centres;
+    statement.source = "Aronhold–Kennedy";
+    return board_.state(std::move(statement));
+}
+
+void InstantCentres::settle(Pair& entry, Drawing point, InstantCentre::How how) {
+    entry.point = point;
+    entry.centre.how = how;
+    entry.centre.at = Recorded<ProjectivePoint>::at(point.element);
+    entry.centre.order = order_++;
+}
+
+void InstantCentres::primary(JointIndex j) {
+    const Joint& joint = structure_.mechanism().joints[at(j)];
+    for (std::size_t a = 0; a < joint.bodies.size(); ++a) {
+        for (std::size_t b = a + 1; b < joint.bodies.size(); ++b) primary(j, joint.bodies[a], joint.bodies[b]);
+    }
+}
+
+void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j) {
+    const Joint& joint = structure_.mechanism().joints[at(index_of_joint)];
+    Pair& entry = pair(i, j);
+    const PlanePair& known = joint.pair();
+    const PlanePair::Centre lies = known.centre();
+    if (lies == PlanePair::Centre::on_normal) {
+        entry.normals.emplace_back(board_.through(board_.place(joint.point), board_.normal(index_of_joint)), joint.point);
+        return;
+    }
+    const std::optional<Sentence> says = primary_sentence(known);
+    if (entry.centre.everywhere || !says) return;
+    const auto names = [&] {
+        return std::vector<Argument>{symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}};
+    };
+    if (lies == PlanePair::Centre::everywhere) {
+        entry.centre.everywhere = true;
+        entry.centre.how = InstantCentre::How::primary;
+        entry.centre.order = order_++;
+        entry.centre.statement = say(*says, names());
+        return;
+    }
+    const auto place = [&] {
+        return lies == PlanePair::Centre::at_infinity ? board_.at_infinity(board_.perpendicular(board_.guide(index_of_joint)))
+                                                      : board_.place(joint.point);
+    };
+    if (entry.point) {
+        // Two pairs between the same bodies: they agree, or the bodies cannot move against each other.
+        if (!board_.coincide(*entry.point, place())) entry.centre.everywhere = true;
+        return;
+    }
+    entry.centre.statement = say(*says, {});
+    settle(entry, place(), InstantCentre::How::primary);
+    board_.statement(entry.centre.statement).message.arguments = names();
+}
+
+/// Bodies over which the pair has a line: both centres known as points; finite ones first, for a line that can be drawn.
+std::vector<BodyIndex> InstantCentres::intermediates(BodyIndex i, BodyIndex j) {
+    std::vector<BodyIndex> finite, infinite;
+    for (const BodyIndex k : indices_of(structure_.mechanism().bodies)) {
+        if (k == i || k == j) continue;
+        const Pair& first = pair(i, k);
+        const Pair& second = pair(k, j);
+        if (!first.point || !second.point || first.centre.everywhere || second.centre.everywhere) continue;
+        const bool both_finite = !board_.is_at_infinity(*first.point) && !board_.is_at_infinity(*second.point);
+        (both_finite ? finite : infinite).push_back(k);
+    }
+    finite.insert(finite.end(), infinite.begin(), infinite.end());
+    return finite;
+}
+
+LineOn<Plane::drawing> InstantCentres::line_over(BodyIndex i, BodyIndex k, BodyIndex j) {
+    return board_.join(*pair(i, k).point, *pair(k, j).point);
+}
+
+LineOn<Plane::drawing> InstantCentres::line_of(BodyIndex i, BodyIndex j, const Line& line) {
+    return line.by == none ? pair(i, j).normals[at(line.normal)].first : line_over(i, line.by, j);
+}
+
+/// The first two lines that meet in one point: normals first, then Kennedy's lines.
+std::optional<std::pair<InstantCentres::Line, InstantCentres::Line>> InstantCentres::lines_that_meet(BodyIndex i, BodyIndex j) {
+    std::vector<Line> lines;
+    std::optional<std::pair<Line, Line>> found;
+    const auto meets_one = [&](const Line& candidate) {
+        for (const Line& earlier : lines) {
+            if (!board_.meet(line_of(i, j, earlier), line_of(i, j, candidate))) continue;  // the same line once more
+            found.emplace(earlier, candidate);
+            return true;
+        }
+        lines.push_back(candidate);
+        return false;
+    };
+    for (std::size_t n = 0; n < pair(i, j).normals.size(); ++n)
+        if (meets_one({none, static_cast<int>(n)})) return found;
+    for (const BodyIndex k : intermediates(i, j)) {
+        if (board_.coincide(*pair(i, k).point, *pair(k, j).point)) continue;
+        if (meets_one({k, -1})) return found;
+    }
+    return std::nullopt;
+}
+
+bool InstantCentres::kennedy(BodyIndex i, BodyIndex j) {
+    const Board::Mark before = board_.mark();
+    const auto lines = lines_that_meet(i, j);
+    board_.rewind(before);  // which lines do not lead on was found out on scratch paper
+    if (!lines) return false;
+    const auto& [first, second] = *lines;
+    Pair& entry = pair(i, j);
+    entry.centre.statement = say(Sentence::kennedy, {});
+    settle(entry, *board_.meet(line_of(i, j, first), line_of(i, j, second)), InstantCentre::How::kennedy);
+    std::vector<Argument> names{symbol(i, j)}, normals;
+    for (const Line& used : {first, second}) {
+        if (used.by == none) {
+            const PointIndex point = entry.normals[at(used.normal)].second;
+            entry.centre.normals.push_back(point);
+            normals.emplace_back(PointName{structure_.mechanism().points[at(point)].name});
+        } else {
+            entry.centre.through.emplace_back(static_cast<int>(index(i, used.by)), static_cast<int>(index(used.by, j)));
+            names.insert(names.end(), {symbol(i, used.by), symbol(used.by, j)});
+        }
+    }
+    const Sentence sentence = normals.empty()       ? Sentence::kennedy
+                              : normals.size() == 1 ? Sentence::kennedy_line
+                                                    : Sentence::kennedy_two_normals;
+    names.insert(names.end(), normals.begin(), normals.end());
+    board_.statement(entry.centre.statement).message = {sentence, std::move(names)};
+    return true;
+}
+
+bool InstantCentres::by_rigidity(BodyIndex i, BodyIndex j) {
+    Pair& entry = pair(i, j);
+    for (const BodyIndex k : indices_of(structure_.mechanism().bodies)) {
+        if (k == i || k == j) continue;
+        for (const auto& [rigid, other] : {std::pair(index(i, k), index(k, j)), std::pair(index(k, j), index(i, k))}) {
+            if (!pairs_[rigid].centre.everywhere || !solved(pairs_[other])) continue;
+            const Pair& source = pairs_[other];
+            if (source.point) {
+                settle(entry, *source.point, InstantCentre::How::kennedy);
+            } else {
+                entry.centre.how = InstantCentre::How::kennedy;
+                entry.centre.order = order_++;
+            }
+            entry.centre.everywhere = source.centre.everywhere;
+            entry.centre.statement =
+                say(Sentence::centre_by_rigidity, {symbol(i, j), symbol(source.centre.first, source.centre.second)});
+            return true;
+        }
+    }
+    return false;
+}
+
+bool InstantCentres::by_coincidence(BodyIndex i, BodyIndex j) {
+    const Board::Mark before = board_.mark();
+    for (const BodyIndex k : intermediates(i, j)) {
+        if (!board_.coincide(*pair(i, k).point, *pair(k, j).point)) continue;
+        Pair& entry = pair(i, j);
+        settle(entry, *pair(i, k).point, InstantCentre::How::kennedy);
+        entry.centre.statement = say(Sentence::kennedy_same, {symbol(i, j), symbol(i, k), symbol(k, j)});
+        return true;
+    }
+    board_.rewind(before);
+    return false;
+}
+
+void InstantCentres::draw() {
+    for (const JointIndex joint : indices_of(structure_.mechanism().joints)) primary(joint);
+    const auto sweep = [&](auto rule) {
+        bool found = false;
+        for (const BodyIndex i : indices_of(structure_.mechanism().bodies)) {
+            for (const BodyIndex j : structure_.mechanism().bodies_after(i)) found = (!solved(pair(i, j)) && rule(i, j)) || found;
+        }
+        return found;
+    };
+    while (sweep([&](BodyIndex i, BodyIndex j) { return by_rigidity(i, j) || kennedy(i, j); }) ||
+           sweep([&](BodyIndex i, BodyIndex j) { return by_coincidence(i, j); })) {
+    }
+}
+
+namespace {
+
+/// The velocity of the place of a node as carried by a body whose motion is known.
+std::optional<PointOn<Plane::velocity>> tip_on(const Structure& structure, Board& board, const Track<Plane::velocity>& track,
+                                               BodyIndex body, Drawing place) {
+    if (body == frame) return board.pole<Plane::velocity>();
+    for (const NodeIndex base : structure.nodes_of(body)) {
+        if (!track.has(base)) continue;
+        const auto join = board.vector(SpaceDiagram(structure, board).place(base), place);
+        return board.carry(track.tip(base), board.scale<Plane::velocity>(track.spin(body), board.turn(join)));
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+void InstantCentres::complete(const Motion& motion, int freedoms) {
+    const Track<Plane::velocity>& track = motion.velocity;
+    for (Pair& entry : pairs_) {
+        if (!track.turns(entry.centre.first) || !track.turns(entry.centre.second)) continue;
+        if (!solved(entry)) {
+            from_velocities(entry, motion);
+            entry.centre.depends_on_drivers = freedoms > 1;
+        } else if (!entry.centre.everywhere && at_relative_rest(entry, motion)) {
+            entry.centre.everywhere = true;
+        }
+    }
+}
+
+bool InstantCentres::at_relative_rest(const Pair& entry, const Motion& motion) {
+    const auto& track = motion.velocity;
+    const BodyIndex i = entry.centre.first, j = entry.centre.second;
+    if (!board_.is_zero(board_.difference(track.spin(i), track.spin(j)))) return false;
+    if (structure_.nodes_of(j).empty()) return false;
+    const Drawing place = diagram_.place(structure_.nodes_of(j).front());
+    const auto on_i = tip_on(structure_, board_, track, i, place), on_j = tip_on(structure_, board_, track, j, place);
+    return on_i && on_j && board_.is_zero(board_.vector(*on_i, *on_j));
+}
+
+/// Places at which two bodies' relative velocity may be drawn: their nodes, and one beside them, for nodes that lie all on one
+/// line with the centre sought.
+std::vector<InstantCentres::Place> InstantCentres::places_of(BodyIndex first, BodyIndex second) {
+    std::vector<Place> places;
+    for (const BodyIndex body : {first, second}) {
+        for (const NodeIndex node : structure_.nodes_of(body))
+            places.push_back({diagram_.place(node), structure_.node(node).label, structure_.node(node).point});
+    }
+    for (const NodeIndex node : indices_of(structure_.nodes())) {
+        const Drawing there = diagram_.place(node);
+        if (places.empty() || board_.coincide(places.front().at, there)) continue;
+        places.push_back({there, structure_.node(node).label, structure_.node(node).point});
+        const auto aside = board_.turn(board_.vector(places.front().at, there));
+        places.push_back({board_.carry(places.front().at, aside), places.front().name, none});
+        break;
+    }
+    return places;
+}
+
+void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
+    const BodyIndex i = entry.centre.first, j = entry.centre.second;
+    const auto& track = motion.velocity;
+    std::vector<std::pair<LineOn<Plane::drawing>, Place>> lines;
+    const StatementIndex statement = say(Sentence::centre_from_velocities, {});
+    const auto settle_here = [&](Drawing point, const Place& first, const Place& second) {
+        settle(entry, point, InstantCentre::How::velocities);
+        entry.centre.statement = statement;
+        const bool two = first.name != second.name;
+        board_.statement(statement).message = {
+            Sentence::centre_from_velocities,
+            {symbol(i, j), PointName{two ? first.name : std::string()}, PointName{two ? second.name : std::string()}}};
+        if (first.point == none || second.point == none) return;
+        entry.centre.normals = {first.point};
+        if (two) entry.centre.normals.push_back(second.point);
+    };
+    const std::vector<Place> places = places_of(j, i);
+    const bool equal_spins = board_.is_zero(board_.difference(track.spin(i), track.spin(j)));
+    for (const Place& place : places) {
+        const auto on_i = tip_on(structure_, board_, track, i, place.at), on_j = tip_on(structure_, board_, track, j, place.at);
+        if (!on_i || !on_j) return;
+        const auto relative = board_.vector(*on_i, *on_j);
+        const bool still = board_.is_zero(relative);
+        if (equal_spins) {
+            if (still) {
+                entry.centre.everywhere = true;
+                entry.centre.how = InstantCentre::How::velocities;
+                entry.centre.statement = statement;
+                board_.statement(statement).message = {Sentence::centre_by_rigidity, {symbol(i, j), symbol(i, j)}};
+            } else {
+                settle_here(board_.at_infinity(board_.perpendicular(board_.direction(relative))), place, place);
+            }
+            return;
+        }
+        if (still) return settle_here(place.at, place, place);
+        const auto line = board_.through(place.at, board_.perpendicular(board_.direction(relative)));
+        for (const auto& [earlier, other] : lines) {
+            if (const auto met = board_.meet(earlier, line)) return settle_here(*met, other, place);
+        }
+        lines.emplace_back(line, place);
+    }
+}
+
+void InstantCentres::second_way(const Motion& motion, BodyIndex driver, std::vector<SecondWay>& results) {
+    const auto& track = motion.velocity;
+    if (!track.turns(driver) || !pair(frame, driver).point || board_.is_at_infinity(*pair(frame, driver).point)) return;
+    for (const BodyIndex body : structure_.mechanism().moving_bodies()) {
+        if (body == driver || !track.turns(body)) continue;
+        const Pair& absolute = pair(frame, body);
+        const Pair& relative = pair(driver, body);
+        if (!absolute.point || !relative.point || absolute.centre.everywhere || relative.centre.everywhere) continue;
+        if (board_.is_at_infinity(*absolute.point) || board_.is_at_infinity(*relative.point)) continue;
+        if (board_.coincide(*absolute.point, *relative.point)) continue;
+        Symbol omega{Symbol::Letter::omega, structure_.body_name(body), {}};
+        Symbol omega_driver{Symbol::Letter::omega, structure_.body_name(driver), {}};
+        const StatementIndex statement =
+            say(Sentence::second_way, {omega, symbol(frame, driver), symbol(frame, body), symbol(driver, body), omega_driver});
+        board_.statement(statement).section = Topic::velocity;
+        const auto from_driver = board_.vector(*pair(frame, driver).point, *relative.point);
+        const auto from_body = board_.vector(*absolute.point, *relative.point);
+        const ScalarHandle found = board_.product(track.spin(driver), board_.ratio(from_driver, from_body));
+        results.push_back({body, Recorded<Exact>::at(found.element), board_.is_zero(board_.difference(found, track.spin(body)))});
+    }
+}
+
+std::vector<InstantCentre> InstantCentres::results() const {
+    std::vector<InstantCentre> centres;
+    for (const Pair& entry : pairs_) centres.push_back(entry.centre);
+    return centres;
+}
+
+}  // namespace kinegraph

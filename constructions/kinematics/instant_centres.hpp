@@ -1,0 +1,75 @@
+// All instant centres of relative rotation: primary ones from the pairs, then the theorem of Aronhold (1872) and Kennedy (1886) —
+// the three centres of three bodies lie on a line — until no more follow; what is left, from the velocities found.
+//
+// At infinity a centre is a translation and is used like any other. Where two of three centres coincide the line does not exist
+// and the third is with them; where both lines lie at infinity, only that much is known.
+#pragma once
+
+#include <vector>
+
+#include "constructions/kinematics/motion.hpp"
+#include "constructions/kinematics/space_diagram.hpp"
+#include "constructions/kinematics/structure.hpp"
+#include "engine/solution/solution.hpp"
+
+namespace kinegraph {
+
+class InstantCentres {
+public:
+    InstantCentres(Structure& structure, Board& board);
+
+    /// Primary centres and Kennedy's theorem: geometry only, no velocities.
+    void draw();
+    /// The centres that Kennedy could not reach, from velocities; and the pairs that do not move against each other just now.
+    /// `freedoms`: of the mechanism; with more than one a centre found so holds for this ratio of the drivers.
+    void complete(const Motion& motion, int freedoms);
+    /// Angular velocities once more, by instant centres: ω_b = ω_d · P_1d P_db / P_1b P_db for a body d driven against the frame.
+    void second_way(const Motion& motion, BodyIndex driven_body, std::vector<SecondWay>& results);
+
+    std::vector<InstantCentre> results() const;
+
+private:
+    struct Pair {
+        InstantCentre centre;
+        std::optional<PointOn<Plane::drawing>> point;
+        std::vector<std::pair<LineOn<Plane::drawing>, PointIndex>> normals;
+    };
+    /// A line on which the centre of a pair lies.
+    struct Line {
+        BodyIndex by = none;  ///< over which body (Kennedy), or none: …
+        int normal = -1;      ///< … which of the pair's normals
+    };
+    std::size_t index(BodyIndex i, BodyIndex j) const;
+    Pair& pair(BodyIndex i, BodyIndex j) { return pairs_[index(i, j)]; }
+    bool solved(const Pair& pair) const { return pair.point.has_value() || pair.centre.everywhere; }
+    Symbol symbol(BodyIndex i, BodyIndex j);
+    StatementIndex say(Sentence sentence, std::vector<Argument> arguments);
+    void settle(Pair& pair, PointOn<Plane::drawing> point, InstantCentre::How how);
+    void primary(JointIndex joint);
+    void primary(JointIndex joint, BodyIndex i, BodyIndex j);
+    LineOn<Plane::drawing> line_of(BodyIndex i, BodyIndex j, const Line& line);
+    std::optional<std::pair<Line, Line>> lines_that_meet(BodyIndex i, BodyIndex j);
+    bool kennedy(BodyIndex i, BodyIndex j);
+    bool by_rigidity(BodyIndex i, BodyIndex j);
+    bool by_coincidence(BodyIndex i, BodyIndex j);
+    std::vector<BodyIndex> intermediates(BodyIndex i, BodyIndex j);
+    LineOn<Plane::drawing> line_over(BodyIndex i, BodyIndex k, BodyIndex j);
+    /// Where a relative velocity may be drawn; `point` none: at no point of the file's.
+    struct Place {
+        PointOn<Plane::drawing> at;
+        std::string name;
+        PointIndex point = none;
+    };
+    std::vector<Place> places_of(BodyIndex first, BodyIndex second);
+    void from_velocities(Pair& pair, const Motion& motion);
+    bool at_relative_rest(const Pair& pair, const Motion& motion);
+
+    Structure& structure_;
+    Board& board_;
+    SpaceDiagram diagram_;
+    int count_ = 0;  ///< bodies
+    std::vector<Pair> pairs_;
+    int order_ = 0;
+};
+
+}  // namespace kinegraph

@@ -1,0 +1,294 @@
+// Moving: see moving.hpp.
+#include "constructions/moving/moving.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "constructions/positions/cycle.hpp"
+#include "constructions/moving/moving_held.hpp"
+#include "constructions/moving/moving_rules.hpp"
+#include "constructions/positions/named_results.hpp"
+#include "constructions/solving/solve.hpp"
+#include "engine/sentences/centre_symbol.hpp"
+#include "engine/mechanism/drivers.hpp"
+#include "engine/motion/moved.hpp"
+#include "engine/solution/problem_solution.hpp"
+#include "engine/board/replay.hpp"
+#include "engine/solution/sliding.hpp"
+
+namespace kinegraph {
+namespace {
+
+/// Over the way, every five degrees of a turn, where what is special likes to be; and how near a limit the last one stands, as a
+/// share of the way.
+constexpr int samples_of_way = 72;
+constexpr double short_of_limit = 1e-6;
+/// Positions that are special (a body at rest, two lines parallel) serve nowhere else; few stretches are more than an instant.
+constexpr std::size_t most_plans = 12;
+
+// --- plans --------------------------------------------------------------------------------------------------------------------
+
+/// What is drawn, under names that any plan of the mechanism has, and what the columns read.
+class Planned {
+public:
+    Planned(const Solution& solution, const std::vector<Column>& columns) : solution_(solution), columns_(columns) {}
+
+    MovingPlan plan(const MovingRules& rules) {
+        read_sources();
+        read_vectors();
+        read_spots();
+        read_lines();
+        plan_.held = held_by(solution_);
+        const Protocol& protocol = solution_.protocol;
+        Cut record = cut(protocol.program, wanted(), static_cast<int>(protocol.program.strokes.size()));
+        renumber(record.element);
+        for (const Value& value : givens_of(record.program, solution_.mechanism, solution_.pose))
+            plan_.givens.push_back(to_double(value));
+        for (std::size_t i = 0; i < record.program.givens.size(); ++i)
+            if (const auto rule = rules.of(record.program.givens[i], static_cast<int>(i))) plan_.moving.push_back(*rule);
+        plan_.program = std::move(record.program);
+        return std::move(plan_);
+    }
+
+private:
+    void read_sources() {
+        const std::vector<FoundValue> entries = found_values(solution_);
+        for (const Column& column : columns_) {
+            MovingPlan::Source& source = plan_.sources.emplace_back();
+            for (const FoundValue& entry : entries)
+                if (entry.quantity == column.quantity) source = {true, entry.element};
+        }
+    }
+    const std::string& figure(int polygon) const { return solution_.protocol.polygons[at_index(polygon)].id; }
+    void read_vectors() {
+        for (const DrawnVector& drawn : solution_.protocol.vectors)
+            if (drawn.trial == 0)
+                plan_.vectors.push_back({figure(drawn.polygon), name_of(drawn.symbol), drawn.tail, drawn.tip, drawn.vanishes});
+    }
+    void read_spots() {
+        for (const Image& image : solution_.protocol.images)
+            if (image.trial == 0) plan_.spots.push_back({figure(image.polygon), name_of(image.symbol), image.point});
+        for (const InstantCentre& centre : solution_.centres)
+            if (centre.at.element() != none)
+                plan_.spots.push_back(
+                    {"", name_of(centre_symbol(solution_.mechanism, centre.first, centre.second, false)), centre.at.element()});
+    }
+    void read_lines() {
+        std::map<std::string, int> count;
+        for (const DrawnLine& line : solution_.protocol.lines) {
+            if (line.trial != 0) continue;
+            std::string name = line.polygon < 0 ? "" : figure(line.polygon);
+            std::string key = std::to_string(static_cast<int>(line.reason.kind)) + " " + line.reason.from + " " + line.reason.to;
+            key += " " + std::to_string(count[name + " " + key]++);
+            plan_.lines.push_back({std::move(name), std::move(key), line.statement, line.line, line.points});
+        }
+    }
+    template <class See>
+    void each_element(See see) {
+        for (auto& source : plan_.sources) see(source.element);
+        for (auto& vector : plan_.vectors) see(vector.tail), see(vector.tip);
+        for (auto& spot : plan_.spots) see(spot.point);
+        for (auto& line : plan_.lines) {
+            see(line.line);
+            for (ElementIndex& point : line.points) see(point);
+        }
+        for (auto& held : plan_.held) see(held.place), see(held.vector), see(held.couple);
+    }
+    std::vector<ElementIndex> wanted() {
+        std::vector<ElementIndex> all;
+        each_element([&](const ElementIndex& element) {
+            if (element != none) all.push_back(element);
+        });
+        return all;
+    }
+    void renumber(const std::vector<ElementIndex>& now) {
+        each_element([&](ElementIndex& element) {
+            if (element != none) element = now[at_index(element)];
+        });
+    }
+
+    const Solution& solution_;
+    const std::vector<Column>& columns_;
+    MovingPlan plan_;
+};
+
+// --- courses ------------------------------------------------------------------------------------------------------------------
+
+class Courses {
+public:
+    explicit Courses(const Solution& solution)
+        : solution_(solution),
+          mechanism_(solution.mechanism),
+          pose_(solution.pose),
+          mover_(mechanism_, pose_),
+          rules_(mechanism_, pose_) {}
+
+    std::optional<Moving> moving(const Rereading& rereading) {
+        for (Column& column : columns_found(solution_)) moving_.columns.push_back(std::move(column));
+        add_plan(solution_);
+        for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) add_course(static_cast<int>(i));
+        if (moving_.courses.empty()) return std::nullopt;
+        moving_.size = pose_.size.to_double();
+        for (const Body& body : mechanism_.bodies) moving_.directions.push_back(direction_of(body));
+        moving_.settings = rules_.settings();
+        for (MovingSetting& length : lengths_of(mechanism_, pose_)) moving_.settings.push_back(std::move(length));
+        add_parameters(moving_, mechanism_, pose_, rereading);
+        return std::move(moving_);
+    }
+
+private:
+    void add_plan(const Solution& solution) { moving_.plans.push_back(Planned(solution, moving_.columns).plan(rules_)); }
+
+    double direction_of(const Body& body) const {
+        for (std::size_t i = 1; i < body.points.size(); ++i) {
+            const Vector along = pose_.at(body.points[i]) - pose_.at(body.points[0]);
+            if (!along.is_zero()) return std::atan2(along.y.to_double(), along.x.to_double());
+        }
+        return 0;
+    }
+
+    void add_course(int driver) {
+        const Driver& given = mechanism_.drivers[at_index(driver)];
+        MovingCourse course;
+        course.driver = driver;
+        course.name = name_of_course(mechanism_, given);
+        course.turns = turns(given);
+        auto positions = Positions::of(mechanism_, pose_, Course{driver});
+        if (!positions) {
+            moving_.still.emplace_back(course.name, positions.error().front());
+            return;
+        }
+        const Law* law = law_of(given);
+        const auto travel = law != nullptr ? travel_of_law(*positions, *law, std::nullopt, std::nullopt)
+                                           : travel_of(*positions, course.turns, std::nullopt, std::nullopt);
+        if (!travel) return;
+        course.travel = *travel;
+        course.by_law = law != nullptr;
+        const Rates rates = rates_of(given);
+        if (law == nullptr && rates.second.is_zero()) course.rate = rates.first.to_double();
+        if (moving_.courses.empty()) put_closure(*positions);
+        course.shares = positions->shares();
+        for (const double at : ways_of(course)) add_sample(course, *positions, given, at);
+        moving_.courses.push_back(std::move(course));
+    }
+    void put_closure(const Positions& positions) {
+        moving_.unit = positions.size();
+        moving_.rows = positions.rows();
+        moving_.bodies = positions.bodies();
+        moving_.frozen = positions.frozen();
+        moving_.points = positions.point_rules();
+        moving_.joints = positions.joint_rules();
+    }
+    /// Evenly; near a limit, where bodies move with the root of the distance, each time half as far.
+    static std::vector<double> ways_of(const MovingCourse& course) {
+        std::vector<double> shares;
+        for (int i = 0; i <= samples_of_way; ++i) shares.push_back(static_cast<double>(i) / samples_of_way);
+        if (!course.by_law) {
+            const double drawn = (0 - course.travel.from) / (course.travel.to - course.travel.from);
+            if (drawn >= 0 && drawn <= 1) shares.push_back(drawn);
+            for (double near = 0.5 / samples_of_way; near > short_of_limit; near /= 2) {
+                if (course.travel.starts_at_limit) shares.push_back(near);
+                if (course.travel.ends_at_limit) shares.push_back(1 - near);
+            }
+            for (double& share : shares)
+                share = std::clamp(share, course.travel.starts_at_limit ? short_of_limit : 0,
+                                   course.travel.ends_at_limit ? 1 - short_of_limit : 1);
+        }
+        std::sort(shares.begin(), shares.end());
+        shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
+        std::vector<double> ways;
+        for (const double share : shares) ways.push_back(course.travel.at(share));
+        return ways;
+    }
+
+    void add_sample(MovingCourse& course, Positions& positions, const Driver& given, double at) {
+        MovingCourse::Sample sample;
+        sample.at = sample.coordinate = at;
+        std::optional<Rates> rates;
+        if (const Law* law = law_of(given)) {
+            const double drawn = law->drawn.to_double();
+            const LawState state = law->at(drawn + at);
+            sample.coordinate = state.s - law->at(drawn).s;
+            sample.rate = state.first;
+            sample.acceleration = state.second;
+            rates = Rates{Exact::from_double(state.first), Exact::from_double(state.second)};
+        }
+        if (!positions.move_to(sample.coordinate)) return;
+        sample.q = positions.state();
+        if (!positions.is_singular()) find_plan(sample, positions, course.driver, rates);
+        course.samples.push_back(std::move(sample));
+    }
+
+    /// Of those there are the one whose guards hold here, else a new one.
+    void find_plan(MovingCourse::Sample& sample, Positions& positions, int driver, const std::optional<Rates>& rates) {
+        if (sample.coordinate == 0 && !rates) {
+            sample.plan = 0;
+            return;
+        }
+        Moved moved = mover_.moved(positions, Exact::from_double(sample.coordinate));
+        if (rates) moved.mechanism.drivers[at_index(driver)] = with_rates(moved.mechanism.drivers[at_index(driver)], *rates);
+        for (std::size_t i = 0; i < moving_.plans.size(); ++i) {
+            const std::size_t tried = (i + last_) % moving_.plans.size();
+            if (!replays(moving_.plans[tried], moved.mechanism, moved.pose)) continue;
+            last_ = tried;
+            sample.plan = static_cast<int>(tried);
+            return;
+        }
+        const Solution solution = solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
+        MovingPlan plan = Planned(solution, moving_.columns).plan(rules_);
+        if (moving_.plans.size() < most_plans && replays(plan, solution.mechanism, solution.pose)) {
+            last_ = moving_.plans.size();
+            sample.plan = static_cast<int>(last_);
+            moving_.plans.push_back(std::move(plan));
+        } else {
+            sample.values = values_of(solution);
+        }
+    }
+    static bool replays(const MovingPlan& plan, const Mechanism& mechanism, const Pose& pose) {
+        return !Replay(plan.program, givens_of(plan.program, mechanism, pose), pose.size.to_double()).run();
+    }
+    /// What the position alone gives is left out.
+    std::vector<std::optional<double>> values_of(const Solution& solution) const {
+        const std::vector<FoundValue> entries = found_values(solution);
+        std::vector<std::optional<double>> values;
+        for (const Column& column : moving_.columns) {
+            const Quantity& q = column.quantity;
+            const auto entry =
+                std::find_if(entries.begin(), entries.end(), [&](const FoundValue& each) { return each.quantity == q; });
+            std::optional<double>& value = values.emplace_back();
+            if (entry == entries.end()) continue;
+            if (column.kind == Column::Kind::along) {
+                const auto rough = [&](const std::vector<Vector>& list) {
+                    const Vector& v = list[at_index(q.joint)];
+                    return VectorOf<double>{v.x.to_double(), v.y.to_double()};
+                };
+                const Pose& pose = solution.pose;
+                value = dot(direction_of_sliding(rough(pose.guides), rough(pose.tangents), rough(pose.normals)), entry->vector);
+            } else if (column.kind == Column::Kind::result) {
+                value = q.component == Quantity::Component::whole ? entry->scalar
+                        : q.component == Quantity::Component::x   ? entry->vector.x
+                                                                  : entry->vector.y;
+            }
+        }
+        return values;
+    }
+
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+    Mover mover_;
+    MovingRules rules_;
+    Moving moving_;
+    std::size_t last_ = 0;
+};
+
+}  // namespace
+
+std::optional<Moving> moving_of(const Solution& solution, const Rereading& rereading) {
+    if (stands_for_joints(solution.mechanism) || solution.mechanism.drivers.empty()) return std::nullopt;
+    return Courses(solution).moving(rereading);
+}
+
+}  // namespace kinegraph

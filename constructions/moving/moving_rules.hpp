@@ -1,0 +1,40 @@
+// Moving rules: which givens of a program hang on the position, by which rule, and which may be changed by hand: rates of drivers
+// and sizes of loads. Knows no program as a whole.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/mechanism/mechanism.hpp"
+#include "engine/solution/moving.hpp"
+#include "engine/drawing/pose.hpp"
+#include "engine/board/program.hpp"
+
+namespace kinegraph {
+
+/// The body that turns, the joint that slides, the point that is driven.
+std::string name_of_course(const Mechanism& mechanism, const Driver& driver);
+
+class MovingRules {
+public:
+    /// Both are kept by reference.
+    MovingRules(const Mechanism& mechanism, const Pose& pose);
+
+    /// Rates of drivers without a law and sizes of loads, but for those that are zero.
+    const std::vector<MovingSetting>& settings() const { return settings_; }
+    /// The rule of the given with this index; nothing of what is the same in every position.
+    std::optional<MovingGiven> of(const Given& given, int index) const;
+
+private:
+    std::optional<MovingGiven> of_driver(MovingGiven rule, bool is_velocity) const;
+    std::optional<MovingGiven> of_load(MovingGiven rule, Given::Kind kind, const Load& load) const;
+    std::optional<MovingGiven> setting(MovingGiven rule, MovingSetting::Kind kind) const;
+    double push_of(std::size_t joint) const;
+
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+    std::vector<MovingSetting> settings_;
+};
+
+}  // namespace kinegraph

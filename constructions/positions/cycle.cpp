@@ -1,0 +1,691 @@
+#include "constructions/positions/cycle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <list>
+#include <numbers>
+#include <utility>
+
+#include "constructions/positions/effort_rows.hpp"
+#include "constructions/positions/givens_here.hpp"
+#include "constructions/verdicts/largest_difference.hpp"
+#include "constructions/positions/named_results.hpp"
+#include "constructions/solving/solve.hpp"
+#include "engine/check/check.hpp"
+#include "engine/check/check_forces.hpp"
+#include "engine/mechanism/drivers.hpp"
+#include "engine/motion/moved.hpp"
+#include "engine/board/replay.hpp"
+#include "engine/results/result_names.hpp"
+#include "engine/solution/sliding.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Spot = VectorOf<double>;
+using Kind = Quantity::Kind;
+
+Spot rough(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
+Vector exactly(const Spot& a) { return {Exact::from_double(a.x), Exact::from_double(a.y)}; }
+Spot unit_of(const Spot& a) { return (1 / std::hypot(a.x, a.y)) * a; }
+
+/// What is found at each position: the file's `find` without what has no column.
+Find found_in_rows(const Mechanism& mechanism) {
+    const Find& asked = mechanism.find;
+    Find find;
+    find.stated = true;
+    const bool whole_motion = !asked.stated || !asked.relative_motion.empty() || asked.curvature || asked.equations ||
+                              (asked.virtual_work && mechanism.inertia_forces);
+    find.velocity = whole_motion || asked.velocity;
+    find.acceleration = whole_motion || asked.acceleration;
+    find.forces = !asked.stated || asked.forces;
+    find.virtual_work = asked.virtual_work && !mechanism.efforts.empty();
+    return find;
+}
+
+/// A position planned: its record in doubles, what of its givens moves, and which element each column reads.
+struct PlannedPosition {
+    struct Source {
+        bool known = false;
+        ElementIndex element;
+    };
+    Replay replay;
+    std::vector<std::pair<int, Given>> moving;  ///< with their index in the program
+    std::vector<Source> sources;                ///< by column
+};
+
+}  // namespace
+
+// --- rows ---------------------------------------------------------------------------------------------------------------------
+
+class Cycle::Rows {
+public:
+    Rows(const Mechanism& mechanism, const Pose& pose, const Course& course, Positions positions)
+        : mechanism_(mechanism),
+          pose_(pose),
+          driver_(course.driver),
+          law_(law_of(mechanism.drivers[at_index(driver_)])),
+          positions_(std::move(positions)),
+          mover_(mechanism, pose),
+          givens_(mechanism, pose),
+          effort_rows_(mechanism, givens_) {
+        const Driver& given = mechanism.drivers[at_index(driver_)];
+        turns_ = turns(given);
+        rate_ = rate_along(course);
+        if (law_ != nullptr) drawn_ = {law_->drawn.to_double(), law_->at(law_->drawn.to_double()).s};
+        find_directions();
+    }
+
+    std::vector<Unsolved> begin(const Travel& travel, bool checked) {
+        is_checked_ = checked;
+        // Anywhere but where something is likely to be special.
+        for (const double share : {0.381966, 0.618034, 0.236068, 0.854102}) {
+            if (!go_to(travel.at(share))) continue;
+            Solution solution = planned_here();
+            columns_ = {{Column::Kind::turn, {}, "turn", turns_ ? QuantityKind::angle : QuantityKind::length}};
+            if (law_ != nullptr || rate_ != 0) columns_.push_back({Column::Kind::time, {}, "time", QuantityKind::time});
+            for (Column& column : columns_found(solution)) columns_.push_back(std::move(column));
+            add_efforts_by_work(solution);
+            values_.resize(columns_.size());
+            solution.mechanism.find = mechanism_.find;
+            check_mechanism_ = solution.mechanism;
+            check_pose_ = solution.pose;
+            has_forces_ = !solution.forces.empty() || !solution.efforts.empty();
+            std::vector<Unsolved> missing = solution.unsolved;
+            keep(solution);
+            return missing;
+        }
+        return {};
+    }
+
+    std::optional<std::span<const double>> row(double at) {
+        if (!go_to(at)) return std::nullopt;
+        PlannedPosition* plan = replayed();
+        if (plan != nullptr && !fill(*plan)) return std::nullopt;
+        if (plan == nullptr || !has_efforts_replayed()) {
+            // Its own verdicts may drown in doubles where something is nearly special (a body nearly at rest): its values are
+            // exact.
+            const Solution solution = planned_here();
+            keep(solution);
+            if (!fill_from(solution)) return std::nullopt;
+            efforts_here_ = solution.displacements ? EffortRows::of(*solution.displacements) : EffortRows::Efforts();
+        }
+        if (!fill_efforts()) return std::nullopt;
+        if (is_checked_) hold_against_check();
+        return values_;
+    }
+
+    /// Near a limit the places go with the root of the distance from it: two places, one four times as far as the other, tell
+    /// where they lead (Richardson's extrapolation).
+    std::vector<std::optional<double>> at_limit(double limit, double inward) {
+        constexpr double near = 1e-8;  // of the way; the limit itself is known to 1e-9
+        const auto places = [&](double share) {
+            std::vector<std::optional<double>> values(columns_.size());
+            if (!positions_.move_to(limit + share * inward)) return values;
+            positions_.read(places_);
+            for (std::size_t i = 0; i < columns_.size(); ++i) values[i] = place_value(columns_[i]);
+            return values;
+        };
+        const auto far = places(4 * near), close = places(near);
+        std::vector<std::optional<double>> values(columns_.size());
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            if (far[i] && close[i]) values[i] = 2 * *close[i] - *far[i];
+        if (values[0]) values[0] = limit;
+        return values;
+    }
+
+    Difference difference() const {
+        const LargestDifference::Found found = off_.found(columns_, pose_.size.to_double());
+        return {found.share, found.column, found.coordinate};
+    }
+    Positions& positions() { return positions_; }
+    const std::vector<Column>& columns() const { return columns_; }
+    int plans() const { return planned_; }
+
+private:
+    /// The driver's rate where it is a clock: it does not change, and those that go along have theirs in proportion. Else zero.
+    double rate_along(const Course& course) const {
+        const auto rates = [&](int driver) { return rates_of(mechanism_.drivers[at_index(driver)]); };
+        const Rates own = rates(course.driver);
+        for (const Course::Along& each : course.along) {
+            const double along = each.per.to_double() * own.first.to_double();
+            if (std::abs(rates(each.driver).first.to_double() - along) > 1e-9 * std::abs(along)) return 0;
+        }
+        return own.second.is_zero() ? own.first.to_double() : 0;
+    }
+    /// False: it cannot be reached, or has no one answer.
+    bool go_to(double at) {
+        double coordinate = at;
+        if (law_ != nullptr) {
+            state_ = law_->at(drawn_.first + at);
+            coordinate = state_.s - drawn_.second;
+            time_ = at;
+        }
+        if (!positions_.move_to(coordinate) || positions_.is_singular()) return false;
+        positions_.read(places_);
+        return true;
+    }
+    /// Gives a mechanism that has been moved here the rates of the law.
+    void put_rates(Mechanism& moved) const {
+        if (law_ == nullptr) return;
+        Driver& driver = moved.drivers[at_index(driver_)];
+        driver = with_rates(std::move(driver), {Exact::from_double(state_.first), Exact::from_double(state_.second)});
+    }
+
+    /// Of each body: the direction from its first point to its second, as drawn.
+    void find_directions() {
+        for (const Body& body : mechanism_.bodies) {
+            double angle = 0;
+            for (std::size_t i = 1; i < body.points.size() && angle == 0; ++i) {
+                const Spot along = rough(pose_.at(body.points[i]) - pose_.at(body.points[0]));
+                if (along.x != 0 || along.y != 0) {
+                    angle = std::atan2(along.y, along.x);
+                    break;
+                }
+            }
+            directions_.push_back(angle);
+        }
+    }
+
+    // --- by record ------------------------------------------------------------------------------------------------------------
+    Solution planned_here() {
+        ++planned_;
+        Moved moved = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
+        moved.mechanism.find = found_in_rows(mechanism_);
+        put_rates(moved.mechanism);
+        return solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
+    }
+
+    PlannedPosition& keep(const Solution& solution) {
+        if (solution.displacements) effort_rows_.keep(*solution.displacements);
+        const std::vector<FoundValue> entries = found_values(solution);
+        std::vector<ElementIndex> wanted;
+        for (const FoundValue& entry : entries)
+            if (entry.element != none) wanted.push_back(entry.element);
+        const Cut record =
+            cut(solution.protocol.program, wanted, has_forces_ ? solution.settled.forces : solution.settled.accelerations);
+        PlannedPosition plan{
+            Replay(record.program, givens_of(record.program, solution.mechanism, solution.pose), solution.pose.size.to_double()),
+            {},
+            std::vector<PlannedPosition::Source>(columns_.size())};
+        for (std::size_t i = 0; i < record.program.givens.size(); ++i)
+            if (hangs_here(record.program.givens[i])) plan.moving.emplace_back(static_cast<int>(i), record.program.givens[i]);
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            const auto found = std::find_if(entries.begin(), entries.end(),
+                                            [&](const FoundValue& entry) { return entry.quantity == columns_[i].quantity; });
+            if (found == entries.end()) continue;
+            plan.sources[i] = {true, found->element == none ? ElementIndex() : record.element[at_index(found->element)]};
+        }
+        // Verdicts of special positions (a right angle, a body at rest) serve nowhere else; the oldest go.
+        constexpr std::size_t most = 24;
+        if (kept_.size() == most) kept_.pop_back();
+        kept_.push_front(std::move(plan));
+        return kept_.front();
+    }
+
+    /// The plan whose guards hold here, replayed; the one that served last is tried first.
+    PlannedPosition* replayed() {
+        for (auto plan = kept_.begin(); plan != kept_.end(); ++plan) {
+            if (replays(*plan)) continue;
+            if (plan != kept_.begin()) kept_.splice(kept_.begin(), kept_, plan);
+            return &kept_.front();
+        }
+        return nullptr;
+    }
+    /// The guard that flipped, if one did.
+    std::optional<int> replays(PlannedPosition& plan) {
+        for (const auto& [index, given] : plan.moving) plan.replay.give(index, value_here(given));
+        return plan.replay.run();
+    }
+
+    bool hangs_here(const Given& given) const {
+        if (given.kind == Given::Kind::driver_velocity || given.kind == Given::Kind::driver_acceleration)
+            return static_cast<int>(given.index) == driver_ && law_ != nullptr;
+        return givens_.hangs(given);
+    }
+    ValueOf<double> value_here(const Given& given) const {
+        if (given.kind == Given::Kind::driver_velocity) return state_.first;
+        if (given.kind == Given::Kind::driver_acceleration) return state_.second;
+        return givens_.value(given, places_, positions_);
+    }
+
+    /// X of a slide, or the common tangent of a contact or a curved slot.
+    Spot direction_of_sliding(JointIndex joint) const {
+        const std::size_t i = at_index(joint);
+        return kinegraph::direction_of_sliding(places_.guides[i], places_.tangents[i], places_.normals[i]);
+    }
+
+    bool fill(const PlannedPosition& plan) {
+        return fill_each([&](std::size_t i) -> std::optional<std::pair<Spot, double>> {
+            const auto& [known, element] = plan.sources[i];
+            if (!known) return std::nullopt;
+            if (element == none) return std::pair{Spot{}, 0.0};
+            return std::pair{plan.replay.vector(element), plan.replay.scalar(element)};
+        });
+    }
+    bool fill_from(const Solution& solution) {
+        const std::vector<FoundValue> entries = found_values(solution);
+        return fill_each([&](std::size_t i) -> std::optional<std::pair<Spot, double>> {
+            for (const FoundValue& entry : entries)
+                if (entry.quantity == columns_[i].quantity) return std::pair{entry.vector, entry.scalar};
+            return std::nullopt;
+        });
+    }
+    /// `found(i)` gives the vector or scalar that column i is a part of. False: not all of them are found and finite.
+    template <class Found>
+    bool fill_each(Found found) {
+        for (std::size_t i = 0; i < columns_.size() - by_work_.size(); ++i) {
+            const auto place = place_value(columns_[i]);
+            const auto result = place ? std::nullopt : found(i);
+            if (!place && !result) return false;
+            values_[i] = place ? *place : part_of(columns_[i], result->first, result->second);
+            if (!std::isfinite(values_[i])) return false;
+        }
+        return true;
+    }
+    /// What the position itself gives.
+    std::optional<double> place_value(const Column& column) const {
+        const Quantity& q = column.quantity;
+        switch (column.kind) {
+            case Column::Kind::turn:
+                return positions_.coordinate();
+            case Column::Kind::time:
+                return law_ != nullptr ? time_ : positions_.coordinate() / rate_;
+            case Column::Kind::angle:
+                return directions_[at_index(q.body)] + positions_.turn(q.body);
+            case Column::Kind::place_x:
+                return places_.points[at_index(q.point)].x;
+            case Column::Kind::place_y:
+                return places_.points[at_index(q.point)].y;
+            case Column::Kind::slid:
+                return positions_.slid(q.joint);
+            default:
+                return std::nullopt;
+        }
+    }
+    double part_of(const Column& column, const Spot& vector, double scalar) const {
+        if (column.kind == Column::Kind::along) return dot(direction_of_sliding(column.quantity.joint), vector);
+        if (column.quantity.component == Quantity::Component::whole) return scalar;
+        return column.quantity.component == Quantity::Component::x ? vector.x : vector.y;
+    }
+
+    // --- by virtual work ------------------------------------------------------------------------------------------------------
+    /// The last columns: efforts that displacements give, and reactions do not.
+    void add_efforts_by_work(const Solution& solution) {
+        if (!solution.displacements) return;
+        const EffortRows::Efforts found = EffortRows::of(*solution.displacements);
+        for (std::size_t e = 0; e < found.size(); ++e) {
+            const bool by_forces = e < solution.efforts.size() && solution.efforts[e].value;
+            if (!found[e] || by_forces) continue;
+            add_columns({.kind = Kind::effort, .given = static_cast<int>(e)}, mechanism_, {}, columns_);
+            by_work_.push_back(e);
+        }
+        if (!by_work_.empty() && mechanism_.inertia_forces) find_columns_of_masses(solution);
+    }
+    void find_columns_of_masses(const Solution& solution) {
+        const auto column = [&](const Quantity& quantity) {
+            return static_cast<std::size_t>(
+                std::find_if(columns_.begin(), columns_.end(), [&](const Column& each) { return each.quantity == quantity; }) -
+                columns_.begin());
+        };
+        for (const Mass& mass : mechanism_.masses) {
+            const auto centre = std::find_if(solution.points.begin(), solution.points.end(), [&](const PointMotion& each) {
+                return each.point == mass.centre &&
+                       std::find(each.bodies.begin(), each.bodies.end(), mass.body) != each.bodies.end();
+            });
+            MassColumns& columns = mass_columns_.emplace_back();
+            columns.alpha = column({.kind = Kind::alpha, .body = mass.body});
+            if (centre == solution.points.end()) continue;
+            columns.x = column(acceleration_of(*centre).along(Quantity::Component::x));
+            columns.y = column(acceleration_of(*centre).along(Quantity::Component::y));
+        }
+    }
+    /// Of a body at rest, or of a point of the frame, there is no column.
+    double value_in(std::size_t column) const { return column < columns_.size() ? values_[column] : 0; }
+    /// With the accelerations of this row.
+    bool has_efforts_replayed() {
+        if (by_work_.empty()) return true;
+        std::vector<EffortRows::Acceleration> masses;
+        for (const MassColumns& each : mass_columns_)
+            masses.push_back({{value_in(each.x), value_in(each.y)}, value_in(each.alpha)});
+        auto found = effort_rows_.here(places_, positions_, masses);
+        if (!found) return false;
+        efforts_here_ = *std::move(found);
+        return true;
+    }
+    /// False: the position leaves one of them open.
+    bool fill_efforts() {
+        for (std::size_t i = 0; i < by_work_.size(); ++i) {
+            if (by_work_[i] >= efforts_here_.size() || !efforts_here_[by_work_[i]]) return false;
+            values_[columns_.size() - by_work_.size() + i] = *efforts_here_[by_work_[i]];
+        }
+        return true;
+    }
+
+    // --- by check -------------------------------------------------------------------------------------------------------------
+    void hold_against_check() {
+        put_into_check_pose();
+        const NumericMotion motion = check_motion(check_mechanism_, check_pose_);
+        std::optional<NumericForces> forces;
+        if (has_forces_ || !by_work_.empty()) forces = check_forces(check_mechanism_, check_pose_, motion);
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            const Column& column = columns_[i];
+            if (column.kind != Column::Kind::result && column.kind != Column::Kind::along) continue;
+            const auto found = numeric(column, motion, forces ? &*forces : nullptr);
+            if (found) off_.hold(i, column, values_[i], *found, positions_.coordinate());
+        }
+    }
+    void put_into_check_pose() {
+        put_rates(check_mechanism_);
+        for (std::size_t i = 0; i < mechanism_.loads.size(); ++i)
+            if (const auto* torsion = std::get_if<TorsionLoad>(&mechanism_.loads[i]))
+                std::get<TorsionLoad>(check_mechanism_.loads[i]).turned =
+                    Exact::from_double(GivensHere::turned(*torsion, positions_));
+        const auto put = [](const std::vector<Spot>& from, std::vector<Vector>& to) {
+            for (std::size_t i = 0; i < from.size(); ++i)
+                if (from[i].x != 0 || from[i].y != 0 || !to[i].is_zero()) to[i] = exactly(from[i]);
+        };
+        put(places_.points, check_pose_.points);
+        put(places_.guides, check_pose_.guides);
+        put(places_.normals, check_pose_.normals);
+        put(places_.tangents, check_pose_.tangents);
+        for (std::size_t i = 0; i < places_.guides.size(); ++i)
+            if (mechanism_.joints[i].along) check_pose_.guide_units[i] = exactly(unit_of(places_.guides[i]));
+    }
+
+    /// What the check says to a column; nothing where it leaves it open.
+    std::optional<double> numeric(const Column& column, const NumericMotion& motion, const NumericForces* forces) const {
+        const Quantity& q = column.quantity;
+        const auto part = [&](const std::array<double, 2>& v) { return v[q.component == Quantity::Component::x ? 0 : 1]; };
+        switch (q.kind) {
+            case Kind::omega:
+            case Kind::alpha: {
+                const auto& state = motion.bodies[at_index(q.body)];
+                if (!(q.kind == Kind::omega ? state.velocity_known : state.acceleration_known)) return std::nullopt;
+                return q.kind == Kind::omega ? state.omega : state.alpha;
+            }
+            case Kind::velocity:
+            case Kind::acceleration: {
+                const auto& state = motion.bodies[at_index(q.body)];
+                const Vector& place = check_pose_.at(q.point);
+                if (!(q.kind == Kind::velocity ? state.velocity_known : state.acceleration_known)) return std::nullopt;
+                return part(q.kind == Kind::velocity ? motion.velocity(q.body, place) : motion.acceleration(q.body, place));
+            }
+            case Kind::sliding_velocity:
+            case Kind::sliding_acceleration:
+                return numeric_sliding(q, motion);
+            case Kind::force:
+            case Kind::couple:
+                for (const NumericForces::Action& action : forces->actions)
+                    if (action.known && action.joint == q.joint && action.on == q.body && action.from == q.other)
+                        return q.kind == Kind::couple ? action.couple : part(action.force);
+                return std::nullopt;
+            default:
+                if (!forces->effort_known[at_index(q.given)]) return std::nullopt;
+                return forces->efforts[at_index(q.given)];
+        }
+    }
+    std::optional<double> numeric_sliding(const Quantity& q, const NumericMotion& motion) const {
+        const Joint& joint = mechanism_.joint(q.joint);
+        const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
+        const auto &slider = motion.bodies[at_index(i)], &guide = motion.bodies[at_index(j)];
+        const Vector& place = check_pose_.at(joint.point);
+        const Spot along = direction_of_sliding(q.joint);
+        const auto apart = [&](const std::array<double, 2>& a, const std::array<double, 2>& b) {
+            return Spot{a[0] - b[0], a[1] - b[1]};
+        };
+        if (!slider.velocity_known || !guide.velocity_known) return std::nullopt;
+        const Spot velocity = apart(motion.velocity(i, place), motion.velocity(j, place));
+        if (q.kind == Kind::sliding_velocity) return dot(along, velocity);
+        if (!slider.acceleration_known || !guide.acceleration_known) return std::nullopt;
+        const Spot coriolis = 2 * guide.omega * quarter_turn(velocity);
+        return dot(along, apart(motion.acceleration(i, place), motion.acceleration(j, place)) - coriolis);
+    }
+
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+    int driver_;
+    const Law* law_;                         ///< null: the rates are the file's
+    std::pair<double, double> drawn_{0, 0};  ///< of the law: its time and its way in the drawn position
+    LawState state_;                         ///< of the law, here
+    double time_ = 0;                        ///< since the drawn position, by the law
+    bool turns_ = true;
+    double rate_ = 0;  ///< zero: no time
+    Positions positions_;
+    Mover mover_;
+    GivensHere givens_;
+    EffortRows effort_rows_;
+    std::vector<double> directions_;
+    Places places_;
+    std::vector<Column> columns_;
+    std::vector<double> values_;
+    bool has_forces_ = false, is_checked_ = true;
+    std::vector<std::size_t> by_work_;  ///< efforts, by index in the mechanism, that the last columns hold
+    /// Where the acceleration of a mass stands in a row; beyond its end: it has none.
+    struct MassColumns {
+        std::size_t x = ~std::size_t(0), y = ~std::size_t(0), alpha = ~std::size_t(0);
+    };
+    std::vector<MassColumns> mass_columns_;  ///< by Mechanism::masses, where their inertia does work
+    EffortRows::Efforts efforts_here_;
+    std::list<PlannedPosition> kept_;
+    int planned_ = 0;
+    Mechanism check_mechanism_;
+    Pose check_pose_;
+    LargestDifference off_;
+};
+
+Cycle::Cycle(std::unique_ptr<Rows> rows) : rows_(std::move(rows)) {}
+Cycle::Cycle(Cycle&&) noexcept = default;
+Cycle::~Cycle() = default;
+
+Result<Cycle> Cycle::of(const Mechanism& mechanism, const Pose& pose, const Course& course) {
+    auto positions = Positions::of(mechanism, pose, course);
+    if (!positions) return tl::unexpected(std::move(positions.error()));
+    return Cycle(std::make_unique<Rows>(mechanism, pose, course, *std::move(positions)));
+}
+
+const Positions& Cycle::positions() const { return rows_->positions(); }
+std::vector<Unsolved> Cycle::begin(const Travel& travel, bool checked) { return rows_->begin(travel, checked); }
+const std::vector<Column>& Cycle::columns() const { return rows_->columns(); }
+std::optional<std::span<const double>> Cycle::row(double at) { return rows_->row(at); }
+std::vector<std::optional<double>> Cycle::at_limit(double limit, double inward) { return rows_->at_limit(limit, inward); }
+Cycle::Difference Cycle::difference() const { return rows_->difference(); }
+int Cycle::plans() const { return rows_->plans(); }
+
+// --- how far ------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+constexpr double full_turn = 2 * std::numbers::pi;
+
+}  // namespace
+
+tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool turns, std::optional<double> from,
+                                            std::optional<double> to) {
+    Positions tried = positions;
+    Travel travel;
+    const auto note_change_points = [&] {
+        for (const double each : tried.change_points())
+            if (std::find(travel.change_points.begin(), travel.change_points.end(), each) == travel.change_points.end())
+                travel.change_points.push_back(each);
+    };
+    const auto out_of_reach = [&](double wanted) {
+        return tl::unexpected(TravelFault{wanted, tried.limit().value_or(tried.coordinate())});
+    };
+    // What is not given: as far as it goes, a full turn at most where both ends are free.
+    const double far = turns ? 64 * full_turn : 100 * positions.size();
+    if (from) {
+        if (!tried.move_to(*from)) return out_of_reach(*from);
+        travel.from = *from;
+    }
+    if (to) {
+        if (!tried.move_to(*to)) return out_of_reach(*to);
+        travel.to = *to;
+    } else {
+        const double wanted = turns ? (from ? *from : 0) + full_turn : far;
+        travel.ends_at_limit = !tried.move_to(wanted);
+        if (!travel.ends_at_limit && !turns) return tl::unexpected(TravelFault{});
+        travel.to = travel.ends_at_limit ? *tried.limit() : wanted;
+    }
+    note_change_points();
+    if (!from && !to && travel.ends_at_limit) {
+        tried = positions;
+        travel.starts_at_limit = !tried.move_to(-far);
+        if (!travel.starts_at_limit) return tl::unexpected(TravelFault{});
+        travel.from = *tried.limit();
+        note_change_points();
+    }
+    std::sort(travel.change_points.begin(), travel.change_points.end());
+    std::erase_if(travel.change_points, [&](double each) {
+        return each < std::min(travel.from, travel.to) - 1e-9 || each > std::max(travel.from, travel.to) + 1e-9;
+    });
+    return travel;
+}
+
+tl::expected<Travel, TravelFault> travel_of_law(const Positions& positions, const Law& law, std::optional<double> from,
+                                                std::optional<double> to) {
+    const double drawn = law.drawn.to_double(), way = law.at(drawn).s;
+    Travel travel;
+    travel.times = {from.value_or(0 - drawn), to.value_or(law.length() - drawn)};
+    // It goes no farther than at its ends and where one piece meets the next.
+    const auto [first, last] = std::minmax({travel.times->first + drawn, travel.times->second + drawn});
+    std::vector<double> turning_points{law.at(first).s - way, law.at(last).s - way};
+    double end = 0;
+    for (const LawPiece& piece : law.pieces) {
+        end += piece.over.to_double();
+        if (end > first && end < last) turning_points.push_back(law.at(end).s - way);
+    }
+    const auto [least, most] = std::minmax_element(turning_points.begin(), turning_points.end());
+    travel.from = *least;
+    travel.to = *most;
+    Positions tried = positions;
+    for (const double each : {travel.from, travel.to})
+        if (!tried.move_to(each)) return tl::unexpected(TravelFault{each, tried.limit().value_or(tried.coordinate())});
+    travel.change_points = tried.change_points();
+    std::sort(travel.change_points.begin(), travel.change_points.end());
+    return travel;
+}
+
+// --- transmission angle -------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// A coupler, the follower that it pushes at the pin B, the pin A by which it is pushed itself, and the follower's hinge on the
+/// frame, or its guide there.
+struct Chain {
+    PointIndex a, b, hinge;
+    JointIndex pin, guide;  // pin: that at B
+    BodyIndex coupler, follower;
+};
+
+/// From the driven body onwards: a coupler is pushed by the first pin at which the way reaches it, and pushes all followers at
+/// its other pins; from these the way goes on.
+class Couplers {
+public:
+    Couplers(const Mechanism& mechanism, int driver) : mechanism_(mechanism) {
+        const Driver& given = mechanism.drivers[at_index(driver)];
+        BodyIndex driven;
+        if (const auto* spin = std::get_if<SpinDriver>(&given)) driven = spin->body;
+        if (const auto* slide = std::get_if<SlideDriver>(&given)) driven = mechanism.joint(slide->joint).bodies[0];
+        if (const auto* point = std::get_if<PointDriver>(&given)) driven = point->body;
+        reached_.push_back(driven);
+        for (std::size_t next = 0; next < reached_.size();) go_on_from(reached_[next++]);  // which finds more
+    }
+    std::vector<Chain> all() && { return std::move(chains_); }
+
+private:
+    void go_on_from(BodyIndex body) {
+        for (const Joint& pin : mechanism_.joints) {
+            if (!pin.pair().is_hinge() || !pin.connects(body)) continue;
+            for (const BodyIndex coupler : pin.bodies)
+                if (coupler != frame && !is_reached(coupler) && !on_frame(coupler)) {
+                    reached_.push_back(coupler);
+                    push_followers(coupler, pin);
+                }
+        }
+    }
+    void push_followers(BodyIndex coupler, const Joint& from) {
+        for (const Joint& pin : mechanism_.joints) {
+            if (!pin.pair().is_hinge() || &pin == &from || !pin.connects(coupler)) continue;
+            for (const BodyIndex follower : pin.bodies) {
+                const Joint* foot = follower == frame || is_reached(follower) ? nullptr : foot_of(follower);
+                if (foot == nullptr) continue;
+                const bool hinged = foot->pair().is_hinge();
+                chains_.push_back({from.point, pin.point, hinged ? foot->point : PointIndex(none), mechanism_.index_of(pin),
+                                   hinged ? JointIndex(none) : mechanism_.index_of(*foot), coupler, follower});
+                reached_.push_back(follower);
+            }
+        }
+    }
+    bool is_reached(BodyIndex body) const { return std::find(reached_.begin(), reached_.end(), body) != reached_.end(); }
+    bool on_frame(BodyIndex body) const {
+        return std::any_of(mechanism_.joints.begin(), mechanism_.joints.end(),
+                           [&](const Joint& joint) { return joint.connects(body) && joint.connects(frame); });
+    }
+    const Joint* foot_of(BodyIndex follower) const {
+        for (const Joint& joint : mechanism_.joints)
+            if (joint.connects(follower) && joint.connects(frame) && (joint.pair().is_hinge() || joint.pair().is_sleeve()))
+                return &joint;
+        return nullptr;
+    }
+
+    const Mechanism& mechanism_;
+    std::vector<BodyIndex> reached_;
+    std::vector<Chain> chains_;
+};
+
+Transmission least_of(const Chain& chain, Positions positions, const Travel& travel) {
+    Places places;
+    const auto angle = [&](double coordinate) -> double {
+        if (!positions.move_to(coordinate)) return std::numbers::pi;
+        positions.read(places);
+        const auto at = [&](PointIndex point) { return places.points[at_index(point)]; };
+        const Spot rod = at(chain.b) - at(chain.a);
+        const Spot link =
+            chain.guide == none ? at(chain.hinge) - at(chain.b) : quarter_turn(places.guides[at_index(chain.guide)]);
+        return std::atan2(std::abs(cross(rod, link)), std::abs(dot(rod, link)));
+    };
+    constexpr int samples = 360;
+    const double step = (travel.to - travel.from) / samples;
+    Transmission found{chain.coupler, chain.follower, chain.pin, std::numbers::pi, 0};
+    for (int i = 0; i <= samples; ++i) {
+        const double coordinate = i == samples ? travel.to : travel.from + i * step;
+        if (const double here = angle(coordinate); here < found.least) found.least = here, found.at = coordinate;
+    }
+    // Between the neighbours of the least sample it has one minimum.
+    const double low_end = std::min(travel.from, travel.to), high_end = std::max(travel.from, travel.to);
+    double low = std::max(found.at - std::abs(step), low_end), high = std::min(found.at + std::abs(step), high_end);
+    for (int i = 0; i < 60; ++i) {
+        const double third = (high - low) / 3;
+        (angle(low + third) < angle(high - third) ? high : low) =
+            angle(low + third) < angle(high - third) ? high - third : low + third;
+    }
+    const double middle = (low + high) / 2;
+    if (const double here = angle(middle); here < found.least) found.least = here, found.at = middle;
+    return found;
+}
+
+}  // namespace
+
+std::optional<Transmission> transmission_of(const Mechanism& mechanism, const Positions& positions, int driver,
+                                            const Travel& travel) {
+    std::optional<Transmission> least;
+    for (const Chain& chain : Couplers(mechanism, driver).all())
+        if (const Transmission found = least_of(chain, positions, travel); !least || found.least < least->least) least = found;
+    return least;
+}
+
+std::optional<std::pair<Positions, Travel>> own_travel(const Mechanism& mechanism, const Pose& pose) {
+    if (mechanism.drivers.empty()) return std::nullopt;
+    auto positions = Positions::of(mechanism, pose, Course{0});
+    if (!positions) return std::nullopt;
+    const Driver& driver = mechanism.drivers.front();
+    const Law* law = law_of(driver);
+    const auto travel = law != nullptr ? travel_of_law(*positions, *law, std::nullopt, std::nullopt)
+                                       : travel_of(*positions, turns(driver), std::nullopt, std::nullopt);
+    if (!travel) return std::nullopt;
+    return std::pair{*std::move(positions), *travel};
+}
+
+}  // namespace kinegraph

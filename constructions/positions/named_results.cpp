@@ -1,0 +1,296 @@
+// Named results: see named_results.hpp.
+#include "constructions/positions/named_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "constructions/positions/cycle.hpp"
+#include "engine/solution/displacements.hpp"
+#include "engine/solution/problem_solution.hpp"
+#include "engine/results/result_names.hpp"
+#include "engine/solution/sliding.hpp"
+#include "engine/file/spelling.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Spot = VectorOf<double>;
+using Kind = Quantity::Kind;
+
+Spot rough(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
+
+bool has_several_carriers(const Solution& solution, const PointMotion& motion) {
+    return std::count_if(solution.points.begin(), solution.points.end(), [&](const PointMotion& other) {
+               return other.point == motion.point && other.bodies.front() != frame;
+           }) > 1;
+}
+
+/// How a point or a sliding joint is called in a solution.
+std::string subject_of(const Quantity& q, const Solution& solution) {
+    const Mechanism& m = solution.mechanism;
+    const auto body = [&](BodyIndex index) { return m.body(index).name; };
+    if (q.kind == Kind::velocity || q.kind == Kind::acceleration) {
+        const bool several = std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& motion) {
+            return motion.point == q.point && has_several_carriers(solution, motion);
+        });
+        return m.point(q.point).name + (several ? " on " + body(q.body) : "");
+    }
+    if (q.kind != Kind::sliding_velocity && q.kind != Kind::sliding_acceleration) return {};
+    const Joint& joint = m.joint(q.joint);
+    const bool shared =
+        joint.pair().touches() && std::any_of(solution.sliding.begin(), solution.sliding.end(), [&](const Sliding& other) {
+            return other.joint != q.joint && m.joint(other.joint).name == joint.name;
+        });
+    return joint.name + (shared ? " (" + body(joint.bodies[0]) + " on " + body(joint.bodies[1]) + ")" : "");
+}
+
+double angle_of(const Body& body, const Pose& pose) {
+    const auto line = line_of(body, pose);
+    if (!line) return 0;
+    const Spot along = rough(pose.at((*line)[1]) - pose.at((*line)[0]));
+    return std::atan2(along.y, along.x);
+}
+
+/// The values of a solution in its own position.
+class Reading {
+public:
+    explicit Reading(const Solution& solution) : solution_(solution), found_(found_values(solution, true)) {}
+
+    std::vector<NamedResult> all() {
+        for (Column& column : columns_found(solution_, true)) {
+            if (column.kind == Column::Kind::slid) continue;
+            const double value = value_of(column);
+            results_.push_back({std::move(column), value});
+        }
+        for (const FoundValue& each : found_)
+            if (each.quantity.component == Quantity::Component::x) add_modulus(each);
+        add_efforts();
+        if (solution_.problem)
+            for (const ProblemValue& each : solution_.problem->values)
+                results_.push_back({{Column::Kind::named, {}, each.name.en, each.kind}, each.value, each.unit});
+        return std::move(results_);
+    }
+
+private:
+    double value_of(const Column& column) const {
+        const Quantity& q = column.quantity;
+        const Pose& pose = solution_.pose;
+        switch (column.kind) {
+            case Column::Kind::angle:
+                return angle_of(solution_.mechanism.body(q.body), pose);
+            case Column::Kind::place_x:
+                return pose.at(q.point).x.to_double();
+            case Column::Kind::place_y:
+                return pose.at(q.point).y.to_double();
+            default:
+                break;
+        }
+        const auto found = std::find_if(found_.begin(), found_.end(), [&](const FoundValue& each) { return each.quantity == q; });
+        if (column.kind == Column::Kind::along) return dot(direction_of_sliding(pose, q.joint), found->vector);
+        if (q.component == Quantity::Component::whole) return found->scalar;
+        return q.component == Quantity::Component::x ? found->vector.x : found->vector.y;
+    }
+    /// Those that virtual work found, where reactions do not.
+    void add_efforts() {
+        const std::vector<EffortValue> efforts = efforts_found(solution_);
+        for (std::size_t e = 0; e < efforts.size(); ++e) {
+            if (!efforts[e].value || (e < solution_.efforts.size() && solution_.efforts[e].value)) continue;
+            std::vector<Column> column;
+            add_columns({.kind = Kind::effort, .given = static_cast<int>(e)}, solution_.mechanism, {}, column);
+            results_.push_back({std::move(column.front()), efforts[e].value->to_double()});
+        }
+    }
+    void add_modulus(const FoundValue& each) {
+        if (each.quantity.kind == Kind::sliding_velocity || each.quantity.kind == Kind::sliding_acceleration) return;
+        Column column = modulus_column(each.quantity, solution_.mechanism, subject_of(each.quantity, solution_));
+        const auto is_taken = [&](const NamedResult& other) { return other.column.name == column.name; };
+        if (std::any_of(results_.begin(), results_.end(), is_taken)) return;
+        // No hypot: its last digit is the library's.
+        results_.push_back({std::move(column), std::sqrt(dot(each.vector, each.vector))});
+    }
+
+    const Solution& solution_;
+    std::vector<FoundValue> found_;
+    std::vector<NamedResult> results_;
+};
+
+const NamedResult* result_named(const std::vector<NamedResult>& results, const std::string& name) {
+    const auto found = std::find_if(results.begin(), results.end(), [&](const NamedResult& r) { return r.column.name == name; });
+    return found == results.end() ? nullptr : &*found;
+}
+
+/// Of the whole travel of the first driver; nothing where there is none, or no coupler.
+std::optional<NamedResult> transmission_result(const Solution& solution) {
+    const auto travel = own_travel(solution.mechanism, solution.pose);
+    if (!travel) return std::nullopt;
+    const auto found = transmission_of(solution.mechanism, travel->first, 0, travel->second);
+    if (!found) return std::nullopt;
+    Quantity where;
+    where.body = found->driven;
+    where.other = found->coupler;
+    where.joint = found->pin;
+    return NamedResult{{Column::Kind::named, where, transmission_angle_name, QuantityKind::angle}, found->least};
+}
+
+}  // namespace
+
+std::vector<FoundValue> found_values(const Solution& solution, bool with_reactions) {
+    std::vector<FoundValue> values;
+    const auto add = [&](const Quantity& quantity, const auto& found) {
+        if (!found) return;
+        values.push_back({quantity, found.element(), {}, 0});
+        if constexpr (requires { found->x; }) {
+            values.back().vector = rough(*found);
+        } else {
+            values.back().scalar = found->to_double();
+        }
+    };
+    const auto add_both = [&](const Quantity& quantity, const auto& found) {
+        add(quantity.along(Quantity::Component::x), found);
+        add(quantity.along(Quantity::Component::y), found);
+    };
+    for (std::size_t body = 1; body < solution.bodies.size(); ++body) {
+        const auto index = BodyIndex(body);
+        add({.kind = Kind::omega, .body = index}, solution.bodies[body].omega);
+        add({.kind = Kind::alpha, .body = index}, solution.bodies[body].alpha);
+    }
+    for (const PointMotion& point : solution.points) {
+        if (std::find(point.bodies.begin(), point.bodies.end(), frame) != point.bodies.end()) continue;
+        add_both(velocity_of(point), point.velocity);
+        add_both(acceleration_of(point), point.acceleration);
+    }
+    for (const Sliding& sliding : solution.sliding) {
+        add({.kind = Kind::sliding_velocity, .joint = sliding.joint}, sliding.velocity);
+        add({.kind = Kind::sliding_acceleration, .joint = sliding.joint}, sliding.acceleration);
+    }
+    std::vector<const JointForce*> told;
+    for (const JointForce& force : solution.forces) {
+        if (!with_reactions && std::any_of(told.begin(), told.end(), [&](const JointForce* other) {
+                return other->joint == force.joint && other->on == force.from && other->from == force.on;
+            }))
+            continue;
+        told.push_back(&force);
+        Quantity quantity = quantity_of(force);
+        add_both(quantity, force.force);
+        quantity.kind = Kind::couple;
+        if (solution.mechanism.joint(force.joint).pair().transmits_couple()) add(quantity, force.couple);
+    }
+    for (std::size_t e = 0; e < solution.efforts.size(); ++e)
+        add({.kind = Kind::effort, .given = static_cast<int>(e)}, solution.efforts[e].value);
+    return values;
+}
+
+std::vector<Column> columns_found(const Solution& solution, bool with_reactions) {
+    std::vector<Column> columns;
+    for (const FoundValue& each : found_values(solution, with_reactions))
+        add_columns(each.quantity, solution.mechanism, subject_of(each.quantity, solution), columns);
+    return columns;
+}
+
+std::vector<NamedResult> named_results(const Solution& solution) { return Reading(solution).all(); }
+
+Error missing_result(const Solution& solution, const std::vector<NamedResult>& results, const std::string& name,
+                     const std::string& where) {
+    if (!solution.unsolved.empty())
+        return {ErrorCode::no_unique_answer,
+                where,
+                {"{0} is not found in this position", "{0} non si trova in questa posizione", quoted(name)}};
+    Speller speller;
+    std::vector<std::string_view> names;
+    for (const NamedResult& each : results) names.emplace_back(each.column.name);
+    return {ErrorCode::bad_input,
+            where,
+            {"there is no result {0}{1}; what is found goes by \"find\"",
+             "non c’è un risultato {0}{1}; che cosa si trova dipende da \"find\"", quoted(name),
+             did_you_mean(speller.nearest(name, names))}};
+}
+
+std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution) {
+    std::vector<NamedResult> results = named_results(solution);
+    const auto is_it = [](const std::string& name) { return name == transmission_angle_name; };
+    const bool wanted =
+        std::any_of(exercise.ask.begin(), exercise.ask.end(), [&](const AskedResult& each) { return is_it(each.name); }) ||
+        std::any_of(exercise.require.begin(), exercise.require.end(), [&](const Condition& each) {
+            return is_it(each.left.result) || is_it(each.right.result) || is_it(each.upper.result);
+        });
+    if (wanted)
+        if (auto found = transmission_result(solution)) results.push_back(*std::move(found));
+    return results;
+}
+
+namespace {
+
+NamedResult as_asked(const Solution& solution, NamedResult result) {
+    const auto quantity = solution.truss ? bar_of(result.column, solution.mechanism) : std::nullopt;
+    if (!quantity) return result;
+    const std::vector<TrussStructure::Bar>& bars = solution.truss->structure.bars;
+    const auto bar = std::find_if(bars.begin(), bars.end(), [&](const auto& each) { return each.body == quantity->body; });
+    result.column.quantity = *quantity;
+    result.value = solution.truss->tension(static_cast<std::size_t>(bar - bars.begin()), solution.pose.points);
+    return result;
+}
+
+}  // namespace
+
+Result<std::vector<NamedResult>> asked_of_results(const Solution& solution, const std::vector<NamedResult>& results) {
+    std::vector<NamedResult> asked;
+    Errors errors;
+    for (const AskedResult& each : asked_of(solution.mechanism)) {
+        if (const NamedResult* found = result_named(results, each.name))
+            asked.push_back(as_asked(solution, *found));
+        else
+            errors.push_back(missing_result(solution, results, each.name, each.where));
+    }
+    if (!errors.empty()) return tl::unexpected(std::move(errors));
+    return asked;
+}
+
+Result<std::vector<NamedResult>> asked_results(const Solution& solution) {
+    if (!solution.mechanism.exercise) return std::vector<NamedResult>();
+    return asked_of_results(solution, results_for(*solution.mechanism.exercise, solution));
+}
+
+Unit unit_of(QuantityKind kind, const Units& units) {
+    switch (kind) {
+        case QuantityKind::length:
+            return units.length;
+        case QuantityKind::angle:
+            return units.angle;
+        case QuantityKind::angular_velocity:
+            return units.angular_velocity;
+        case QuantityKind::velocity:
+            return units.velocity;
+        case QuantityKind::acceleration:
+            return units.acceleration;
+        case QuantityKind::mass:
+            return units.mass;
+        case QuantityKind::force:
+            return units.force;
+        case QuantityKind::moment:
+            return units.moment;
+        case QuantityKind::inertia:
+            return units.inertia;
+        case QuantityKind::pressure:
+            return units.pressure;
+        case QuantityKind::dimensionless:
+            return {"", 1};
+        case QuantityKind::angular_acceleration:
+        case QuantityKind::time:
+        case QuantityKind::wear:
+        case QuantityKind::area:
+        case QuantityKind::force_per_length:
+        case QuantityKind::torsional_stiffness:
+            break;
+    }
+    const KnownUnit& si = default_unit(kind);
+    return {std::string(si.symbol), si.si};
+}
+
+ToldResult told(const NamedResult& result, const Units& units) {
+    if (!result.unit.empty()) return {result.value, result.unit};
+    const Unit unit = unit_of(result.column.unit, units);
+    return {result.value / unit.si.to_double(), unit.symbol == "deg" ? "°" : unit.symbol};
+}
+
+}  // namespace kinegraph

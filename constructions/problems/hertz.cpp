@@ -1,0 +1,257 @@
+#include "constructions/problems/hertz.hpp"
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "engine/check/check_hertz.hpp"
+
+namespace kinegraph {
+namespace {
+
+using boost::math::ellint_1;
+using boost::math::ellint_2;
+using std::numbers::pi;
+
+/// The root of a function that changes its sign once between two ends: halving, as fine as doubles are.
+template <class Function>
+double root_between(double low, double high, Function f) {
+    const bool rises = f(high) > 0;
+    for (int i = 0; i < 200; ++i) {
+        const double middle = 0.5 * (low + high);
+        if (middle <= low || middle >= high) break;
+        ((f(middle) > 0) == rises ? high : low) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// K − E and (a/b)² E − K over e² of an ellipse b/a = k, without the cancellation that they have where it is nearly round: both
+/// tend to π/4.
+struct Shape {
+    double along = pi / 4, across = pi / 4;  ///< (K − E)/e², ((a/b)² E − K)/e²
+    double complete = pi / 2;                ///< K
+};
+Shape shape_of(double k) {
+    const double e2 = (1 - k) * (1 + k);
+    Shape shape;
+    if (e2 < 1e-6) {  // to the first power, for what is left is below 1e-12
+        shape.along = pi / 4 * (1 + 3.0 / 8 * e2);
+        shape.across = pi / 4 * (1 + 9.0 / 8 * e2);
+        shape.complete = pi / 2 * (1 + e2 / 4);
+        return shape;
+    }
+    const double e = std::sqrt(e2), whole = ellint_1(e), arc = ellint_2(e);
+    return {(whole - arc) / e2, (arc / (k * k) - whole) / e2, whole};
+}
+
+class Contact {
+public:
+    explicit Contact(const HertzProblem& problem) : problem_(problem), load_(problem.force.to_double()) {
+        Exact compliance;
+        for (const HertzBody& body : problem.bodies) compliance += (1 - square(body.poisson)) / body.young;
+        found_.modulus = (Exact(1) / compliance).to_double();
+        const auto& [first, second] = problem.bodies;
+        found_.curvature_sum = first.curvature(0) + second.curvature(0);
+        if (problem.line)
+            touch_along_line();
+        else
+            touch_at_point();
+        find_greatest_shear();
+    }
+    HertzSolution solution() && { return std::move(found_); }
+
+private:
+    void touch_along_line() {
+        const double l = problem_.length.to_double();
+        found_.radius = (Exact(1) / found_.curvature_sum).to_double();
+        found_.short_curvature = found_.curvature_sum.to_double() / 2;
+        found_.b = std::sqrt(4 * load_ * found_.radius / (pi * l * found_.modulus));
+        found_.greatest = 2 * load_ / (pi * found_.b * l);
+        found_.mean = pi / 4 * found_.greatest;
+        for (std::size_t i = 0; i < 2; ++i) found_.approach += approach_at_line(i, load_ / l);
+    }
+    double approach_at_line(std::size_t i, double load) const {
+        const HertzBody& body = problem_.bodies[i];
+        const double nu = body.poisson.to_double(), compliance = load * (1 - nu * nu) / (pi * body.young.to_double());
+        const auto datum = datum_of(problem_, i);
+        return compliance * (datum.is_axis ? 2 * std::log(4 * datum.depth / found_.b) - 1
+                                           : 2 * std::log(2 * datum.depth / found_.b) - nu / (1 - nu));
+    }
+
+    void touch_at_point() {
+        const auto& [first, second] = problem_.bodies;
+        const Exact d1 = first.curvature(0) - first.curvature(1), d2 = second.curvature(0) - second.curvature(1);
+        found_.elliptic = !d1.is_zero() || !d2.is_zero();
+        if (!found_.elliptic) {
+            found_.radius = (Exact(1) / found_.curvature_sum).to_double();
+            found_.long_curvature = found_.short_curvature = found_.curvature_sum.to_double() / 2;
+            found_.a = found_.b = std::cbrt(3 * load_ * found_.radius / (4 * found_.modulus));
+            found_.approach = found_.a * found_.a / found_.radius;
+        } else {
+            // Two saddles turned against each other by θ: Johnson 4.4, Euler's theorem on both surfaces.
+            found_.curvature_sum += first.curvature(1) + second.curvature(1);
+            const double sum = found_.curvature_sum.to_double(), twice = 2 * problem_.turn.to_double();
+            const double difference = std::sqrt(
+                std::max(0.0, square(d1).to_double() + square(d2).to_double() + 2 * (d1 * d2).to_double() * std::cos(twice)));
+            found_.long_curvature = (sum - difference) / 4;
+            found_.short_curvature = (sum + difference) / 4;
+            found_.radius = 1 / (2 * std::sqrt(found_.long_curvature * found_.short_curvature));
+            touch_in_ellipse();
+        }
+        found_.greatest = 3 * load_ / (2 * pi * found_.a * found_.b);
+        found_.mean = 2.0 / 3 * found_.greatest;
+    }
+    void touch_in_ellipse() {
+        const double ratio = found_.long_curvature / found_.short_curvature;
+        const auto excess = [&](double logarithm) {
+            const Shape shape = shape_of(std::exp(logarithm));
+            return shape.along / shape.across - ratio;
+        };
+        constexpr double slenderest = -14;  // ln(b/a): past the least ratio that the reader lets pass
+        const double k = excess(0) <= 0 ? 1 : std::exp(root_between(slenderest, 0, excess));
+        const Shape shape = shape_of(k);
+        // A = p₀ b (K − E)/(E* e² a²) with p₀ = 3Q/2πab:  a³ = 3Q (K − E)/(2π E* A e²).
+        found_.a = std::cbrt(3 * load_ * shape.along / (2 * pi * found_.modulus * found_.long_curvature));
+        found_.b = k * found_.a;
+        found_.approach = 3 * load_ * shape.complete / (2 * pi * found_.a * found_.modulus);
+    }
+
+    /// Of both bodies; the closed form of a line, elsewhere where the shear's slope vanishes.
+    void find_greatest_shear() {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double nu = problem_.bodies[i].poisson.to_double();
+            const double z = depth_of_greatest_shear(nu);
+            const double shear = hertz_stress(found_, nu, z).shear;
+            if (shear <= found_.shear * (1 + 1e-12)) continue;
+            found_.shear = shear;
+            found_.depth = z;
+            found_.sheared = i;
+        }
+        const double nu = problem_.bodies[found_.sheared].poisson.to_double();
+        constexpr int samples = 90;
+        for (int i = 0; i <= samples; ++i) found_.stresses.push_back(hertz_stress(found_, nu, 3 * found_.b * i / samples));
+    }
+    double depth_of_greatest_shear(double nu) const {
+        // (1 + ζ²)^{3/2} = ζ³ + 2ζ, squared ζ⁴ + ζ² = 1: ζ² is the golden section.
+        if (problem_.line) return found_.b * std::sqrt((std::sqrt(5.0) - 1) / 2);
+        const auto slope = [&](double z) {
+            const double h = 1e-4 * found_.b;
+            return hertz_stress(found_, nu, z - h).shear - hertz_stress(found_, nu, z + h).shear;
+        };
+        return root_between(0.2 * found_.b, 1.2 * found_.b, slope);
+    }
+
+    const HertzProblem& problem_;
+    double load_;
+    HertzSolution found_;
+};
+
+HertzSolution::Stress stress_below_line(const HertzSolution& c, double nu, double z) {
+    const double root = std::hypot(c.b, z), p = c.greatest / c.b;
+    HertzSolution::Stress s;
+    s.along_z = -p * c.b * c.b / root;
+    // (b² + 2z²)/r − 2z without its cancellation far below: (r − z)²/r.
+    s.along_y = -p * (root - z) * (root - z) / root;
+    s.along_x = nu * (s.along_y + s.along_z);
+    return s;
+}
+HertzSolution::Stress stress_below_circle(const HertzSolution& c, double nu, double z) {
+    const double zeta = z / c.a, over = 1 / (1 + zeta * zeta);
+    const double angle = z > 0 ? std::atan2(c.a, z) : pi / 2;
+    HertzSolution::Stress s;
+    s.along_z = -c.greatest * over;
+    s.along_x = s.along_y = -c.greatest * ((1 + nu) * (1 - zeta * angle) - 0.5 * over);
+    return s;
+}
+HertzSolution::Stress stress_below_ellipse(const HertzSolution& c, double nu, double z) {
+    const double k = c.b / c.a, e2 = (1 - k) * (1 + k), zeta = z / c.a;
+    if (e2 < 1e-6) return stress_below_circle(c, nu, z);
+    const double e = std::sqrt(e2), t = std::hypot(c.b, z) / std::hypot(c.a, z);
+    const double phi = z > 0 ? std::atan2(c.a, z) : pi / 2;
+    const double first = ellint_1(e, phi), second = ellint_2(e, phi), in_k = 1 / (k * k);
+    const double along = zeta * (first - second), across = zeta * (in_k * second - first);
+    const double x = -0.5 * (1 - t) + along, x_nu = 1 - in_k * t + across;
+    const double y = 0.5 + 0.5 / t - in_k * t + across, y_nu = -1 + t + along;
+    const double factor = 2 * c.greatest * k / e2;
+    HertzSolution::Stress s;
+    s.along_x = factor * (x + nu * x_nu);
+    s.along_y = factor * (y + nu * y_nu);
+    s.along_z = -0.5 * factor * (1 - t * t) / t;
+    return s;
+}
+
+/// What the theory asks and this contact strains.
+std::vector<Words> remarks_on(const HertzProblem& problem, const HertzSolution& found) {
+    std::vector<Words> remarks;
+    double least = 0;
+    for (const HertzBody& body : problem.bodies)
+        for (const Exact& radius : body.radii)
+            if (!radius.is_zero() && (least == 0 || radius.to_double() < least)) least = radius.to_double();
+    constexpr double small = 0.1;  // of a radius: there the slope of the surfaces is a tenth
+    if (const double widest = std::max(found.a, found.b); widest > small * least)
+        remarks.emplace_back(
+            "The contact is not small beside the bodies (its half axis is more than a tenth of their smallest radius); the theory presumes that it is.",
+            "Il contatto non è piccolo rispetto ai corpi (il suo semiasse supera un decimo del loro raggio minore); la teoria lo presuppone.");
+    if (problem.line && problem.length.to_double() < 10 * found.b)
+        remarks.emplace_back(
+            "The line of contact is not long beside its width, as plane strain wants it.",
+            "La linea di contatto non è lunga rispetto alla larghezza, come vuole lo stato piano di deformazione.");
+    return remarks;
+}
+
+std::vector<ProblemValue> values_of(const HertzProblem& problem, const HertzSolution& found, const HertzCheck& check) {
+    using enum QuantityKind;
+    std::vector<ProblemValue> values{
+        {{"effective radius", "raggio equivalente"}, "R", length, found.radius, check.radius},
+        {{"effective modulus", "modulo equivalente"}, "E*", pressure, found.modulus, check.modulus},
+    };
+    if (problem.line) {
+        values.push_back({{"half width", "semilarghezza"}, "b", length, found.b, check.b});
+    } else if (found.elliptic) {
+        values.push_back({{"semi-axis a", "semiasse a"}, "a", length, found.a, check.a});
+        values.push_back({{"semi-axis b", "semiasse b"}, "b", length, found.b, check.b});
+        values.push_back(
+            {{"contact radius", "raggio di contatto"}, "c", length, std::sqrt(found.a * found.b), std::sqrt(check.a * check.b)});
+    } else {
+        values.push_back({{"contact radius", "raggio di contatto"}, "a", length, found.a, check.a});
+    }
+    values.push_back({{"mean pressure", "pressione media"}, "p_m", pressure, found.mean, check.mean});
+    values.push_back({{"greatest pressure", "pressione massima"}, "p_0", pressure, found.greatest, check.greatest});
+    values.push_back({{"approach", "accostamento"}, "δ", length, found.approach, check.approach});
+    values.push_back({{"greatest shear", "tensione tangenziale massima"}, "τ_max", pressure, found.shear, check.shear});
+    values.push_back({{"depth of greatest shear", "sua profondità"}, "z_τ", length, found.depth, check.depth});
+    return values;
+}
+
+}  // namespace
+
+HertzSolution::Stress hertz_stress(const HertzSolution& contact, double poisson, double z) {
+    HertzSolution::Stress stress = contact.a == 0     ? stress_below_line(contact, poisson, z)
+                                   : contact.elliptic ? stress_below_ellipse(contact, poisson, z)
+                                                      : stress_below_circle(contact, poisson, z);
+    stress.z = z;
+    stress.shear = 0.5 * std::abs(stress.along_y - stress.along_z);
+    return stress;
+}
+
+Result<ProblemSolution> solve_hertz(const HertzProblem& problem, const HertzProblem& checked) {
+    ProblemSolution solution;
+    HertzSolution found = Contact(problem).solution();
+    solution.values = values_of(problem, found, check_hertz(checked));
+    for (const ProblemValue& each : solution.values)
+        if (!std::isfinite(each.value) || !std::isfinite(*each.numeric) || !(each.value > 0))
+            return tl::unexpected(Errors{
+                {ErrorCode::bad_input,
+                 "/hertz",
+                 {"these numbers are too far apart for a contact: {0} comes out as no positive number; check the units of force, radii and moduli",
+                  "questi numeri sono troppo lontani fra loro per un contatto: {0} non risulta un numero positivo; controllare le unità di forza, raggi e moduli",
+                  each.name}}});
+    solution.subject = {"Hertzian contact: pressure, approach and stresses",
+                        "Contatto hertziano: pressione, accostamento e tensioni"};
+    solution.remarks = remarks_on(problem, found);
+    solution.of = std::move(found);
+    return solution;
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,240 @@
+#include "constructions/problems/reye.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "constructions/problems/problems.hpp"
+#include "engine/check/check_reye.hpp"
+
+namespace kinegraph {
+namespace {
+
+using std::numbers::pi;
+using Kind = ReyeProblem::Kind;
+
+class Wear {
+public:
+    explicit Wear(const ReyeProblem& problem) : problem_(problem), force_(problem.force.to_double()) {
+        switch (problem.kind) {
+            case Kind::pad:
+                tilt();
+                break;
+            case Kind::block:
+                press_evenly();
+                break;
+            case Kind::disc:
+                turn_ring();
+                break;
+            case Kind::shoe:
+                turn_shoe();
+                break;
+        }
+        sample();
+        if (problem.wear) wear_off();
+    }
+    ReyeSolution solution() && { return std::move(found_); }
+    bool locks() const { return locks_; }
+
+private:
+    void tilt() {
+        const Exact &a = problem_.length, &b = problem_.width, &d = problem_.offset, &q = problem_.force;
+        const Exact first = 2 * q * (2 * a - 3 * d) / (a * a * b), second = 2 * q * (3 * d - a) / (a * a * b);
+        found_.resultant = d;
+        found_.end = a.to_double();
+        found_.lifts = first.sign() < 0 || second.sign() < 0;
+        if (!found_.lifts) {
+            found_.first = first.to_double();
+            found_.second = second.to_double();
+            if (first.sign() > 0) found_.m = (3 * a - 6 * d) / (3 * d - 2 * a);
+        } else if (second.sign() < 0) {
+            found_.end = (3 * d).to_double();
+            found_.first = (2 * q / (3 * d * b)).to_double();
+        } else {
+            found_.begin = (a - 3 * (a - d)).to_double();
+            found_.second = (2 * q / (3 * (a - d) * b)).to_double();
+        }
+        found_.greatest = std::max(found_.first, found_.second);
+        found_.greatest_at = found_.first >= found_.second ? 0 : a.to_double();
+        rub_straight();
+    }
+    void press_evenly() {
+        found_.end = problem_.length.to_double();
+        found_.greatest = found_.first = found_.second = (problem_.force / (problem_.length * problem_.width)).to_double();
+        found_.m = Exact();
+        found_.resultant = problem_.length / 2;
+        rub_straight();
+    }
+    void rub_straight() {
+        if (problem_.friction) found_.friction_force = (*problem_.friction * problem_.force).to_double();
+    }
+
+    void turn_ring() {
+        const double inner = problem_.inner.to_double(), outer = problem_.outer.to_double();
+        const double f = problem_.friction->to_double() * problem_.surfaces;
+        const double constant = force_ / (2 * pi * (outer - inner));
+        found_.begin = inner;
+        found_.end = outer;
+        found_.greatest = found_.first = constant / inner;
+        found_.greatest_at = inner;
+        found_.second = constant / outer;
+        found_.torque = f * force_ * (inner + outer) / 2;
+        found_.uniform_pressure = force_ / (pi * (outer - inner) * (outer + inner));
+        // (r₂³ − r₁³)/(r₂² − r₁²) without its cancellation.
+        found_.uniform_torque = 2.0 / 3 * f * force_ * (outer * outer + outer * inner + inner * inner) / (outer + inner);
+    }
+
+    void turn_shoe() {
+        const double r = problem_.radius.to_double(), h = problem_.pivot.to_double(), b = problem_.width.to_double();
+        const double from = problem_.from.to_double(), to = problem_.to.to_double(), f = problem_.friction->to_double();
+        // ∫ sin²θ, ∫ sin θ, ∫ sin θ cos θ between the ends.
+        const double squares = (to - from) / 2 - (std::sin(2 * to) - std::sin(2 * from)) / 4;
+        const double sines = std::cos(from) - std::cos(to);
+        const double products = (std::sin(to) - std::sin(from)) * (std::sin(to) + std::sin(from)) / 2;
+        const double normal = b * r * h * squares, rubbing = b * r * (r * sines - h * products);
+        // Where its moment is negative, friction works the other way round.
+        if (rubbing > 0) found_.locking_friction = normal / rubbing;
+        const double moment = problem_.leading ? normal - f * rubbing : normal + f * rubbing;
+        locks_ = !(moment > 0);
+        const double constant = force_ * problem_.arm.to_double() / moment;
+        found_.begin = from;
+        found_.end = to;
+        found_.first = constant * std::sin(from);
+        found_.second = constant * std::sin(to);
+        found_.greatest_at = std::clamp(pi / 2, from, to);
+        found_.greatest = constant * std::sin(found_.greatest_at);
+        found_.torque = f * constant * b * r * r * sines;
+        const double inward = problem_.inside ? -1 : 1;
+        found_.normal_force = {inward * constant * b * r * products, inward * constant * b * r * squares};
+        found_.pressure_radius = r * sines / std::hypot(products, squares);
+        constant_ = constant;
+    }
+
+    double pressure_at(double place) const {
+        if (place < found_.begin || place > found_.end) return 0;
+        if (problem_.kind == Kind::disc) return found_.first * found_.begin / place;
+        if (problem_.kind == Kind::shoe) return constant_ * std::sin(place);
+        const double share = (place - found_.begin) / (found_.end - found_.begin);
+        return found_.first + share * (found_.second - found_.first);
+    }
+    void sample() {
+        constexpr int samples = 60;
+        for (int i = 0; i <= samples; ++i) {
+            const double place = i == samples ? found_.end : found_.begin + (found_.end - found_.begin) * i / samples;
+            found_.pressures.push_back({place, pressure_at(place)});
+        }
+    }
+    /// Depth = wear × pressure × way.
+    void wear_off() {
+        const double turned = (*problem_.wear * *problem_.speed * *problem_.time).to_double();
+        std::array<double, 2> levers{1, 1};
+        if (problem_.kind == Kind::disc) levers = {found_.begin, found_.end};
+        if (problem_.kind == Kind::shoe) levers = {problem_.radius.to_double(), problem_.radius.to_double()};
+        found_.worn = std::array{turned * levers[0] * found_.first, turned * levers[1] * found_.second};
+    }
+
+    const ReyeProblem& problem_;
+    double force_, constant_ = 0;
+    bool locks_ = false;
+    ReyeSolution found_;
+};
+
+/// Where the two ends of the contact are, for readers: as each kind's data has them.
+std::array<Words, 2> ends_of(Kind kind) {
+    switch (kind) {
+        case Kind::disc:
+            return {Words("at the inner radius", "al raggio interno"), Words("at the outer radius", "al raggio esterno")};
+        case Kind::shoe:
+            return {Words("at the first end", "al primo estremo"), Words("at the second end", "al secondo estremo")};
+        case Kind::pad:
+        case Kind::block:
+            break;
+    }
+    return {Words("at the end where x = 0", "all’estremo x = 0"), Words("at the other end", "all’altro estremo")};
+}
+
+/// By their keys in the results file; for readers with what each is of, since a question has nothing else to say it.
+std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSolution& found, const ReyeCheck& check) {
+    using enum QuantityKind;
+    std::vector<ProblemValue> values;
+    const auto add = [&](Words name, const char* symbol, QuantityKind kind, double value, double numeric, Words spoken,
+                         bool in_file = true) {
+        values.push_back({std::move(name), symbol, kind, value, numeric, in_file, "", std::move(spoken)});
+    };
+    const std::array<Words, 2> ends = ends_of(problem.kind);
+    const auto at_end = [&](std::size_t end, const char* english, const char* italian) {
+        return Words(english, italian, ends.at(end));
+    };
+    add({"pressure 1", "pressione 1"}, "p_1", pressure, found.first, check.first, at_end(0, "pressure {0}", "pressione {0}"),
+        false);
+    add({"pressure 2", "pressione 2"}, "p_2", pressure, found.second, check.second, at_end(1, "pressure {0}", "pressione {0}"),
+        false);
+    if (problem.kind == Kind::shoe)
+        add({"greatest pressure", "pressione massima"}, "p_max", pressure, found.greatest, check.greatest, {});
+    if (problem.kind == Kind::pad && found.m)
+        add(Words(std::string("m")), "m", dimensionless, found.m->to_double(), check.second / check.first - 1,
+            {"relative gain in pressure from end to end", "aumento relativo di pressione fra gli estremi"});
+    if (found.resultant)
+        add({"resultant at", "risultante in"}, "x_R", length, found.resultant->to_double(), check.resultant,
+            {"place x of the resultant of the pressures", "ascissa x della risultante delle pressioni"});
+    if (found.lifts) {
+        add({"contact from", "contatto da"}, "x_1", length, found.begin, check.begin, {});
+        add({"contact to", "contatto fino a"}, "x_2", length, found.end, check.end, {});
+    }
+    if (found.friction_force) add({"friction force", "forza d’attrito"}, "T", force, *found.friction_force, check.friction, {});
+    if (found.torque)
+        add({"torque", "momento"}, "M", moment, *found.torque, check.torque,
+            problem.kind == Kind::disc ? Words("torque when worn in (Reye)", "momento a rodaggio avvenuto (Reye)")
+                                       : Words("torque on the drum", "momento sul tamburo"));
+    if (found.uniform_torque) {
+        add({"uniform pressure", "pressione uniforme"}, "p_u", pressure, *found.uniform_pressure, check.uniform_pressure,
+            {"pressure when new, uniform", "pressione da nuovo, uniforme"});
+        add({"torque at uniform pressure", "momento a pressione uniforme"}, "M_u", moment, *found.uniform_torque,
+            check.uniform_torque, {"torque when new, at uniform pressure", "momento da nuovo, a pressione uniforme"});
+    }
+    if (problem.kind == Kind::shoe) {
+        add({"normal force", "forza normale"}, "N", force, std::hypot(found.normal_force.x, found.normal_force.y), check.normal,
+            {"resultant of the pressures", "risultante delle pressioni"});
+        add({"centre of pressure", "centro di pressione"}, "r_C", length, found.pressure_radius, check.pressure_radius,
+            {"distance of the centre of pressure from O", "distanza del centro di pressione da O"});
+        if (problem.leading && found.locking_friction)
+            add({"locking friction", "attrito di bloccaggio"}, "f_lim", dimensionless, *found.locking_friction, check.locking,
+                {"friction from which the shoe locks itself", "attrito da cui il ceppo si blocca da sé"});
+    }
+    if (found.worn) {
+        add({"worn 1", "usura 1"}, "h_1", length, (*found.worn)[0], check.worn[0],
+            at_end(0, "depth worn off {0}", "profondità d’usura {0}"), false);
+        add({"worn 2", "usura 2"}, "h_2", length, (*found.worn)[1], check.worn[1],
+            at_end(1, "depth worn off {0}", "profondità d’usura {0}"), false);
+    }
+    return values;
+}
+
+}  // namespace
+
+Result<ProblemSolution> solve_reye(const ReyeProblem& problem) {
+    Wear wear(problem);
+    const bool locks = wear.locks();
+    ReyeSolution found = std::move(wear).solution();
+    if (locks)
+        return tl::unexpected(Errors{
+            {ErrorCode::no_unique_answer,
+             problem.where,
+             {"this shoe locks itself: from a friction of {0} on it needs no force; lower \"friction\", or move the pivot",
+              "questo ceppo si blocca da sé: da un attrito di {0} in su non serve forza; ridurre \"friction\", o spostare la cerniera",
+              std::to_string(*found.locking_friction)}}});
+    ProblemSolution solution;
+    solution.subject = {"Wear by Reye’s hypothesis: pressures and torque",
+                        "Usura secondo l’ipotesi di Reye: pressioni e momento"};
+    solution.values = values_of(problem, found, check_reye(problem));
+    if (auto why = why_no_numbers(solution.values, problem.where)) return tl::unexpected(*std::move(why));
+    if (found.lifts)
+        solution.remarks.emplace_back(
+            "The force lies outside the middle third, so the pad lifts at one end: the contact that remains is a triangle of pressure.",
+            "La forza è fuori dal terzo medio, quindi il pattino si solleva a un estremo: il contatto che resta ha pressione triangolare.");
+    solution.of = std::move(found);
+    return solution;
+}
+
+}  // namespace kinegraph

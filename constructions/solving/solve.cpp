@@ -1,0 +1,586 @@
+#include "constructions/solving/solve.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "constructions/kinematics/act_of_motion.hpp"
+#include "constructions/verdicts/check_rows.hpp"
+#include "constructions/problems/contacts.hpp"
+#include "constructions/kinematics/curvature.hpp"
+#include "constructions/kinematics/degeneracy.hpp"
+#include "constructions/solving/displacements.hpp"
+#include "constructions/statics/forces.hpp"
+#include "constructions/statics/free_bodies.hpp"
+#include "constructions/verdicts/hairs.hpp"
+#include "constructions/kinematics/instant_centres.hpp"
+#include "constructions/kinematics/motion.hpp"
+#include "constructions/verdicts/noise.hpp"
+#include "constructions/verdicts/oversights.hpp"
+#include "constructions/kinematics/plan.hpp"
+#include "constructions/problems/problems.hpp"
+#include "constructions/kinematics/relative_motion.hpp"
+#include "constructions/kinematics/structure.hpp"
+#include "constructions/statics/virtual_work.hpp"
+#include "constructions/verdicts/workings.hpp"
+#include "engine/number/assert.hpp"
+#include "engine/equations/equations.hpp"
+#include "engine/solution/problem_solution.hpp"
+
+namespace kinegraph {
+namespace {
+
+std::size_t at(auto index) { return at_index(index); }
+
+/// What is to be found: what the file asks, else all that its data allow.
+struct Wanted {
+    bool centres = false, velocities = false, accelerations = false, forces = false;
+    bool stated = false;
+    bool curvature = false;  ///< only where it is asked for
+};
+
+Wanted wanted_of(const Mechanism& mechanism) {
+    const Find& find = mechanism.find;
+    const bool driven = !mechanism.drivers.empty();
+    const bool loaded = !mechanism.loads.empty() || (mechanism.gravity && !mechanism.masses.empty()) || mechanism.inertia_forces;
+    if (!find.stated && mechanism.motion) return {true, true, !mechanism.motion->accelerations.empty(), loaded, false};
+    // Loads at rest ask for forces.
+    if (!find.stated) return {driven || !loaded, driven, driven, loaded, false};
+    Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true, find.curvature};
+    // The equations' values stand beside the polygons'.
+    if (find.curvature || (find.equations && driven)) wanted.velocities = wanted.accelerations = true;
+    // Inertia is a load as the motion has it.
+    if ((find.virtual_work || find.forces) && driven && mechanism.inertia_forces) wanted.velocities = wanted.accelerations = true;
+    if (!find.relative_motion.empty()) {
+        wanted.velocities = true;
+        wanted.accelerations = wanted.accelerations || !mechanism.motion || !mechanism.motion->accelerations.empty();
+    }
+    return wanted;
+}
+
+bool is_moving(const Mechanism& mechanism) {
+    for (const Driver& driver : mechanism.drivers) {
+        const bool still = std::visit(
+            [](const auto& given) {
+                if constexpr (requires { given.omega; }) {
+                    return given.omega.is_zero();
+                } else {
+                    return given.speed.is_zero();
+                }
+            },
+            driver);
+        if (!still) return true;
+    }
+    return false;
+}
+
+/// Draws everything on one board and collects what it found.
+class Solver {
+public:
+    Solver(Solution& solution, FinerPose finer, Arithmetic arithmetic, bool displaces = false)
+        : arithmetic_(arithmetic),
+          displaces_(displaces),
+          solution_(solution),
+          draw_finer_(std::move(finer)),
+          mechanism_(solution.mechanism),
+          wanted_(wanted_of(mechanism_)),
+          board_(mechanism_, solution.pose, [this]() -> const Pose& { return finer_pose(); }),
+          scratch_(mechanism_, solution.pose, [this]() -> const Pose& { return finer_pose(); }),
+          structure_(mechanism_, scratch_) {}
+
+    void run() {
+        solution_.remarks = solution_.pose.remarks;
+        remark_degeneracies();
+        oversights_ = oversights(mechanism_, solution_.pose, solution_.mobility);
+        add_nodes_of_interest(structure_);
+        solution_.bodies.resize(mechanism_.bodies.size());
+        if (mechanism_.motion) {
+            draw_act();
+        } else {
+            draw_mechanism();
+        }
+        collect_points();
+        solution_.settled.accelerations = board_.strokes();
+        if (mechanism_.motion) solution_.settled.velocities = board_.strokes();
+        if (wanted_.forces) collect_forces();
+        solution_.settled.forces = board_.strokes();
+        lead_with_oversights();
+        finish_record();
+        for (Message& remark : remarks_on_hairs(solution_)) solution_.remarks.push_back(std::move(remark));
+        if (!is_checked()) return;
+        Comparison comparison = compare_with_check(solution_);
+        const std::vector<Comparison::Moved> moved = comparison.bodies;
+        enter(std::move(comparison), solution_);
+        for (Message& remark : disagreements(solution_, moved)) solution_.remarks.push_back(std::move(remark));
+    }
+
+private:
+    /// Centres of a mechanism follow from its joints alone; without velocities there is nothing to hold them against.
+    bool is_checked() const {
+        return wanted_.velocities || wanted_.accelerations || wanted_.forces || (mechanism_.motion && wanted_.centres);
+    }
+
+    void draw_mechanism() {
+        InstantCentres centres(structure_, board_);
+        if (wanted_.centres) centres.draw();
+        if (wanted_.velocities || wanted_.accelerations) {
+            draw_motion_of_bodies();
+            if (wanted_.centres) {
+                second_way(centres);
+                if (is_moving(mechanism_)) centres.complete(motion_, solution_.mobility.effective);
+            }
+            solution_.sliding = draw_slidings(structure_, board_, motion_, wanted_.accelerations);
+            solution_.relative_motion = draw_relative_motions(structure_, board_, motion_, wanted_.accelerations);
+            if (wanted_.curvature) solution_.curvature = draw_curvature(structure_, board_, motion_);
+            if (displaces_) solution_.virtual_work = works_of_displacement(structure_, board_, motion_);
+            collect_motion();
+            explain_missing_motion();
+            if (wanted_.curvature) explain_missing_curvature();
+        }
+        if (wanted_.centres) collect_centres(centres);
+    }
+
+    /// The record cut to what is drawn and found; then its values are the solution's.
+    void finish_record() {
+        Protocol& protocol = solution_.protocol = std::move(board_).finish();
+        std::vector<ElementIndex> wanted;
+        for_each_drawn(protocol, [&](ElementIndex& element) { wanted.push_back(element); });
+        for_each_found(solution_, [&](ElementIndex& element, auto&) { wanted.push_back(element); });
+        Cut record = cut(protocol.program, wanted, static_cast<int>(protocol.program.strokes.size()));
+        const auto renumber = [&](ElementIndex& element) { element = record.element[at(element)]; };
+        for_each_drawn(protocol, renumber);
+        for_each_found(solution_, [&](ElementIndex& element, auto&) { renumber(element); });
+        for (int* settled : {&solution_.settled.velocities, &solution_.settled.accelerations, &solution_.settled.forces})
+            *settled = static_cast<int>(std::count_if(record.element.begin(), record.element.begin() + *settled,
+                                                      [](ElementIndex kept) { return kept != none; }));
+        const auto keep = [&](std::vector<Value>& all) {
+            // Kept elements keep their order.
+            std::vector<Value> values;
+            values.reserve(record.program.strokes.size());
+            for (std::size_t i = 0; i < record.element.size(); ++i)
+                if (record.element[i] != none) values.push_back(std::move(all[i]));
+            all = std::move(values);
+        };
+        keep(protocol.values);
+        std::for_each(protocol.shifted.begin(), protocol.shifted.end(), keep);
+        protocol.program = std::move(record.program);
+        remark_observers();
+        read_values(solution_, protocol.values);
+        forget_noise(solution_, [this] { return finer_pose(); });
+        statics::note_first_use_of_lines(solution_.free_bodies, solution_.pose);
+        if (solution_.superposition)
+            for (Superposition::Part& part : solution_.superposition->parts)
+                statics::note_first_use_of_lines(part.bodies, solution_.pose);
+        say_projections();
+        if (arithmetic_ == Arithmetic::told) add_workings(solution_);
+    }
+
+    /// Observers through which the motion was asked to be found, and was not.
+    void remark_observers() {
+        for (const RelativeMotionQuery& query : mechanism_.find.relative_motion) {
+            if (!query.solves) continue;
+            const std::string &point = mechanism_.point(query.point).name, &body = body_name(query.observer);
+            const auto& said = solution_.protocol.statements;
+            const bool through = std::any_of(said.begin(), said.end(), [&](const Statement& each) {
+                return each.message.sentence == Sentence::observer_velocity &&
+                       std::get<PointName>(each.message.arguments[0]).name == point &&
+                       std::get<BodyName>(each.message.arguments[1]).name == body;
+            });
+            if (!through) solution_.remarks.push_back({Sentence::not_through_observer, {PointName{point}, BodyName{body}}});
+        }
+    }
+
+    /// By how much the projections of two velocities on the join of their points differ, in the file's unit.
+    void say_projections() {
+        if (!solution_.act_of_motion || !solution_.act_of_motion->differing) return;
+        const auto& differing = *solution_.act_of_motion->differing;
+        const Unit& unit = mechanism_.units.velocity;
+        const auto measure = [&](const Vector& projection) {
+            const Exact share = ratio_of(projection, *differing.join) / unit.si;
+            return Amount{share.to_double() * length(*differing.join), unit.symbol};
+        };
+        const Amount first = measure(*differing.of_first), second = measure(*differing.of_second);
+        auto& said = solution_.protocol.statements[at(differing.statement)].message.arguments;
+        said.insert(said.end(), {first, second});
+        for (Unsolved& missing : solution_.unsolved) {
+            if (missing.why.sentence != Sentence::unequal_projections) continue;
+            auto& arguments = missing.why.arguments;  // segment, first point, second point
+            arguments.insert(arguments.begin() + 2, first);
+            arguments.emplace_back(second);
+        }
+    }
+
+    /// One body's act of motion; of other bodies the file says nothing.
+    void draw_act() {
+        ActOfMotionResult act = draw_act_of_motion(
+            structure_, board_, {wanted_.centres, wanted_.velocities || wanted_.accelerations, wanted_.accelerations});
+        if (wanted_.velocities || wanted_.accelerations) motion_ = std::move(act.motion);
+        solution_.act_of_motion = std::move(act.figure);
+        if (motion_.velocity.polygon >= 0) {
+            solution_.relative_motion = draw_relative_motions(structure_, board_, motion_, wanted_.accelerations);
+            if (wanted_.curvature) solution_.curvature = draw_curvature(structure_, board_, motion_);
+            collect_motion();
+        }
+        for (Unsolved& missing : act.unsolved) solution_.unsolved.push_back(std::move(missing));
+        const BodyIndex moved = mechanism_.motion->body;
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
+            if (body != moved) unsolved({Sentence::motion_of_body, {named(body)}}, {Sentence::one_body_only, {named(moved)}});
+        }
+        if (!wanted_.centres) return;
+        for (const BodyIndex first : indices_of(mechanism_.bodies)) {
+            for (const BodyIndex second : mechanism_.bodies_after(first)) {
+                InstantCentre centre;
+                centre.first = first;
+                centre.second = second;
+                solution_.centres.push_back(first == frame && second == moved ? act.centre : centre);
+            }
+        }
+    }
+
+    const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[at(body)].name; }
+    BodyName named(BodyIndex body) const { return {body_name(body)}; }
+    void unsolved(Message what, Message why) { solution_.unsolved.push_back({std::move(what), std::move(why)}); }
+
+    const Pose& finer_pose() {
+        if (!finer_) {
+            finer_ = std::make_unique<Pose>(draw_finer_());
+        }
+        return *finer_;
+    }
+
+    void remark_degeneracies() {
+        solution_.instant_motion = degenerate_motion(mechanism_, solution_.pose, solution_.mobility);
+        for (Message& remark : remarks_on_mobility(mechanism_, solution_.mobility, solution_.instant_motion))
+            solution_.remarks.push_back(std::move(remark));
+        for (Message& remark : remarks_on_lengths(mechanism_, solution_.pose)) solution_.remarks.push_back(std::move(remark));
+        for (Message& remark : remarks_on_gravity(mechanism_)) solution_.remarks.push_back(std::move(remark));
+    }
+
+    /// What is not determined for want of drivers or efforts most likely wants what was forgotten: that is said first.
+    void lead_with_oversights() {
+        const bool wanting = std::any_of(solution_.unsolved.begin(), solution_.unsolved.end(), [](const Unsolved& missing) {
+            const Sentence why = missing.why.sentence;
+            return why == Sentence::lacks_drivers || why == Sentence::nothing_drives || why == Sentence::unbalanced;
+        });
+        if (wanting) solution_.remarks.insert(solution_.remarks.begin(), oversights_.begin(), oversights_.end());
+    }
+
+    void draw_motion_of_bodies() {
+        std::vector<bool> use(mechanism_.drivers.size(), true);
+        for (const int idle : solution_.mobility.idle_drivers) use[at(idle)] = false;
+        // Against a dead point or a lock nothing is tried: what is not reached then has no motion to be found.
+        const bool tries = !mechanism_.drivers.empty() && solution_.mobility.idle_drivers.empty();
+        plan_ = plan_motion(structure_, scratch_, use, tries ? solution_.mobility.determined : std::vector<bool>());
+        motion_ = draw_motion(structure_, board_, plan_, wanted_.accelerations);
+        solution_.equivalent_linkages = motion_.equivalents;
+        solution_.settled.velocities = motion_.velocities_settled;
+        for (const int idle : solution_.mobility.idle_drivers) hold_against_motion(idle);
+    }
+
+    /// A driver that fixes nothing new must ask what the mechanism does anyway; if not, it drives against a dead point or a lock.
+    void hold_against_motion(int driver) {
+        const Message what = std::visit(
+            [&](const auto& given) -> Message {
+                if constexpr (requires { given.joint; }) {
+                    return {Sentence::drive_of_joint, {file_name(mechanism_.joints[at(given.joint)])}};
+                } else {
+                    return {Sentence::drive_of_body, {named(given.body)}};
+                }
+            },
+            mechanism_.drivers[at(driver)]);
+        const bool agrees =
+            std::visit([&](const auto& given) { return asks_the_same(given, driver); }, mechanism_.drivers[at(driver)]);
+        if (!agrees) unsolved(what, {idle_reason(), {}});
+    }
+
+    bool asks_the_same(const SpinDriver& spin, int driver) {
+        const auto same = [&](const auto& track, ScalarHandle asked) {
+            if (!track.turns(spin.body) || !track.turns(spin.relative_to)) return board_.is_zero(asked);
+            const ScalarHandle found = board_.difference(track.spin(spin.body), track.spin(spin.relative_to));
+            return board_.is_zero(board_.difference(found, asked));
+        };
+        return same(motion_.velocity, board_.driver_velocity(driver)) &&
+               (!wanted_.accelerations || same(motion_.acceleration, board_.driver_acceleration(driver)));
+    }
+
+    bool asks_the_same(const SlideDriver& slide, int driver) {
+        const Joint& joint = mechanism_.joints[at(slide.joint)];
+        const NodeIndex slider = structure_.find(joint.point, joint.bodies[0]),
+                        guide = structure_.find(joint.point, joint.bodies[1]);
+        const auto& v = motion_.velocity;
+        const auto& a = motion_.acceleration;
+        if (slider == none || guide == none || !v.has(slider) || !v.has(guide))
+            return board_.is_zero(board_.driver_velocity(driver)) && board_.is_zero(board_.driver_acceleration(driver));
+        const DirectionHandle along = board_.guide_unit(slide.joint);
+        const auto velocity = board_.vector(v.tip(guide), v.tip(slider));
+        if (!board_.is_zero(board_.subtract(velocity, board_.scale<Plane::velocity>(board_.driver_velocity(driver), along))))
+            return false;
+        if (!wanted_.accelerations || !a.has(slider) || !a.has(guide) || !v.turns(joint.bodies[1])) return true;
+        const auto coriolis =
+            board_.scale<Plane::acceleration>(board_.product(board_.number(2), v.spin(joint.bodies[1])), board_.turn(velocity));
+        const auto relative = board_.subtract(board_.vector(a.tip(guide), a.tip(slider)), coriolis);
+        return board_.is_zero(
+            board_.subtract(relative, board_.scale<Plane::acceleration>(board_.driver_acceleration(driver), along)));
+    }
+
+    bool asks_the_same(const PointDriver& point, int driver) {
+        const NodeIndex node = structure_.find(point.at, point.body);
+        const auto same = [&]<Plane plane>(const Track<plane>& track, ScalarHandle asked) {
+            if (node == none || !track.has(node)) return board_.is_zero(asked);
+            const DirectionHandle along = board_.driver_unit(driver);
+            const auto rest =
+                board_.subtract(board_.vector(board_.pole<plane>(), track.tip(node)), board_.scale<plane>(asked, along));
+            return board_.is_zero(rest) || board_.parallel(board_.direction(rest), board_.perpendicular(along));
+        };
+        return same(motion_.velocity, board_.driver_velocity(driver)) &&
+               (!wanted_.accelerations || same(motion_.acceleration, board_.driver_acceleration(driver)));
+    }
+
+    Sentence idle_reason() const {
+        if (solution_.mobility.effective == 0) return Sentence::locked;
+        return solution_.mobility.driven < solution_.mobility.effective ? Sentence::undrivable : Sentence::driven_otherwise;
+    }
+
+    void second_way(InstantCentres& centres) {
+        if (solution_.mobility.effective != 1 || !is_moving(mechanism_)) return;
+        for (const Driver& driver : mechanism_.drivers) {
+            const auto* spin = std::get_if<SpinDriver>(&driver);
+            if (spin != nullptr && spin->relative_to == frame)
+                return centres.second_way(motion_, spin->body, solution_.second_way);
+        }
+    }
+
+    void collect_motion() {
+        for (const BodyIndex body : indices_of(mechanism_.bodies)) {
+            BodyMotion& found = solution_.bodies[at(body)];
+            if (motion_.velocity.turns(body)) found.omega = Recorded<Exact>::at(motion_.velocity.spin(body).element);
+            if (wanted_.accelerations && motion_.acceleration.polygon >= 0 && motion_.acceleration.turns(body))
+                found.alpha = Recorded<Exact>::at(motion_.acceleration.spin(body).element);
+        }
+    }
+
+    void collect_points() {
+        for (const NodeIndex node : indices_of(structure_.nodes())) {
+            const Node& here = structure_.node(node);
+            if (!here.carried) continue;
+            PointMotion point;
+            point.point = here.point;
+            point.bodies = here.bodies;
+            point.label = here.label;
+            if (motion_.velocity.polygon >= 0 && motion_.velocity.has(node))
+                point.velocity = Recorded<Vector>::at(motion_.velocity.tip(node).element);
+            if (motion_.acceleration.polygon >= 0 && motion_.acceleration.has(node)) {
+                point.acceleration = Recorded<Vector>::at(motion_.acceleration.tip(node).element);
+            }
+            solution_.points.push_back(std::move(point));
+        }
+    }
+
+    void collect_forces() {
+        ForceResults forces = draw_forces(structure_, board_, motion_, solution_.mobility);
+        solution_.forces = std::move(forces.joints);
+        solution_.efforts = std::move(forces.efforts);
+        solution_.free_bodies = std::move(forces.bodies);
+        solution_.resultants = std::move(forces.resultants);
+        solution_.truss = std::move(forces.truss);
+        solution_.virtual_motions = std::move(forces.virtual_motions);
+        solution_.taken_together = std::move(forces.together);
+        solution_.superposition = std::move(forces.superposition);
+        for (Unsolved& missing : forces.unsolved) solution_.unsolved.push_back(std::move(missing));
+        for (Message& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
+        // What an effort that is not known gives would be missing.
+        const bool all_efforts = std::all_of(solution_.efforts.begin(), solution_.efforts.end(),
+                                             [](const EffortValue& each) { return each.value.has_value(); });
+        if (wanted_.velocities && is_moving(mechanism_) && all_efforts)
+            solution_.virtual_work = virtual_work(structure_, board_, motion_.velocity, solution_.free_bodies);
+    }
+
+    bool reached(BodyIndex body) const {
+        if (!motion_.velocity.turns(body)) return false;
+        for (const NodeIndex node : structure_.nodes_of(body)) {
+            if (motion_.velocity.has(node)) return true;
+        }
+        return false;
+    }
+
+    bool wholly_accelerated(BodyIndex body) const {
+        const auto& nodes = structure_.nodes_of(body);
+        return motion_.acceleration.turns(body) && std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex node) {
+                   return !structure_.node(node).carried || motion_.acceleration.has(node);
+               });
+    }
+
+    void explain_missing_motion() {
+        for (const Contradiction& contradiction : motion_.contradictions) {
+            const auto label = [&](NodeIndex node) { return PointName{structure_.node(node).label}; };
+            unsolved({Sentence::velocity_of_body, {named(contradiction.body)}},
+                     {Sentence::no_rigid_motion, {label(contradiction.first), label(contradiction.second)}});
+        }
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
+            if (!reached(body)) {
+                unsolved({Sentence::motion_of_body, {named(body)}}, reason_for(body));
+            } else if (wanted_.accelerations && !wholly_accelerated(body)) {
+                unsolved({Sentence::acceleration_of_body, {named(body)}}, missing_acceleration());
+            }
+        }
+    }
+
+    /// Of bodies that move in a known way; what hides the motion of others is said already.
+    void explain_missing_curvature() {
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
+            const bool found = std::any_of(solution_.curvature.begin(), solution_.curvature.end(),
+                                           [&](const Curvature& each) { return each.body == body; });
+            if (!found && reached(body)) unsolved({Sentence::curvature_of_body, {named(body)}}, missing_acceleration());
+        }
+    }
+
+    Message missing_acceleration() const {
+        for (const JointIndex index : indices_of(mechanism_.joints)) {
+            const Joint& joint = mechanism_.joint(index);
+            if (!joint.pair().asks_curvatures() || structure_.has_curvatures(index)) continue;
+            const bool given = joint.profiles.contains(joint.bodies[0]) && joint.profiles.contains(joint.bodies[1]);
+            return {given ? Sentence::curvatures_coincide : Sentence::curvatures_wanted, {file_name(joint)}};
+        }
+        return {Sentence::hangs_on_undetermined, {}};
+    }
+
+    Message reason_for(BodyIndex body) const {
+        const Mobility& mobility = solution_.mobility;
+        if (mechanism_.drivers.empty()) return {Sentence::nothing_drives, {Count{mobility.effective}}};
+        if (at(body) < mobility.determined.size() && !mobility.determined[at(body)]) {
+            if (!mobility.idle_drivers.empty()) return {Sentence::stays_free, {}};
+            for (const DeadPoint& dead : plan_.dead_points) {
+                if (carries(dead.node, body)) return {Sentence::dead_point_at, {PointName{structure_.node(dead.node).label}}};
+            }
+            Message lacks{Sentence::lacks_drivers, {Count{mobility.effective}, Count{mobility.driven}}};
+            // Drivers are no remedy where something was forgotten, which the remarks say.
+            if (const int more = mobility.effective - mobility.driven; oversights_.empty()) {
+                lacks.arguments.emplace_back(Count{more});
+                if (more > 1) lacks.arguments.emplace_back(Count{more});
+            }
+            return lacks;
+        }
+        return {mobility.idle_drivers.empty() ? Sentence::beyond_groups : Sentence::stands_still, {}};
+    }
+
+    bool carries(NodeIndex node, BodyIndex body) const {
+        for (const BodyIndex carrier : structure_.node(node).bodies) {
+            if (carrier == body) return true;
+        }
+        return false;
+    }
+
+    void collect_centres(const InstantCentres& centres) {
+        solution_.centres = centres.results();
+        for (const InstantCentre& centre : solution_.centres) {
+            if (centre.at || centre.everywhere) continue;
+            const bool determined = solution_.mobility.effective <= solution_.mobility.driven;
+            unsolved({Sentence::centre_of_bodies, {named(centre.first), named(centre.second)}},
+                     {determined ? Sentence::one_line_unknown : Sentence::one_line_undetermined, {}});
+        }
+    }
+
+    Arithmetic arithmetic_;
+    bool displaces_;  ///< its velocities are virtual displacements
+    Solution& solution_;
+    FinerPose draw_finer_;
+    const Mechanism& mechanism_;
+    Wanted wanted_;
+    std::unique_ptr<Pose> finer_;
+    std::vector<Message> oversights_;
+    Board board_;
+    Board scratch_;  ///< the planner's
+    Structure structure_;
+    Plan plan_;
+    Motion motion_;
+};
+
+/// What is asked for beside the constructions, which know nothing of it.
+void add_equations(Solution& solution, const FinerPose& finer) {
+    if (!solution.mechanism.find.equations) return;
+    Equations equations = equations_of(solution.mechanism, solution.pose);
+    forget_noise(equations, solution, finer);
+    solution.equations = std::make_shared<const Equations>(std::move(equations));
+}
+
+/// Of a pose that was drawn from the file.
+Pose drawn_finer(const Solution& solution) {
+    auto finer = draw_pose(solution.mechanism, 2 * solution.pose.bits);
+    KG_ASSERT(finer.has_value(), "what was drawn once can be drawn finer");
+    return *std::move(finer);
+}
+
+/// Draws a mechanism whose pose and mobility are known.
+void draw(Solution& solution, Arithmetic arithmetic, bool displaces = false) {
+    Solver(
+        solution, [&solution] { return drawn_finer(solution); }, arithmetic, displaces)
+        .run();
+}
+
+/// The same pose, with the directions of these drivers.
+Pose driven_as(const Mechanism& mechanism, Pose pose) {
+    const std::size_t count = mechanism.drivers.size();
+    pose.driver_directions.assign(count, {});
+    pose.driver_units.assign(count, {});
+    for (std::size_t i = 0; i < count; ++i)
+        if (const auto* point = std::get_if<PointDriver>(&mechanism.drivers[i])) {
+            pose.driver_directions[i] = direction_of(point->along, pose);
+            pose.driver_units[i] = unit_along(pose.driver_directions[i], pose.bits);
+        }
+    return pose;
+}
+
+}  // namespace
+
+Result<Solution> solve(Mechanism mechanism, Arithmetic arithmetic) {
+    auto pose = draw_pose(mechanism);
+    if (!pose) return tl::unexpected(std::move(pose.error()));
+    Solution solution;
+    solution.mechanism = std::move(mechanism);
+    solution.pose = *std::move(pose);
+    if (stands_for_joints(solution.mechanism)) {
+        auto found = solve_problem(*solution.mechanism.problem, solution.mechanism, solution.pose);
+        if (!found) return tl::unexpected(std::move(found.error()));
+        solution.problem = std::make_shared<const ProblemSolution>(*std::move(found));
+        return solution;
+    }
+    solution.mobility = mobility_of(solution.mechanism, solution.pose);
+    draw(solution, arithmetic);
+    find_contacts(solution);
+    add_equations(solution, [&solution] { return drawn_finer(solution); });
+    if (solution.mechanism.find.virtual_work) add_displacements(solution);
+    return solution;
+}
+
+Result<Solution> solve_displaced(Mechanism mechanism, const Pose& like, const FinerPose& finer) {
+    auto pose = draw_pose(mechanism, like.bits);
+    if (!pose) return tl::unexpected(std::move(pose.error()));
+    Solution solution;
+    solution.mechanism = std::move(mechanism);
+    solution.pose = *std::move(pose);
+    solution.pose.exact = like.exact;
+    solution.pose.leftover = like.leftover;
+    if (!finer) {
+        solution.mobility = mobility_of(solution.mechanism, solution.pose);
+        draw(solution, Arithmetic::told, true);
+        return solution;
+    }
+    const FinerPose with_drivers = [&] { return driven_as(solution.mechanism, finer()); };
+    solution.mobility = mobility_of(solution.mechanism, solution.pose, with_drivers);
+    Solver(solution, with_drivers, Arithmetic::told, true).run();
+    return solution;
+}
+
+Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer, Arithmetic arithmetic) {
+    Solution solution;
+    solution.mechanism = std::move(mechanism);
+    solution.pose = std::move(pose);
+    solution.mobility = mobility_of(solution.mechanism, solution.pose, finer);
+    Solver(solution, finer, arithmetic).run();
+    find_contacts(solution);
+    add_equations(solution, finer);
+    if (solution.mechanism.find.virtual_work) add_displacements(solution, finer);
+    return solution;
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,309 @@
+#include "constructions/statics/equilibria.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "engine/number/assert.hpp"
+
+namespace kinegraph::statics {
+
+Equilibria::Equilibria(const ForceModel& model, Board& board, const Run& run, Group group, PlaceOnDrawing origin,
+                       const std::function<Gap(MemberIndex)>& gap)
+    : model_(model), board_(board), group_(std::move(group)), origin_(origin) {
+    std::set<int> bonds;
+    for (const MemberIndex member : group_) {
+        const std::size_t first = rows_.size(), count = model_.is_pin(member) ? 2 : 3;
+        first_row_.emplace(member, first);
+        rows_.resize(first + count);
+        const Gap left = gap(member);
+        for (std::size_t i = 0; i < count; ++i)
+            if (!board_.is_zero(left[i])) rows_[first + i].power = left[i];
+        for (const int b : model_.bonds_of(member))
+            if (!run.reactions[at(b)].known) bonds.insert(b);
+    }
+    for (const int b : bonds) add_columns(b);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        rows_[i].work.resize(columns_.size());
+        rows_[i].motion.resize(rows_.size());
+        rows_[i].motion[i] = board_.number(1);
+    }
+    for (std::size_t c = 0; c < columns_.size(); ++c) write(columns_[c], c);
+    eliminate();
+}
+
+void Equilibria::add_columns(int bond) {
+    const Bond& here = model_.bonds()[at(bond)];
+    const auto unit = [&](DirectionHandle along) { return board_.scale<Plane::force>(board_.number(1), along); };
+    if (here.kind == Bond::Kind::line || here.kind == Bond::Kind::guide) columns_.push_back({bond, unit(here.direction)});
+    if (here.kind == Bond::Kind::pin || here.kind == Bond::Kind::clamp)
+        for (const Vector& axis : {Vector{1, 0}, Vector{0, 1}}) columns_.push_back({bond, unit(board_.own_direction(axis))});
+    if (here.kind == Bond::Kind::couple || here.kind == Bond::Kind::guide || here.kind == Bond::Kind::clamp)
+        columns_.push_back({bond, std::nullopt});
+}
+
+void Equilibria::write(const Column& column, std::size_t index) {
+    const Bond& bond = model_.bonds()[at(column.bond)];
+    write_end(column, index, bond.first, false);
+    write_end(column, index, bond.second, true);
+}
+
+void Equilibria::write_end(const Column& column, std::size_t index, MemberIndex member, bool reversed) {
+    const auto found = first_row_.find(member);
+    if (found == first_row_.end()) return;
+    const auto enter = [&](std::size_t i, ScalarHandle value) {
+        if (!board_.is_zero(value)) rows_[found->second + i].work[index] = reversed ? board_.opposite(value) : value;
+    };
+    if (!column.unit) return enter(2, board_.number(1));
+    enter(0, board_.moment(board_.own_direction({0, -1}), *column.unit));
+    enter(1, board_.moment(board_.own_direction({1, 0}), *column.unit));
+    if (model_.is_pin(member)) return;
+    const PlaceOnDrawing place = model_.bonds()[at(column.bond)].place;
+    if (!board_.coincide(place, origin_)) enter(2, board_.moment(board_.vector(origin_, place), *column.unit));
+}
+
+// --- elimination -------------------------------------------------------------------------------------------------------------
+
+Equilibria::Cell Equilibria::times(const Cell& factor, const Cell& what) {
+    if (!factor || !what) return {};
+    return board_.product(*factor, *what);
+}
+
+Equilibria::Cell Equilibria::minus_times(const Cell& from, const Cell& factor, const Cell& what) {
+    const Cell product = times(factor, what);
+    if (!product) return from;
+    if (!from) return board_.opposite(*product);
+    const ScalarHandle left = board_.difference(*from, *product);
+    return board_.is_zero(left) ? Cell() : left;
+}
+
+void Equilibria::divide(Row& row, ScalarHandle by) {
+    const auto each = [&](Cell& cell) {
+        if (cell) cell = board_.quotient(*cell, by);
+    };
+    std::for_each(row.work.begin(), row.work.end(), each);
+    std::for_each(row.motion.begin(), row.motion.end(), each);
+    each(row.power);
+}
+
+void Equilibria::subtract(Row& row, const Row& other, ScalarHandle factor) {
+    const auto each = [&](std::vector<Cell>& to, const std::vector<Cell>& what) {
+        for (std::size_t i = 0; i < to.size(); ++i) to[i] = minus_times(to[i], factor, what[i]);
+    };
+    each(row.work, other.work);
+    each(row.motion, other.motion);
+    row.power = minus_times(row.power, factor, other.power);
+}
+
+/// The largest, so that on rounded data none is taken that is little more than noise.
+std::optional<std::size_t> Equilibria::pivot_row(std::size_t column) {
+    const auto as_force = [&](ScalarHandle value) { return board_.scale<Plane::force>(value, board_.own_direction({1, 0})); };
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (rows_[i].pivot >= 0 || !rows_[i].work[column]) continue;
+        if (!best || board_.choose_longer(as_force(*rows_[i].work[column]), as_force(*rows_[*best].work[column]))) best = i;
+    }
+    return best;
+}
+
+void Equilibria::eliminate() {
+    for (std::size_t column = 0; column < columns_.size(); ++column) {
+        const auto pivot = pivot_row(column);
+        if (!pivot) {
+            free_columns_.push_back(column);
+            continue;
+        }
+        Row& row = rows_[*pivot];
+        divide(row, *row.work[column]);
+        row.pivot = static_cast<int>(column);
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            if (i != *pivot && rows_[i].work[column]) {
+                const ScalarHandle factor = *rows_[i].work[column];
+                subtract(rows_[i], row, factor);
+                rows_[i].work[column].reset();
+            }
+    }
+    for (const Row& row : rows_) {
+        if (row.pivot >= 0) continue;
+        free_.push_back(motion_of(row));
+        exist_ = exist_ && !row.power;
+    }
+}
+
+// --- what all equilibria have alike ------------------------------------------------------------------------------------------
+
+Equilibria::Motion Equilibria::motion_of(const Row& row) const {
+    Motion motion;
+    motion.power = row.power;
+    for (const MemberIndex member : group_) {
+        const std::size_t first = first_row_.at(member);
+        Motion::Twist twist{row.motion[first], row.motion[first + 1], {}};
+        if (!model_.is_pin(member)) twist.turn = row.motion[first + 2];
+        if (twist.x || twist.y || twist.turn) motion.members.emplace(member, twist);
+    }
+    return motion;
+}
+
+std::size_t Equilibria::moving(const Row& row) const { return motion_of(row).members.size(); }
+
+Equilibria::Motion Equilibria::simplest(Row row) {
+    for (const Row& free : rows_) {
+        if (free.pivot >= 0) continue;
+        Row best = row;
+        for (std::size_t i = 0; i < row.motion.size(); ++i) {
+            if (!row.motion[i] || !free.motion[i]) continue;
+            Row tried = row;
+            subtract(tried, free, board_.quotient(*row.motion[i], *free.motion[i]));
+            if (moving(tried) < moving(best)) best = std::move(tried);
+        }
+        row = std::move(best);
+    }
+    return motion_of(row);
+}
+
+const Equilibria::Row* Equilibria::row_of(std::size_t column) const {
+    const auto found =
+        std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return row.pivot == static_cast<int>(column); });
+    return found == rows_.end() ? nullptr : &*found;
+}
+
+std::vector<Equilibria::Cell> Equilibria::change_of(std::size_t column) {
+    std::vector<Cell> changes;
+    const Row* row = row_of(column);
+    for (const std::size_t free : free_columns_) {
+        if (row == nullptr)
+            changes.push_back(free == column ? Cell(board_.number(1)) : Cell());
+        else
+            changes.push_back(row->work[free] ? Cell(board_.opposite(*row->work[free])) : Cell());
+    }
+    return changes;
+}
+
+bool Equilibria::vanishes(const std::vector<Cell>& cells) {
+    return std::none_of(cells.begin(), cells.end(), [](const Cell& cell) { return cell.has_value(); });
+}
+
+Equilibria::Row Equilibria::combined(const Cell& c_0, std::size_t first, const Cell& c_1, std::size_t second) {
+    Row sum;
+    sum.work.resize(columns_.size());
+    sum.motion.resize(rows_.size());
+    for (const auto& [factor, column] : {std::pair{c_0, first}, std::pair{c_1, second}}) {
+        const Row* row = row_of(column);
+        if (row != nullptr && factor) subtract(sum, *row, board_.opposite(*factor));
+    }
+    return sum;
+}
+
+Equilibria::Component Equilibria::along_unit(std::size_t column) {
+    const Row* row = row_of(column);
+    KG_ASSERT(row != nullptr, "what no equilibrium changes has an equation of its own");
+    const Force unit = *columns_[column].unit;
+    Component found{unit, !row->power, board_.direction(unit), simplest(*row)};
+    if (row->power) found.force = board_.scale<Plane::force>(board_.opposite(*row->power), board_.direction(unit));
+    return found;
+}
+
+/// Of a force of which two components change: the direction across all changes, where they have one line.
+std::optional<Equilibria::Component> Equilibria::component(std::size_t first, std::size_t second) {
+    const std::vector<Cell> x = change_of(first), y = change_of(second);
+    if (vanishes(x)) return along_unit(first);
+    if (vanishes(y)) return along_unit(second);
+    std::size_t some = 0;
+    while (!x[some] && !y[some]) ++some;
+    for (std::size_t f = 0; f < x.size(); ++f) {
+        const Cell one = times(x[f], y[some]), turned = minus_times(one, y[f], x[some]);
+        if (turned && !board_.is_zero(*turned)) return std::nullopt;
+    }
+    // c = (−y, x) of the change; the combination c_0 row + c_1 row has c · F alone.
+    const Cell c_0 = y[some] ? Cell(board_.opposite(*y[some])) : Cell(), c_1 = x[some];
+    const auto along = [&](const Cell& c, std::size_t column) {
+        return board_.scale<Plane::force>(c ? *c : board_.number(0), board_.direction(*columns_[column].unit));
+    };
+    const Force direction = board_.add(along(c_0, first), along(c_1, second));
+    const Row sum = combined(c_0, first, c_1, second);
+    Component found{direction, !sum.power, board_.direction(direction), simplest(sum)};
+    if (!sum.power) return found;
+    const Cell square_0 = times(c_0, c_0), square_1 = times(c_1, c_1);
+    const ScalarHandle square = square_0 && square_1 ? board_.sum(*square_0, *square_1) : square_0 ? *square_0 : *square_1;
+    found.force = board_.scale<Plane::force>(board_.quotient(board_.opposite(*sum.power), square), board_.direction(direction));
+    return found;
+}
+
+Equilibria::Alike Equilibria::of(int bond) {
+    std::vector<std::size_t> forces;
+    std::optional<std::size_t> couple;
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+        if (columns_[c].bond != bond) continue;
+        if (columns_[c].unit)
+            forces.push_back(c);
+        else
+            couple = c;
+    }
+    Alike alike;
+    alike.whole_force = std::all_of(forces.begin(), forces.end(), [&](std::size_t c) { return vanishes(change_of(c)); });
+    if (alike.whole_force) {
+        for (const std::size_t c : forces) alike.components.push_back(along_unit(c));
+    } else if (forces.size() == 2) {
+        if (auto one = component(forces[0], forces[1])) alike.components.push_back(std::move(*one));
+    }
+    if (couple && vanishes(change_of(*couple))) {
+        const Row* row = row_of(*couple);
+        KG_ASSERT(row != nullptr, "what no equilibrium changes has an equation of its own");
+        alike.couple = Couple{row->power ? Cell(board_.opposite(*row->power)) : Cell(), simplest(*row)};
+    }
+    alike.all = alike.whole_force && (!couple || alike.couple);
+    return alike;
+}
+
+// --- motions -----------------------------------------------------------------------------------------------------------------
+
+std::optional<PlaceOnDrawing> Equilibria::centre(const Motion::Twist& twist) {
+    if (!twist.turn) return std::nullopt;
+    if (!twist.x && !twist.y) return origin_;
+    // x, y of the shift and the turn ω: 0 = s + ω z ∧ r where r = z ∧ s / ω.
+    const auto part = [&](const Cell& cell, const Vector& axis) {
+        return board_.scale<drawing>(cell ? *cell : board_.number(0), board_.own_direction(axis));
+    };
+    const auto shift = board_.add(part(twist.x, {1, 0}), part(twist.y, {0, 1}));
+    const ScalarHandle inverse = board_.quotient(board_.number(1), *twist.turn);
+    return board_.carry(origin_, board_.scale<drawing>(inverse, board_.turn(shift)));
+}
+
+bool Equilibria::moves_as_one(const Motion& motion) {
+    const auto same = [&](const Cell& a, const Cell& b) {
+        if (!a || !b) return a.has_value() == b.has_value();
+        return board_.is_zero(board_.difference(*a, *b));
+    };
+    const Motion::Twist* first = nullptr;
+    for (const auto& [member, twist] : motion.members) {
+        if (model_.is_pin(member)) continue;  // it goes along with what it holds
+        if (first == nullptr)
+            first = &twist;
+        else if (!same(first->x, twist.x) || !same(first->y, twist.y) || !same(first->turn, twist.turn))
+            return false;
+    }
+    return first != nullptr;
+}
+
+std::vector<Group> groups_in_question(const ForceModel& model, const Run& run) {
+    std::vector<Group> groups;
+    std::set<MemberIndex> seen;
+    for (const MemberIndex first : model.moving_members()) {
+        const auto& own = model.bonds_of(first);
+        const bool open = std::any_of(own.begin(), own.end(), [&](int b) { return !run.reactions[at(b)].known; });
+        if (!open || !seen.insert(first).second) continue;
+        Group group{first};
+        for (std::size_t next = 0; next < group.size(); ++next)
+            for (const int b : model.bonds_of(group[next])) {
+                if (run.reactions[at(b)].known) continue;
+                const Bond& bond = model.bonds()[at(b)];
+                const MemberIndex other = bond.first == group[next] ? bond.second : bond.first;
+                if (other != member_of(frame) && seen.insert(other).second) group.push_back(other);
+            }
+        std::sort(group.begin(), group.end());
+        groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+}  // namespace kinegraph::statics

@@ -1,0 +1,100 @@
+// The model of the forces: what bodies may exert on each other (bonds), what loads them (constructions/forces/loads_of_members),
+// and the reduction of forces to a resultant. It says what is unknown, not how it is found.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "constructions/statics/force_nouns.hpp"
+#include "constructions/statics/forces/loads_of_members.hpp"
+#include "constructions/kinematics/motion.hpp"
+#include "constructions/kinematics/structure.hpp"
+#include "engine/board/board.hpp"
+#include "engine/solution/solution.hpp"
+
+namespace kinegraph::statics {
+
+class ForceModel {
+public:
+    ForceModel(Structure& structure, Board& board, const Motion& motion);
+
+    /// Why the loads could not be read (an inertia force without an acceleration, a spring without length).
+    const std::vector<Unsolved>& missing() const { return loads_.missing; }
+    /// All but the frame.
+    Indices<MemberIndex> moving_members() const { return indices(at(members_), member_of(frame).next()); }
+    const std::vector<Bond>& bonds() const { return bonds_; }
+    /// Indices of a member's bonds.
+    const std::vector<int>& bonds_of(MemberIndex member) const { return bonds_of_[at(member)]; }
+    /// How many bonds joints and efforts make; the components of hinges come after them.
+    std::size_t joint_bonds() const { return joint_bonds_; }
+    const std::vector<Load>& loads() const { return loads_.loads; }
+    /// Inertia forces moved aside so that they carry their couples, and by what.
+    const std::vector<Added>& moved() const { return loads_.moved; }
+    const std::vector<Lever>& shifts() const { return loads_.shifts; }
+    /// The point of a pin member.
+    PointIndex pin_point(MemberIndex member) const { return pins_[at(member) - mechanism_.bodies.size()]; }
+
+    /// Adds the components, along x and y, of a hinge's force, for a trial.
+    void add_components(int hinge);
+    void drop_components();
+
+    std::string member_name(MemberIndex member) const;
+    bool is_pin(MemberIndex member) const { return at(member) >= mechanism_.bodies.size(); }
+    /// None: it is a pin.
+    BodyIndex body_of(MemberIndex member) const { return is_pin(member) ? none : BodyIndex(member.number()); }
+    /// What a bond transmits, as it acts on its first member or on the other.
+    Quantity quantity_at(std::size_t bond, bool on_first) const;
+    /// F_32: of 3 on 2.
+    Symbol force_symbol(MemberIndex of, MemberIndex on) const;
+    /// One-sided pairs are assumed to push: teeth into the gear's own material, a contact in the sense that the file gives.
+    /// Whether the reaction found at a bond says that it would have to pull.
+    bool pulls(std::size_t bond, const Run& run);
+    /// Teeth that would pull. (Contacts may pull, too, but have no other flank: they lift off.)
+    std::vector<JointIndex> pulling_teeth(const Run& run);
+    /// They push on their other flank from then on: along the line of action mirrored at the common tangent. All is to be found
+    /// anew.
+    void turn_flanks(const std::vector<JointIndex>& teeth);
+    Action action(PlaceOnDrawing place, DirectionHandle direction);
+    LineOn<drawing> line_of(const Wrench& wrench);
+    /// Moment of a wrench about a place.
+    ScalarHandle moment(const Wrench& wrench, PlaceOnDrawing about);
+    Wrench with_couple(Wrench wrench, ScalarHandle couple);
+    /// The sum of two: through the meet of their lines; of parallel ones by moments; a couple where equal and opposite.
+    Wrench sum(const Wrench& a, const Wrench& b);
+    Wrench wrench_of(const Load& load);
+    Wrench wrench_of(const Bond& bond, const Reaction& reaction, MemberIndex member);
+    /// Loads and known reactions of a member (or of several taken together), reduced.
+    Wrench known_on(const Group& group, const std::vector<Load>& loads, const Run& run);
+    /// A spring between two members of a group, which the group does not feel.
+    bool is_inner(const Load& load, const Group& group) const;
+    /// What the loads and the known reactions leave on a member: components along x and y, and the moment about a place.
+    std::array<ScalarHandle, 3> gap(MemberIndex member, const std::vector<Load>& loads, const Run& run, PlaceOnDrawing about);
+    /// Bonds between a group and the rest.
+    std::vector<int> outer_bonds(const Group& group) const;
+
+private:
+    static std::string relative_name_of_bodies(const std::string& of, const std::string& on);
+    bool is_of_teeth(std::size_t bond) const;
+    void add_joint(JointIndex index);
+    void add_effort(int index);
+    /// On which side of the common tangent's normal the material of bodies[0] lies: the sign of 1/x_0 − 1/x_1, x the centres'
+    /// places along it (0 for a rack); 0 where the file gives only a tangent.
+    int material_side(JointIndex index);
+
+    Board& board_;
+    const Mechanism& mechanism_;
+    int members_ = 0;
+    std::vector<PointIndex> pins_;
+    PinMembers pin_of_;
+    std::vector<Bond> bonds_;
+    std::size_t joint_bonds_ = 0;
+    std::vector<std::vector<int>> bonds_of_;
+    LoadsOfMembers loads_;
+    std::set<JointIndex> mirrored_gears_;
+};
+
+}  // namespace kinegraph::statics

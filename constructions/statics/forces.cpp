@@ -1,0 +1,127 @@
+#include "constructions/statics/forces.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "constructions/statics/forces/runs.hpp"
+#include "constructions/statics/free_bodies.hpp"
+#include "constructions/statics/loose_bodies.hpp"
+#include "constructions/statics/truss.hpp"
+
+namespace kinegraph {
+namespace statics {
+namespace {
+
+/// Bars by which a truss hangs on the frame, alone at an unloaded hinge; and rollers, on which two forces only act.
+Group hung_bars(const ForceModel& model, Board& board, const TrussStructure& truss) {
+    Group hung;
+    for (const TrussStructure::Pin& pin : truss.pins) {
+        if (pin.hinges.empty() || pin.bars.size() != 1) continue;
+        const ElementIndex here = board.place(pin.point).element;
+        const bool loaded =
+            std::any_of(model.loads().begin(), model.loads().end(), [&](const Load& load) { return load.place.element == here; });
+        if (!loaded) hung.push_back(member_of(truss.bars[at(pin.bars.front())].body));
+    }
+    for (const Bond& bond : model.bonds())
+        if (bond.kind == Bond::Kind::guide) hung.push_back(bond.first == member_of(frame) ? bond.second : bond.first);
+    return hung;
+}
+
+/// All that is given on a truss as one force, and where the lines of the reactions meet it.
+std::optional<Truss::Whole> whole_of(ForceModel& model, const NamedMeets& meets, const Run& run) {
+    Group all;
+    for (const MemberIndex member : model.moving_members()) all.push_back(member);
+    Run loads_alone;
+    loads_alone.reactions.resize(run.reactions.size());
+    const Wrench given = model.known_on(all, model.loads(), loads_alone);
+    Truss::Whole whole;
+    for (const Reaction& reaction : run.reactions)
+        if (reaction.known) whole.statement = std::max(whole.statement, reaction.force_statement);
+    if (whole.statement == none || !given.force) return std::nullopt;
+    whole.force = Recorded<Vector>::at(given.force->element);
+    whole.through = Recorded<Vector>::at(given.place.element);
+    for (const auto& [member, named] : meets)
+        for (const NamedMeet& meet : named) {
+            const bool listed =
+                std::any_of(whole.meets.begin(), whole.meets.end(), [&](const auto& each) { return each.name == meet.name; });
+            if (!listed) whole.meets.push_back({meet.name, Recorded<Vector>::at(meet.place.element), meet.statement});
+        }
+    return whole;
+}
+
+/// Equilibrium does not determine everything.
+bool is_redundant(const Mechanism& mechanism, const Mobility& mobility) {
+    return mobility.repeated() > 0 || static_cast<int>(mechanism.efforts.size()) > mobility.effective;
+}
+
+/// The whole first, then pin by pin; where that does not lead to the end, body by body.
+ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
+                        const TrussStructure& truss) {
+    const Board::Mark before = board.mark();
+    Statement opening;
+    opening.section = Topic::forces;
+    opening.message = {Sentence::truss_whole,
+                       {Count{static_cast<int>(truss.bars.size())}, Count{static_cast<int>(truss.pins.size())}}};
+    board.state(std::move(opening));
+    Runs runs(model, board, mechanism, {}, false);
+    std::map<MemberIndex, std::string> names;
+    for (const TrussStructure::Bar& bar : truss.bars) names.emplace(member_of(bar.body), bar.name);
+    const Run whole = runs.whole(hung_bars(model, board, truss), std::move(names));
+    TrussDrawing drawing(model, board, mechanism, truss, whole);
+    if (drawing.resolve()) {
+        const Run run = drawing.run(whole);
+        ForceResults results = cut_free(model, board, mechanism, mobility, run, runs.meets(), {}, false);
+        results.truss = drawing.finish();
+        results.truss->whole = whole_of(model, runs.meets(), whole);
+        for (const Unsolved& missing : drawing.unsolved()) results.unsolved.push_back(missing);
+        if (!drawing.has_plan())
+            results.remarks.push_back({Sentence::truss_without_plan, {Count{static_cast<int>(truss.bars.size())}}});
+        return results;
+    }
+    board.rewind(before);
+    Runs one_by_one(model, board, mechanism, {}, is_redundant(mechanism, mobility));
+    const Run run = one_by_one.run();
+    ForceResults results = cut_free(model, board, mechanism, mobility, run, one_by_one.meets(), {});
+    if (!run.complete || !results.unsolved.empty()) return results;
+    TrussDrawing bars(model, board, mechanism, truss, run);
+    bars.read_off(run);
+    results.truss = bars.finish();
+    results.remarks.push_back({Sentence::truss_without_order, {Count{static_cast<int>(truss.bars.size())}}});
+    return results;
+}
+
+}  // namespace
+}  // namespace statics
+
+ForceResults draw_forces(Structure& structure, Board& board, const Motion& motion, const Mobility& mobility) {
+    const Mechanism& mechanism = structure.mechanism();
+    if (mechanism.points.empty()) return {};
+    statics::ForceModel model(structure, board, motion);
+    if (!model.missing().empty()) {
+        ForceResults results;
+        results.unsolved = model.missing();
+        return results;
+    }
+    const std::vector<statics::Loose> loose = statics::loose_bodies(model, board, mechanism, mobility);
+    std::set<statics::MemberIndex> adrift;
+    for (const statics::Loose& each : loose)
+        if (!each.balanced) adrift.insert(each.group.begin(), each.group.end());
+    if (const auto truss = truss_of(mechanism)) return statics::draw_truss(model, board, mechanism, mobility, *truss);
+    // On which flank teeth push is known once their forces are; what was found on the others is wiped off again.
+    const Board::Mark before = board.mark();
+    for (std::size_t round = 0;; ++round) {
+        statics::Runs runs(model, board, mechanism, adrift, statics::is_redundant(mechanism, mobility));
+        const statics::Run run = runs.run();
+        const std::vector<JointIndex> pulling = model.pulling_teeth(run);
+        if (pulling.empty() || round == mechanism.joints.size())
+            return statics::cut_free(model, board, mechanism, mobility, run, runs.meets(), loose);
+        board.rewind(before);
+        model.turn_flanks(pulling);
+    }
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,167 @@
+#include "constructions/statics/forces/every_equilibrium.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <tuple>
+
+namespace kinegraph::statics {
+
+Run EveryEquilibrium::in_every_equilibrium(const std::vector<Load>& loads, Run run) {
+    while (!run.complete && settle_alike(loads, run)) rules_.advance(loads, run);
+    for (const Group& group : groups_in_question(model_, run)) {
+        if (group.size() > Equilibria::most_members) {
+            run.beyond_members = Equilibria::most_members;
+            continue;
+        }
+        Equilibria all = equilibria(group, loads, run);
+        if (!all.exist()) continue;
+        run.redundant.insert(run.redundant.end(), group.begin(), group.end());
+        for (const int b : in_question(group, run)) note_alike(b, all.of(b), all, run);
+    }
+    return run;
+}
+
+Equilibria EveryEquilibrium::equilibria(const Group& group, const std::vector<Load>& loads, const Run& run) {
+    return {model_, board_, run, group, origin_, [&](MemberIndex member) { return model_.gap(member, loads, run, origin_); }};
+}
+
+std::vector<int> EveryEquilibrium::in_question(const Group& group, const Run& run) const {
+    std::set<int> bonds;
+    for (const MemberIndex member : group)
+        for (const int b : model_.bonds_of(member))
+            if (!run.reactions[at(b)].known) bonds.insert(b);
+    std::vector<int> sorted(bonds.begin(), bonds.end());
+    const auto rank = [&](int b) {
+        const Bond& bond = model_.bonds()[at(b)];
+        const bool one = bond.kind == Bond::Kind::line || bond.kind == Bond::Kind::couple;
+        return bond.effort >= 0 ? 0 : one ? 1 : bond.kind == Bond::Kind::clamp ? 3 : 2;
+    };
+    std::stable_sort(sorted.begin(), sorted.end(), [&](int a, int b) { return rank(a) < rank(b); });
+    return sorted;
+}
+
+bool EveryEquilibrium::settle_alike(const std::vector<Load>& loads, Run& run) {
+    for (const Group& group : groups_in_question(model_, run)) {
+        if (group.size() > Equilibria::most_members) continue;
+        Equilibria all = equilibria(group, loads, run);
+        if (!all.exist()) continue;
+        for (const int b : in_question(group, run)) {
+            const Equilibria::Alike alike = all.of(b);
+            if (!alike.all) continue;
+            settle_by_work(b, alike, all, run);
+            return true;
+        }
+    }
+    return false;
+}
+
+Group EveryEquilibrium::cut_at(int b) const {
+    const Bond& bond = model_.bonds()[at(b)];
+    return {bond.first == member_of(frame) ? bond.second : bond.first};
+}
+
+void EveryEquilibrium::settle_by_work(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run) {
+    const Group on = cut_at(b);
+    const Bond& bond = model_.bonds()[at(b)];
+    const bool reversed = !in(on, bond.first);
+    std::optional<Force> force = said_components(b, alike, all, run);
+    std::optional<ScalarHandle> couple = said_couple(b, alike, all, run);
+    if (force && reversed) force = board_.negate(*force);
+    if (couple && reversed) couple = board_.opposite(*couple);
+    if (force && couple) return settled_.settle_with_couple(b, *force, *couple, on, run);
+    if (force) return settled_.settle(b, *force, known_.place_of(b, run), on, run);
+    if (couple) return settled_.settle_couple(b, *couple, on, run);
+    settled_.found(b, on, run);
+}
+
+std::optional<Force> EveryEquilibrium::said_components(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run) {
+    std::optional<Force> force;
+    const bool apart = alike.components.size() > 1 || !alike.whole_force;  // else the symbol says it all
+    for (const Equilibria::Component& each : alike.components) {
+        // That a force has nothing across the line of its body is said with the line.
+        if (each.vanishes && apart && run.reactions[at(b)].deduced) continue;
+        Symbol symbol = said_.symbol_on(b, cut_at(b));
+        if (apart) symbol = component_symbol(symbol, each.direction);
+        say_work(b, std::move(symbol), each.direction, each.motion, all, run);
+        if (!each.vanishes) run.released.back().force = each.force;
+        if (!each.vanishes) force = force ? board_.add(*force, each.force) : each.force;
+    }
+    return force;
+}
+
+std::optional<ScalarHandle> EveryEquilibrium::said_couple(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run) {
+    if (!alike.couple) return std::nullopt;
+    Symbol symbol = said_.symbol_on(b, cut_at(b));
+    symbol.letter = Symbol::Letter::M;
+    say_work(b, std::move(symbol), std::nullopt, alike.couple->motion, all, run);
+    run.released.back().couple = alike.couple->couple;
+    if (alike.couple->couple && !in(cut_at(b), model_.bonds()[at(b)].first))
+        run.released.back().couple = board_.opposite(*alike.couple->couple);  // as the symbol counts it
+    return alike.couple->couple;
+}
+
+std::pair<std::string, std::string> EveryEquilibrium::axes(DirectionHandle along) {
+    if (board_.parallel(along, board_.own_direction({1, 0}))) return {"x", "y"};
+    if (board_.parallel(along, board_.own_direction({0, 1}))) return {"y", "x"};
+    return {"n", "t"};
+}
+
+Symbol EveryEquilibrium::component_symbol(Symbol symbol, DirectionHandle along) {
+    symbol.term += (symbol.term.empty() ? "" : ",") + axes(along).first;
+    return symbol;
+}
+
+void EveryEquilibrium::note_alike(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run) {
+    if (alike.components.empty() && !alike.couple) return;
+    const std::optional<Force> force = said_components(b, alike, all, run);
+    Reaction& reaction = run.reactions[at(b)];
+    if (!alike.components.empty()) {
+        reaction.alike = alike.whole_force ? Reaction::Alike::force : Reaction::Alike::component;
+        reaction.force = force;
+        reaction.along = alike.components.front().direction;
+        std::tie(reaction.axis, reaction.across) = axes(*reaction.along);
+    }
+    reaction.couple = said_couple(b, alike, all, run);
+    reaction.couple_alike = alike.couple.has_value();
+    const bool said = !run.released.empty() && run.released.back().bond == b;
+    reaction.force_statement = said ? said_.last() : reaction.line_statement;
+}
+
+void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHandle> along, const Equilibria::Motion& motion,
+                                Equilibria& all, Run& run) {
+    Released released;
+    released.bond = b;
+    released.sought = symbol;
+    released.along = along;
+    const bool of_bodies =
+        std::any_of(motion.members.begin(), motion.members.end(), [&](const auto& each) { return !model_.is_pin(each.first); });
+    Group moved;
+    Names turning, centres, translating;
+    for (const auto& [member, twist] : motion.members) {
+        if (of_bodies && model_.is_pin(member)) continue;
+        moved.push_back(member);
+        Released::Turning each{member, twist.turn, all.centre(twist), {}};
+        if (each.centre) each.name = said_.name_at(moved, *each.centre);
+        (each.centre ? turning : translating).push_back(model_.member_name(member));
+        if (each.centre) centres.push_back(each.name);
+        released.members.push_back(std::move(each));
+    }
+    // One centre is named once.
+    if (std::adjacent_find(centres.begin(), centres.end(), std::not_equal_to<>()) == centres.end())
+        centres.resize(std::min<std::size_t>(centres.size(), 1));
+    const bool as_one = of_bodies ? all.moves_as_one(motion) : moved.size() == 1;
+    if (as_one && !centres.empty()) {
+        said_.say_of(moved, Sentence::moments_alone, {PointName{centres.front()}, symbol}, "Ritter");
+    } else if (as_one) {
+        said_.say_of(moved, Sentence::components_alone, {symbol});
+    } else {
+        said_.say(Sentence::virtual_work_alone, {symbol, turning, centres, translating}, "", moved);
+    }
+    released.statement = said_.last();
+    if (!run.reactions[at(b)].known && run.reactions[at(b)].line_statement == none)
+        run.reactions[at(b)].line_statement = said_.last();
+    run.released.push_back(std::move(released));
+}
+
+}  // namespace kinegraph::statics

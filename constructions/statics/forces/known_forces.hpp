@@ -1,0 +1,46 @@
+// What is known of the forces in a run, bond by bond: what is open still, in which form, and which bodies may be cut free next.
+// It reads runs and opens them; it knows no rule and no sentence.
+#pragma once
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "constructions/statics/force_model.hpp"
+
+namespace kinegraph::statics {
+
+class KnownForces {
+public:
+    enum class Shape { pin, guide, line, couple, clamp };
+    /// Unknown bonds by what is known of them.
+    struct Unknowns {
+        std::vector<int> pins, guides, fixed, couples, clamps;
+    };
+
+    /// `adrift`: members of which nothing is found. `wholes`: structures hung on the frame, which are cut free whole first.
+    KnownForces(ForceModel& model, std::set<MemberIndex> adrift, std::vector<Group> wholes)
+        : model_(model), adrift_(std::move(adrift)), wholes_(std::move(wholes)) {}
+
+    const std::vector<Group>& wholes() const { return wholes_; }
+    Run fresh() const;
+    /// Components added since the run began: open where their hinge is, else nothing more.
+    void fit(Run& run) const;
+    Shape shape(int b, const Run& run) const;
+    std::vector<int> unknown_of(const Group& group, const Run& run) const;
+    Unknowns sorted(const std::vector<int>& unknown, const Run& run) const;
+    bool all_known(const Run& run) const;
+    std::vector<Group> groups(const Run& run) const;
+    bool is_whole(const Group& group) const { return std::find(wholes_.begin(), wholes_.end(), group) != wholes_.end(); }
+    void note(const Group& group, Run& run) const;
+    /// A place on a bond's line, or its own.
+    PlaceOnDrawing place_of(int b, const Run& run) const;
+
+private:
+    ForceModel& model_;
+    std::set<MemberIndex> adrift_;
+    std::vector<Group> wholes_;
+};
+
+}  // namespace kinegraph::statics

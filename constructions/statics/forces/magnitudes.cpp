@@ -1,0 +1,290 @@
+#include "constructions/statics/forces/magnitudes.hpp"
+
+#include <string>
+
+#include "engine/number/assert.hpp"
+
+namespace kinegraph::statics {
+
+bool Magnitudes::magnitudes(const Group& group, const std::vector<Load>& loads, Run& run) {
+    const std::vector<int> unknown = known_.unknown_of(group, run);
+    if (unknown.empty()) return false;
+    const auto [pins, guides, fixed, couples, clamps] = known_.sorted(unknown, run);
+    const std::size_t count = 2 * (pins.size() + guides.size()) + fixed.size() + couples.size() + 3 * clamps.size();
+    if (count > 3 || couples.size() > 1) return false;
+    const Wrench known = model_.known_on(group, loads, run);
+    bool done = false;
+    if (unknown.size() == 1) {
+        done = single(group, unknown[0], known, loads, run);
+    } else if (pins.size() == 1 && couples.size() == 1) {
+        done = force_and_couple(group, pins[0], couples[0], known, loads, run);
+    } else if (pins.size() == 1 && fixed.size() == 1) {
+        done = line_and_pin(group, fixed[0], pins[0], known, loads, run);
+    } else if (guides.size() == 1 && fixed.size() == 1) {
+        done = line_and_guide(group, fixed[0], guides[0], known, loads, run);
+    } else if (fixed.size() == 2) {
+        done = two_lines(group, fixed[0], fixed[1], couples.empty() ? -1 : couples[0], known, loads, run);
+    } else if (fixed.size() == 1 && couples.size() == 1) {
+        done = force_and_couple(group, fixed[0], couples[0], known, loads, run);
+    } else if (fixed.size() == 3) {
+        done = three_lines(group, fixed, known, loads, run);
+    }
+    if (done) known_.note(group, run);
+    if (done && group.size() > 1 && !said_.in_trial()) run.balanced.push_back({group, unknown, said_.last()});
+    return done;
+}
+
+bool Magnitudes::single(const Group& group, int b, const Wrench& known, const std::vector<Load>& loads, Run& run) {
+    const KnownForces::Shape of = known_.shape(b, run);
+    Symbol symbol = said_.symbol_on(b, group);
+    if (known.vanishes() && of == KnownForces::Shape::couple) symbol.letter = Symbol::Letter::M;
+    said_.say_of(group, known.vanishes() ? Sentence::no_force : Sentence::single_reaction, {symbol});
+    if (of == KnownForces::Shape::couple) {
+        resultants_.note_couple_of_two(group, known, loads, run);
+        settled_.settle_couple(b, board_.opposite(model_.moment(known, model_.bonds()[at(b)].place)), group, run);
+        return true;
+    }
+    const bool takes_couple = model_.bonds()[at(b)].kind == Bond::Kind::guide || model_.bonds()[at(b)].kind == Bond::Kind::clamp;
+    if (of == KnownForces::Shape::line) {
+        const Action line = *run.reactions[at(b)].action;
+        if (known.force) {
+            settled_.settle(b, balance_.opposite_along(known, line.direction), line.place, group, run);
+        } else {
+            settled_.found(b, group, run);
+        }
+    } else if (takes_couple) {
+        const ScalarHandle couple = board_.opposite(model_.moment(known, model_.bonds()[at(b)].place));
+        if (known.force) {
+            const Force force = of == KnownForces::Shape::guide ? balance_.opposite_along(known, model_.bonds()[at(b)].direction)
+                                                                : balance_.opposite(known);
+            settled_.settle_with_couple(b, force, couple, group, run);
+        } else {
+            settled_.settle_couple(b, couple, group, run);
+        }
+    } else if (known.force) {
+        settled_.settle(b, balance_.opposite(known), model_.bonds()[at(b)].place, group, run);
+    } else {
+        settled_.found(b, group, run);
+    }
+    return true;
+}
+
+bool Magnitudes::force_and_couple(const Group& group, int force, int couple, const Wrench& known, const std::vector<Load>& loads,
+                                  Run& run) {
+    const PlaceOnDrawing place = known_.place_of(force, run);
+    resultants_.say_resultant(group, known, loads, run);
+    said_.say_of(group, Sentence::force_and_couple, {said_.symbol_on(force, group), said_.symbol_on(couple, group)});
+    const ScalarHandle balancing = board_.opposite(model_.moment(known, place));
+    if (known.force && !board_.is_zero(balancing)) resultants_.note_lever(group, place, *known.force, known.place, run);
+    if (known.force) {
+        const auto& line = run.reactions[at(force)].action;
+        settled_.settle(force, line ? balance_.opposite_along(known, line->direction) : balance_.opposite(known), place, group,
+                        run);
+    } else {
+        settled_.found(force, group, run);
+    }
+    settled_.settle_couple(couple, balancing, group, run);
+    return true;
+}
+
+bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrench& known, const std::vector<Load>& loads,
+                              Run& run) {
+    const Action given = *run.reactions[at(line)].action;
+    const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
+    if (board_.on_line(place, given.line)) return false;  // the moment about the pin says nothing of it
+    if (known.vanishes()) {
+        said_.say_of(group, Sentence::zero_forces, {});
+        settled_.found(line, group, run);
+        settled_.found(pin, group, run);
+        return true;
+    }
+    if (known.force && !board_.parallel(board_.direction(*known.force), given.direction)) {
+        const auto met = board_.meet(model_.line_of(known), given.line);
+        if (board_.coincide(*met, place)) return false;
+        const bool far = funicular_.is_far(group, *met, place, known.place, given.place);
+        if (several_by_strings(group, line, pin, known, far, loads, run)) return true;
+        resultants_.say_resultant(group, known, loads, run);
+        if (far)
+            if (auto found =
+                    funicular_.strings(group, {{resultants_.symbol_of_known(group, loads, run), known.force, known.place, -1}},
+                                       *known.force, given, place)) {
+                said_.say_of(group, Sentence::funicular_far, {said_.symbol_on(line, group), said_.symbol_on(pin, group)},
+                             "Culmann");
+                const auto [along, at_pin] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
+                settled_.settle(line, along, given.place, group, run);
+                settled_.settle(pin, at_pin, place, group, run);
+                return true;
+            }
+        const std::string letter = said_.meet_name(group, *met);
+        said_.say_of(group, Sentence::triangle_at, {PointName{letter}, said_.symbol_on(line, group), said_.symbol_on(pin, group)},
+                     "Culmann");
+        const DirectionHandle through_meet = board_.direction(board_.vector(place, *met));
+        const auto [along, at_pin] = balance_.triangle(known, given.direction, through_meet);
+        settled_.settle_line(pin, model_.action(place, through_meet), run);
+        settled_.settle(line, along, given.place, group, run);
+        settled_.settle(pin, at_pin, place, group, run);
+        return true;
+    }
+    if (known.force)
+        if (auto found = funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, given, place)) {
+            say_strings(group, Sentence::funicular_parallel, {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, *found);
+            const auto [first, second] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
+            settled_.settle(line, first, given.place, group, run);
+            settled_.settle(pin, second, place, group, run);
+            return true;
+        }
+    const auto along = balance_.by_moments(given, place, known);
+    if (!along) return false;
+    said_.say_of(group, Sentence::parallel_forces, {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, "Ritter");
+    settled_.settle(line, *along, given.place, group, run);
+    settled_.settle(pin, board_.negate(known.force ? board_.add(*known.force, *along) : *along), place, group, run);
+    return true;
+}
+
+bool Magnitudes::several_by_strings(const Group& group, int line, int pin, const Wrench& known, bool far,
+                                    const std::vector<Load>& loads, Run& run) {
+    if (!known_.is_whole(group)) return false;
+    const std::vector<Actor> actors = resultants_.actors_on(group, loads, run);
+    if (actors.size() < (far ? 2U : 3U)) return false;
+    const Action given = *run.reactions[at(line)].action;
+    const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
+    auto found = funicular_.strings(group, actors, *known.force, given, place);
+    if (!found) return false;
+    say_strings(group, Sentence::funicular_several, {said_.symbol_on(line, group), said_.symbol_on(pin, group), found->known},
+                *found);
+    const auto [along, at_pin] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
+    settled_.settle(line, along, given.place, group, run);
+    settled_.settle(pin, at_pin, place, group, run);
+    return true;
+}
+
+/// Where the outer strings meet the resultant passes: that place has a name.
+void Magnitudes::say_strings(const Group& group, Sentence sentence, std::vector<Argument> arguments, const Strings& found) {
+    if (found.resultant) arguments.emplace_back(PointName{said_.meet_name(group, *found.resultant)});
+    said_.say_of(group, sentence, std::move(arguments), "Culmann");
+}
+
+void Magnitudes::say_no_force_along(const Group& group, int nothing, int all, bool couple_too) {
+    std::vector<Argument> arguments{said_.symbol_on(nothing, group), said_.symbol_on(all, group)};
+    if (couple_too) {
+        Symbol couple = said_.symbol_on(nothing, group);
+        couple.letter = Symbol::Letter::M;
+        arguments.emplace_back(std::move(couple));
+    }
+    said_.say_of(group, Sentence::no_force_along, std::move(arguments));
+}
+
+bool Magnitudes::line_and_guide(const Group& group, int line, int guide, const Wrench& known, const std::vector<Load>& loads,
+                                Run& run) {
+    const Action given = *run.reactions[at(line)].action;
+    const DirectionHandle normal = model_.bonds()[at(guide)].direction;
+    if (board_.parallel(given.direction, normal)) return false;
+    if (balance_.is_along(known, given)) {
+        say_no_force_along(group, guide, line, board_.is_zero(model_.moment(known, given.place)));
+    } else if (const auto met = resultants_.meet_of_resultant(group, given, known, loads, run)) {
+        const std::string letter = said_.meet_name(group, *met);
+        said_.say_of(group, Sentence::triangle_at,
+                     {PointName{letter}, said_.symbol_on(line, group), said_.symbol_on(guide, group)});
+    } else {
+        said_.say_of(group, Sentence::triangle, {said_.symbol_on(line, group), said_.symbol_on(guide, group)});
+    }
+    const auto [along, across] = balance_.triangle(known, given.direction, normal);
+    settled_.settle(line, along, given.place, group, run);
+    Wrench rest = known;
+    if (run.reactions[at(line)].force) rest = model_.sum(known, balance_.wrench_at(along, given.place));
+    settle_guide(guide, across, rest, group, run);
+    return true;
+}
+
+void Magnitudes::settle_guide(int guide, Force across, const Wrench& rest, const Group& group, Run& run) {
+    settled_.settle_with_couple(guide, across, board_.opposite(model_.moment(rest, model_.bonds()[at(guide)].place)), group, run);
+}
+
+bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, const Wrench& known, const std::vector<Load>& loads,
+                           Run& run) {
+    const Action first = *run.reactions[at(one)].action, second = *run.reactions[at(two)].action;
+    if (!board_.parallel(first.direction, second.direction)) {
+        if (balance_.is_along(known, first))
+            say_no_force_along(group, two, one, false);
+        else if (balance_.is_along(known, second))
+            say_no_force_along(group, one, two, false);
+        else
+            said_.say_of(group, Sentence::triangle, {said_.symbol_on(one, group), said_.symbol_on(two, group)});
+        const auto [x, y] = balance_.triangle(known, first.direction, second.direction);
+        settled_.settle(one, x, first.place, group, run);
+        settled_.settle(two, y, second.place, group, run);
+        if (couple >= 0) {
+            Wrench rest = model_.sum(model_.sum(known, balance_.nonzero(x, first.place)), balance_.nonzero(y, second.place));
+            settled_.settle_couple(couple, board_.opposite(model_.moment(rest, first.place)), group, run);
+        }
+        return true;
+    }
+    if (couple >= 0) return false;
+    if (balance_.is_along(known, first) && !board_.on_line(second.place, first.line))
+        if (auto found = funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, first, second.place)) {
+            say_strings(group, Sentence::funicular_parallel, {said_.symbol_on(one, group), said_.symbol_on(two, group)}, *found);
+            const auto [x, y] = funicular_.by_strings(*std::move(found), one, two, *known.force, group, run);
+            settled_.settle(one, x, first.place, group, run);
+            settled_.settle(two, y, second.place, group, run);
+            return true;
+        }
+    const auto x = balance_.by_moments(first, second.place, known);
+    if (!x) return false;
+    said_.say_of(group, Sentence::parallel_forces, {said_.symbol_on(one, group), said_.symbol_on(two, group)}, "Ritter");
+    settled_.settle(one, *x, first.place, group, run);
+    Wrench rest;
+    rest.force = known.force ? board_.add(*known.force, *x) : *x;
+    settled_.settle(two, balance_.opposite_along(rest, second.direction), second.place, group, run);
+    return true;
+}
+
+bool Magnitudes::three_lines(const Group& group, const std::vector<int>& fixed, const Wrench& known,
+                             const std::vector<Load>& loads, Run& run) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int one = fixed[i], two = fixed[(i + 1) % 3], three = fixed[(i + 2) % 3];
+        const Action a = *run.reactions[at(one)].action, b = *run.reactions[at(two)].action, c = *run.reactions[at(three)].action;
+        if (board_.parallel(b.direction, c.direction)) continue;
+        const PlaceOnDrawing pivot = *board_.meet(b.line, c.line);
+        if (board_.on_line(pivot, a.line)) return false;  // concurrent: only a force through that point is held
+        const auto [first, rest] = known_and_one(group, known, one, two, three, pivot, loads, run);
+        settled_.settle(one, first, a.place, group, run);
+        const auto [x, y] = balance_.triangle(rest, b.direction, c.direction);
+        settled_.settle(two, x, b.place, group, run);
+        settled_.settle(three, y, c.place, group, run);
+        return true;
+    }
+    return false;
+}
+
+std::pair<Force, Wrench> Magnitudes::known_and_one(const Group& group, const Wrench& known, int one, int two, int three,
+                                                   PlaceOnDrawing pivot, const std::vector<Load>& loads, Run& run) {
+    const Action a = *run.reactions[at(one)].action;
+    Wrench rest;
+    rest.place = pivot;
+    if (known.force && !board_.parallel(board_.direction(*known.force), a.direction)) {
+        const PlaceOnDrawing met = *board_.meet(model_.line_of(known), a.line);
+        if (!board_.coincide(met, pivot)) {
+            resultants_.say_resultant(group, known, loads, run);
+            const std::string one_meet = said_.meet_name(group, met), other_meet = said_.meet_name(group, pivot);
+            said_.say_of(group, Sentence::culmann_line,
+                         {PointName{one_meet}, PointName{other_meet}, said_.symbol_on(one, group), said_.symbol_on(two, group),
+                          said_.symbol_on(three, group)},
+                         "Culmann");
+            const auto [first, pair] = balance_.triangle(known, a.direction, board_.direction(board_.vector(met, pivot)));
+            if (!board_.is_zero(pair)) rest.force = board_.negate(pair);
+            if (rest.force) resultants_.note_culmann(group, one, one_meet + other_meet, *rest.force, met, loads, run);
+            return {first, rest};
+        }
+    }
+    const auto first = balance_.by_moments(a, pivot, known);
+    KG_ASSERT(first, "a line that does not pass the pivot has a lever about it");
+    said_.say_of(group, Sentence::culmann,
+                 {PointName{said_.meet_name(group, pivot)}, said_.symbol_on(one, group), said_.symbol_on(two, group),
+                  said_.symbol_on(three, group)},
+                 "Ritter");
+    rest.force = known.force ? board_.add(*known.force, *first) : *first;
+    if (board_.is_zero(*rest.force)) rest.force.reset();
+    return {*first, rest};
+}
+
+}  // namespace kinegraph::statics

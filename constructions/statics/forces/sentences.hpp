@@ -1,0 +1,78 @@
+// The sentences of a solution of forces as they are said one after the other: of which bodies, by which letters of forces and of
+// the points where their lines meet. In a trial nothing is said. It knows no rule, and nothing of what is known of a force.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "constructions/statics/force_model.hpp"
+#include "constructions/statics/forces/known_forces.hpp"
+#include "constructions/statics/free_bodies.hpp"
+
+namespace kinegraph::statics {
+
+class ForceSentences {
+public:
+    ForceSentences(const ForceModel& model, Board& board, const Mechanism& mechanism, const KnownForces& known)
+        : model_(model), board_(board), mechanism_(mechanism), known_(known) {}
+
+    /// Said last.
+    StatementIndex last() const { return statement_; }
+    /// By member.
+    const NamedMeets& meets() const { return meets_; }
+    /// What is cut free whole is a truss, with these names of its bars.
+    void speak_of_truss(std::map<MemberIndex, std::string> bars) {
+        of_truss_ = true;
+        bar_names_ = std::move(bars);
+    }
+    /// Of the member whose loads act alone from now on; empty: of none.
+    void set_mark(std::string mark) { mark_ = std::move(mark); }
+    bool has_mark() const { return !mark_.empty(); }
+    /// Of the sum of what is known on bodies.
+    Symbol resultant_symbol(const Group& group) const { return with_mark({Symbol::Letter::F, "R" + names_of(group), {}}); }
+    Symbol with_mark(Symbol symbol) const { return marked(std::move(symbol), mark_); }
+
+    /// The strokes of a trial belong to the sentence that opens it; trials nest.
+    void enter_trial() { ++trials_; }
+    void leave_trial() { --trials_; }
+    bool in_trial() const { return trials_ > 0; }
+
+    void say(Sentence sentence, std::vector<Argument> arguments, const char* source = "", const Group& group = {});
+    /// A sentence of a body, or of several taken together: they are its first argument.
+    void say_of(const Group& group, Sentence sentence, std::vector<Argument> arguments, const char* source = "");
+    /// The force of a bond as it acts on a group.
+    Symbol symbol_on(int b, const Group& group) const;
+    /// The action of a bond on a group.
+    Quantity quantity_on(int b, const Group& group) const;
+    PointName place_name(int b) const;
+    std::string names_of(const Group& group) const;
+    /// The letter of a point of concurrency; the sentence said next finds it.
+    std::string meet_name(const Group& group, PlaceOnDrawing place);
+    /// Of a point of the file, or a letter of its own.
+    std::string name_at(const Group& group, PlaceOnDrawing place);
+
+private:
+    /// Pins come after the bodies.
+    MemberIndex last_body_of(const Group& group) const;
+    BodyName::As as_what(const Group& group) const;
+    std::string free_letter() const;
+    void remember_meets();
+
+    const ForceModel& model_;
+    Board& board_;
+    const Mechanism& mechanism_;
+    const KnownForces& known_;
+    int trials_ = 0;  ///< under way, one in the other
+    bool of_truss_ = false;
+    std::map<MemberIndex, std::string> bar_names_;
+    std::string mark_;
+    StatementIndex statement_ = none;
+    NamedMeets meets_;
+    std::vector<NamedMeet> named_meets_;                          ///< all, each with its letter
+    std::vector<std::pair<Group, std::ptrdiff_t>> unsaid_meets_;  ///< of groups; indices in named_meets_
+};
+
+}  // namespace kinegraph::statics

@@ -1,0 +1,65 @@
+#include "constructions/statics/free_bodies.hpp"
+
+#include <cmath>
+#include <set>
+
+#include "constructions/statics/free_bodies/cut_bodies.hpp"
+#include "constructions/statics/free_bodies/found_values.hpp"
+#include "constructions/statics/free_bodies/loose_resultants.hpp"
+#include "constructions/statics/free_bodies/superposing.hpp"
+
+namespace kinegraph::statics {
+
+void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose) {
+    // On rounded data a line passes a place that is as near as their precision, amplified a little, makes it.
+    constexpr double amplified = 64;
+    const auto passes = [&](const AppliedForce& applied, const Vector& place) {
+        const Exact moment = cross(applied.force, place - applied.at);
+        return moment.is_zero() || (pose.is_rounded() && std::abs(moment.to_double()) <=
+                                                             amplified * pose.precision.to_double() * length(applied.force));
+    };
+    for (FreeBody& body : bodies) {
+        for (AppliedForce& applied : body.forces) {
+            if (applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::resultant) continue;
+            for (const FreeBody::Meet& meet : body.meets) {
+                if (!passes(applied, meet.place)) continue;
+                if (applied.line_statement == none || meet.statement < applied.line_statement)
+                    applied.line_statement = meet.statement;
+            }
+        }
+    }
+}
+
+ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
+                      const NamedMeets& meets, const std::vector<Loose>& loose, bool one_by_one) {
+    ForceResults results;
+    const UnderLoads under{&model.loads()};
+    ForcePolygons polygons(model, board);
+    Way way(model, board, mechanism, meets, under);
+    LooseResultants resultants(model, board, mechanism, polygons, way, results);
+    for (const Loose& each : loose) resultants.resultant(each);
+    const std::set<MemberIndex>& unbalanced = resultants.unbalanced();
+    Verdict verdict(model, mechanism, mobility, under);
+    std::set<MemberIndex> open = verdict.out_of_equilibrium(run);
+    for (const MemberIndex member : unbalanced) open.erase(member);
+    const bool balanced = open.empty(), complete = verdict.is_complete(run, unbalanced);
+    if (!complete || !balanced) verdict.explain(run, balanced, results);
+    FoundValues values(model, board, mechanism, way, results);
+    open.insert(unbalanced.begin(), unbalanced.end());
+    for (std::size_t b = 0; b < model.bonds().size(); ++b) {
+        const Bond& bond = model.bonds()[b];
+        values.collect_bond(bond, run.reactions[b], open.count(bond.first) == 0 && open.count(bond.second) == 0);
+    }
+    if ((!complete && run.redundant.empty()) || !balanced) return results;
+    CutBodies bodies(model, board, polygons, way, under, one_by_one, results);
+    if (one_by_one) bodies.draw_bodies(run, unbalanced);
+    for (const Released& released : run.released) values.virtual_motion(released);
+    if (complete && one_by_one) polygons.join_polygons();
+    bodies.cut_together(run);
+    if (complete && one_by_one && !run.parts.empty())
+        results.superposition = Superposing(model, board, mechanism, mobility, meets).superpose(run);
+    verdict.remark_lift_off(run, results);
+    return results;
+}
+
+}  // namespace kinegraph::statics

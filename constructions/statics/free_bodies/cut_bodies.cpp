@@ -1,0 +1,174 @@
+#include "constructions/statics/free_bodies/cut_bodies.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace kinegraph::statics {
+
+void CutBodies::draw_bodies(const Run& run, const std::set<MemberIndex>& unbalanced) {
+    Group order;
+    for (const Resolved& resolved : run.order) order.push_back(resolved.member);
+    for (const MemberIndex member : model_.moving_members()) {
+        if (!in(order, member)) order.push_back(member);
+    }
+    for (const MemberIndex member : order)
+        if (unbalanced.count(member) == 0 && (is_whole(member, run) || in(run.redundant, member))) free_body(member, run);
+}
+
+bool CutBodies::is_whole(MemberIndex member, const Run& run) const {
+    const auto& bonds = model_.bonds_of(member);
+    return std::all_of(bonds.begin(), bonds.end(), [&](int b) { return run.reactions[at(b)].known; });
+}
+
+void CutBodies::cut_together(const Run& run) {
+    for (const Balanced& balanced : run.balanced) {
+        const std::vector<int> outer = model_.outer_bonds(balanced.group);
+        if (!std::all_of(outer.begin(), outer.end(), [&](int b) { return run.reactions[at(b)].known; })) continue;
+        const Strings* strings = strings_of(balanced, run);
+        // The plan of a truss has what closes, but no rays and no diagonal of Culmann's.
+        if (!one_by_one_ && strings == nullptr && !has_diagonal(balanced, run)) continue;
+        std::vector<std::pair<MemberIndex, Side>> sides;
+        for (const Load& load : *under_.loads)
+            if (load.force && in(balanced.group, load.member) && !model_.is_inner(load, balanced.group))
+                sides.push_back(
+                    {load.member,
+                     {load.symbol, *load.force, -1, true, quantity_of(way_.empty_body(load.member), way_.applied_load(load))}});
+        for (const bool sought : {false, true})
+            for (const int b : outer) {
+                const bool is_sought = std::find(balanced.sought.begin(), balanced.sought.end(), b) != balanced.sought.end();
+                const Reaction& reaction = run.reactions[at(b)];
+                if (is_sought != sought || !reaction.force) continue;
+                const Bond& bond = model_.bonds()[at(b)];
+                const bool on_first = in(balanced.group, bond.first);
+                sides.push_back({on_first ? bond.first : bond.second,
+                                 {marked(on_first ? bond.symbol : bond.reverse, under_.mark),
+                                  on_first ? *reaction.force : board_.negate(*reaction.force),
+                                  b,
+                                  true,
+                                  {}}});
+            }
+        if (sides.size() > 2) draw_together(balanced, std::move(sides), strings, run);
+    }
+}
+
+void CutBodies::free_body(MemberIndex member, const Run& run) {
+    FreeBody body = way_.empty_body(member);
+    std::vector<Side> sides;
+    body.in_parts = run.in_parts;
+    const auto apply = [&](AppliedForce applied, const std::optional<Force>& force, int bond) {
+        if (force) {
+            applied.elements.force = force->element;
+            const bool external = bond < 0 || model_.bonds()[at(bond)].first == member_of(frame) ||
+                                  model_.bonds()[at(bond)].second == member_of(frame);
+            sides.push_back({applied.symbol, *force, bond, external, quantity_of(body, applied)});
+        }
+        if (applied.elements.force != none || applied.elements.couple != none) body.forces.push_back(std::move(applied));
+    };
+    for (const Load& load : *under_.loads) {
+        if (load.member != member) continue;
+        apply(way_.applied_load(load), load.force, -1);
+    }
+    for (const int b : model_.bonds_of(member)) {
+        const Bond& bond = model_.bonds()[at(b)];
+        const Reaction& reaction = run.reactions[at(b)];
+        const bool reversed = bond.second == member;
+        for (Symbol& symbol : Verdict::open_symbols(bond, reaction, reversed)) body.open.push_back(std::move(symbol));
+        if (!reaction.known && reaction.alike == Reaction::Alike::nothing && !reaction.couple_alike) continue;
+        AppliedForce applied;
+        applied.symbol = marked(reversed ? bond.reverse : bond.symbol, under_.mark);
+        applied.is_component = !reaction.known;
+        if (reaction.alike == Reaction::Alike::component && !reaction.known)
+            applied.symbol.term += (applied.symbol.term.empty() ? "" : ",") + std::string(reaction.axis);
+        applied.kind = bond.effort >= 0 ? AppliedForce::Kind::effort : AppliedForce::Kind::reaction;
+        applied.joint = bond.joint;
+        applied.given = bond.effort;
+        if (bond.effort < 0) applied.line_statement = reaction.line_statement;
+        applied.force_statement = reaction.force_statement;
+        body.statement = std::max(body.statement, reaction.force_statement);
+        applied.from = model_.body_of(reversed ? bond.first : bond.second);
+        applied.elements.at = bond.place.element;
+        applied.line_by_construction = reaction.deduced;
+        std::optional<Force> force;
+        if (reaction.force) force = reversed ? board_.negate(*reaction.force) : *reaction.force;
+        if (reaction.couple) {
+            const ScalarHandle couple = reversed ? board_.opposite(*reaction.couple) : *reaction.couple;
+            // A force with a couple is the same force moved aside: its real line. A part of a force has none.
+            if (force && reaction.known) {
+                applied.elements.at = board_.carry(bond.place, board_.arm(couple, *force)).element;
+            } else {
+                applied.elements.couple = couple.element;
+            }
+        }
+        apply(std::move(applied), force, b);
+    }
+    way_.list_meets(member, body);
+    const std::vector<const Added*> leading = way_.add_way(member, run, body);
+    const bool whole = is_whole(member, run);
+    if (!whole) body.statement = none;  // no one sentence closes it
+    if (!sides.empty() && whole) {
+        way_.put_in_order(sides, leading);
+        if (body.funicular) way_.put_in_order(sides, *body.funicular);
+        body.polygon = polygons_.draw_polygon(member, sides, under_.suffix());
+        polygons_.keep(member, std::move(sides));
+    }
+    if (!body.forces.empty()) results_.bodies.push_back(std::move(body));
+}
+
+bool CutBodies::has_diagonal(const Balanced& balanced, const Run& run) {
+    const auto is_sought = [&](int b) {
+        return std::find(balanced.sought.begin(), balanced.sought.end(), b) != balanced.sought.end();
+    };
+    return std::any_of(run.added.begin(), run.added.end(), [&](const Added& added) {
+        return added.group == balanced.group && std::any_of(added.bonds.begin(), added.bonds.end(), is_sought);
+    });
+}
+
+const Strings* CutBodies::strings_of(const Balanced& balanced, const Run& run) {
+    const auto found = std::find_if(run.strings.begin(), run.strings.end(), [&](const Strings& strings) {
+        return strings.group == balanced.group && strings.statement == balanced.statement;
+    });
+    return found == run.strings.end() ? nullptr : &*found;
+}
+
+void CutBodies::draw_together(const Balanced& balanced, std::vector<std::pair<MemberIndex, Side>> sides, const Strings* strings,
+                              const Run& run) {
+    TakenTogether together;
+    together.statement = balanced.statement;
+    if (strings != nullptr) {
+        together.funicular = way_.funicular(*strings);
+        std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+            return way_.rank_in(*together.funicular, a.second.symbol) < way_.rank_in(*together.funicular, b.second.symbol);
+        });
+    }
+    std::string id = one_by_one_ ? "forces" : "forces-truss";
+    for (const MemberIndex member : balanced.group)
+        if (!model_.is_pin(member)) together.bodies.push_back(model_.body_of(member));
+    // Of one body and its pin it is not the body's own.
+    for (const MemberIndex member : balanced.group)
+        if (one_by_one_ && (!model_.is_pin(member) || together.bodies.size() < 2)) id += "-" + model_.member_name(member);
+    std::vector<const Added*> leading;
+    for (const Added& added : run.added)
+        if (added.group == balanced.group) {
+            together.sums.push_back(way_.applied_sum(added));
+            leading.push_back(&added);
+        }
+    if (strings == nullptr)
+        std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+            return way_.rank_in(leading, a.second) < way_.rank_in(leading, b.second);
+        });
+    together.polygon = polygons_.add_force_polygon(Polygon::Kind::body_forces, id + under_.suffix());
+    Face face;
+    Corner here = board_.pole<Plane::force>();
+    const Corner start = here;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const Corner next = i + 1 == sides.size() ? start : board_.carry(here, sides[i].second.force);
+        polygons_.draw_side(together.polygon, sides[i].second, sides[i].first, here, next);
+        face.corners.push_back(here.element);
+        here = next;
+    }
+    board_.add_face(together.polygon, std::move(face));
+    results_.together.push_back(std::move(together));
+}
+
+}  // namespace kinegraph::statics

@@ -1,0 +1,28 @@
+// The values of a run as results: forces at joints, efforts, and the motions by which redundant constraints gave theirs.
+#pragma once
+
+#include "constructions/statics/forces.hpp"
+#include "constructions/statics/free_bodies/way.hpp"
+
+namespace kinegraph::statics {
+
+class FoundValues {
+public:
+    FoundValues(ForceModel& model, Board& board, const Mechanism& mechanism, Way& way, ForceResults& results)
+        : model_(model), board_(board), mechanism_(mechanism), way_(way), results_(results) {}
+
+    void collect_bond(const Bond& bond, const Reaction& reaction, bool valid);
+    /// The motion of a sentence, and the arms of what does work in it.
+    void virtual_motion(const Released& released);
+
+private:
+    void take_moments(const Released& released, const Released::Turning& turning);
+
+    ForceModel& model_;
+    Board& board_;
+    const Mechanism& mechanism_;
+    Way& way_;
+    ForceResults& results_;
+};
+
+}  // namespace kinegraph::statics

@@ -1,0 +1,85 @@
+#include "constructions/statics/free_bodies/verdict.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kinegraph::statics {
+
+std::set<MemberIndex> Verdict::out_of_equilibrium(const Run& run) {
+    Group found;
+    for (const MemberIndex member : model_.moving_members()) {
+        const auto& bonds = model_.bonds_of(member);
+        const bool all_known = std::all_of(bonds.begin(), bonds.end(), [&](int b) { return run.reactions[at(b)].known; });
+        if (all_known && !model_.known_on({member}, *under_.loads, run).vanishes()) found.push_back(member);
+    }
+    std::set<MemberIndex> open(found.begin(), found.end());
+    for (std::size_t next = 0; next < found.size(); ++next) {
+        for (const int b : model_.bonds_of(found[next])) {
+            const Bond& bond = model_.bonds()[at(b)];
+            const MemberIndex other = bond.first == found[next] ? bond.second : bond.first;
+            if (other != member_of(frame) && run.reactions[at(b)].known && open.insert(other).second) found.push_back(other);
+        }
+    }
+    return open;
+}
+
+bool Verdict::is_complete(const Run& run, const std::set<MemberIndex>& unbalanced) const {
+    for (std::size_t b = 0; b < model_.joint_bonds(); ++b)
+        if (!run.reactions[b].known && unbalanced.count(model_.bonds()[b].first) == 0) return false;
+    return true;
+}
+
+void Verdict::explain(const Run& run, bool balanced, ForceResults& results) {
+    Symbols open;
+    for (std::size_t b = 0; b < model_.bonds().size() && balanced; ++b) {
+        for (Symbol& symbol : open_symbols(model_.bonds()[b], run.reactions[b], model_.bonds()[b].first == member_of(frame)))
+            open.push_back(std::move(symbol));
+    }
+    results.unsolved.push_back({{Sentence::all_forces, {}}, reason(run, std::move(open))});
+}
+
+void Verdict::remark_lift_off(const Run& run, ForceResults& results) {
+    for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
+        const JointIndex joint = model_.bonds()[b].joint;
+        if (joint != none && mechanism_.joints[at(joint)].pushes && model_.pulls(b, run))
+            results.remarks.push_back({Sentence::lift_off, {file_name(mechanism_.joints[at(joint)])}});
+    }
+}
+
+Symbols Verdict::open_symbols(const Bond& bond, const Reaction& reaction, bool reversed) {
+    Symbols open;
+    if (reaction.known) return open;
+    Symbol symbol = reversed ? bond.reverse : bond.symbol;
+    const bool takes_couple = bond.kind == Bond::Kind::guide || bond.kind == Bond::Kind::clamp;
+    if (reaction.alike == Reaction::Alike::component) {
+        Symbol across = symbol;
+        across.term += (across.term.empty() ? "" : ",") + std::string(reaction.across);
+        open.push_back(std::move(across));
+    } else if (reaction.alike == Reaction::Alike::nothing) {
+        open.push_back(symbol);
+    }
+    if (takes_couple && !reaction.couple_alike && reaction.alike != Reaction::Alike::nothing) {
+        symbol.letter = Symbol::Letter::M;
+        open.push_back(std::move(symbol));
+    }
+    return open;
+}
+
+Message Verdict::reason(const Run& run, Symbols open) const {
+    if (run.beyond_members > 0) return {Sentence::beyond_members, {Count{static_cast<int>(run.beyond_members)}, std::move(open)}};
+    const auto efforts = static_cast<int>(mechanism_.efforts.size());
+    const Count freedoms{mobility_.effective};
+    if (efforts < mobility_.effective) return {Sentence::unbalanced, {freedoms, Count{efforts}, std::move(open)}};
+    if (efforts > mobility_.effective) return {Sentence::too_many_efforts, {Count{efforts}, freedoms, std::move(open)}};
+    int repeated = 0;
+    Names joints;
+    for (const Mobility::Redundant& redundant : mobility_.redundant) {
+        repeated += redundant.rows;
+        joints.push_back(mechanism_.joints[at(redundant.joint)].name);
+    }
+    if (repeated > 0) return {Sentence::indeterminate, {Count{repeated}, std::move(joints), std::move(open)}};
+    return {efforts > 0 ? Sentence::effort_without_work : Sentence::beyond_trials, {std::move(open)}};
+}
+
+}  // namespace kinegraph::statics

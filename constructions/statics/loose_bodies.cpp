@@ -1,0 +1,49 @@
+#include "constructions/statics/loose_bodies.hpp"
+
+#include <utility>
+
+#include "constructions/statics/equilibria.hpp"
+#include "constructions/statics/forces/hanging_groups.hpp"
+
+namespace kinegraph::statics {
+namespace {
+
+/// How the body of a group may move, where it may in one way alone.
+void find_freedom(const ForceModel& model, Board& board, Equilibria& all, Loose& loose) {
+    if (all.free_motions().size() != 1) return;
+    for (const auto& [member, twist] : all.free_motions().front().members) {
+        if (model.is_pin(member)) continue;
+        loose.centre = all.centre(twist);
+        if (loose.centre) return;
+        const auto part = [&](const Equilibria::Cell& cell, const Vector& axis) {
+            return board.scale<drawing>(cell ? *cell : board.number(0), board.own_direction(axis));
+        };
+        loose.along = board.direction(board.add(part(twist.x, {1, 0}), part(twist.y, {0, 1})));
+    }
+}
+
+}  // namespace
+
+std::vector<Loose> loose_bodies(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility) {
+    std::vector<Loose> found;
+    if (!mechanism.drivers.empty()) return found;
+    for (Group& group : floating_groups(model)) {
+        const bool balanced = model.known_on(group, model.loads(), {}).vanishes();
+        found.push_back({std::move(group), balanced, {}, {}});
+    }
+    if (mobility.effective <= static_cast<int>(mechanism.efforts.size())) return found;
+    Run nothing_known;
+    nothing_known.reactions.resize(model.joint_bonds());
+    const PlaceOnDrawing origin = board.place(PointIndex(0));
+    for (Group& group : single_on_frame(model)) {
+        Equilibria all(model, board, nothing_known, group, origin,
+                       [&](MemberIndex member) { return model.gap(member, model.loads(), nothing_known, origin); });
+        if (all.exist()) continue;
+        Loose loose{std::move(group), false, {}, {}};
+        find_freedom(model, board, all, loose);
+        found.push_back(std::move(loose));
+    }
+    return found;
+}
+
+}  // namespace kinegraph::statics

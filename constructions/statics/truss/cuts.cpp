@@ -1,0 +1,151 @@
+#include "constructions/statics/truss/cuts.hpp"
+
+#include <algorithm>
+
+namespace kinegraph::statics {
+namespace {
+
+bool holds(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
+
+}  // namespace
+
+void Cuts::make_those_of_file(bool at_last) {
+    for (std::size_t c = 0; c < truss_.mechanism().find.cuts.size(); ++c) {
+        if (done_[c]) continue;
+        std::vector<int> bars;
+        for (const BodyIndex body : truss_.mechanism().find.cuts[c].bars)
+            for (std::size_t bar = 0; bar < truss_.bars().size(); ++bar)
+                if (truss_.structure().bars[bar].body == body) bars.push_back(static_cast<int>(bar));
+        const auto sides = sides_of_cut(truss_.structure(), bars);
+        const auto side = std::find_if(sides.begin(), sides.end(), [&](const auto& each) { return reactions_known(each); });
+        if (side == sides.end() && !at_last) continue;
+        done_[c] = true;
+        if (side == sides.end())
+            unsolved_.push_back({{Sentence::cut_of_bars, {truss_.names_of(bars)}}, {Sentence::cut_without_reactions, {}}});
+        else if (!make(bars, *side, true))
+            unsolved_.push_back({{Sentence::cut_of_bars, {truss_.names_of(bars)}}, {Sentence::cut_in_one_point, {}}});
+    }
+}
+
+bool Cuts::reactions_known(const std::vector<int>& side) const {
+    return std::all_of(truss_.supports().begin(), truss_.supports().end(),
+                       [&](const KnownTruss::Support& support) { return support.known || !holds(side, support.pin); });
+}
+
+bool Cuts::make_any() {
+    std::vector<int> known, unknown;
+    for (std::size_t bar = 0; bar < truss_.bars().size(); ++bar)
+        (truss_.bars()[bar].known ? known : unknown).push_back(static_cast<int>(bar));
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+        for (std::size_t j = i + 1; j < unknown.size(); ++j)
+            for (std::size_t k = j + 1; k < unknown.size(); ++k) {
+                const std::vector<int> bars{unknown[i], unknown[j], unknown[k]};
+                for (const std::vector<int>& side : sides_of_cut(truss_.structure(), bars, known)) {
+                    constexpr std::size_t least = 2;
+                    if (side.size() < least || !reactions_known(side)) continue;
+                    const KnownTruss::Mark before = truss_.mark();
+                    truss_.say(Sentence::truss_stuck, {truss_.names_of(bars)});
+                    if (make(bars, side, false)) return true;
+                    truss_.rewind(before);
+                }
+            }
+    return false;
+}
+
+/// All that acts on a side but the bars of the cut.
+Wrench Cuts::known_on(const std::vector<int>& side, const std::vector<int>& bars) {
+    Wrench total;
+    const auto add = [&](const std::optional<Force>& force, int pin) {
+        if (!force) return;
+        Wrench one;
+        one.force = *force;
+        one.place = truss_.place(pin);
+        total = truss_.model().sum(total, one);
+    };
+    for (const int pin : side) {
+        for (const int load : truss_.loads_at(pin)) add(truss_.load(load).force, pin);
+        for (const KnownTruss::Support& support : truss_.supports())
+            if (support.pin == pin) add(support.force, pin);
+        for (const int bar : truss_.structure().pins[at(pin)].bars)
+            if (!holds(bars, bar) && !holds(side, truss_.structure().other_end(bar, pin))) add(truss_.pull_on(bar, pin), pin);
+    }
+    return total;
+}
+
+/// The equation that holds one of three bars alone: moments about the meet of the others, or across them where they are parallel.
+std::optional<Cuts::Equation> Cuts::equation_for(const std::vector<int>& bars, std::size_t sought, const Wrench& known) {
+    const Action own = truss_.action_of(bars[sought]), one = truss_.action_of(bars[(sought + 1) % 3]),
+                 two = truss_.action_of(bars[(sought + 2) % 3]);
+    Equation equation;
+    if (board_.parallel(one.direction, two.direction)) {
+        const auto& ends = truss_.structure().bars[at(bars[(sought + 1) % 3])].pins;
+        const auto along = board_.vector(truss_.place(ends[0]), truss_.place(ends[1]));
+        equation.lever = board_.moment(along, own.direction);
+        equation.moment = known.force ? board_.moment(board_.direction(along), *known.force) : board_.number(0);
+    } else {
+        equation.pivot = *board_.meet(one.line, two.line);
+        equation.lever = board_.moment(board_.vector(*equation.pivot, own.place), own.direction);
+        equation.moment = truss_.model().moment(known, *equation.pivot);
+    }
+    if (board_.is_zero(equation.lever)) return std::nullopt;
+    return equation;
+}
+
+std::string Cuts::name_of_meet(PlaceOnDrawing meet) {
+    for (int pin = 0; pin < truss_.pins(); ++pin)
+        if (board_.coincide(meet, truss_.place(pin))) return truss_.name_of(pin).name;
+    for (const auto& [name, where] : meets_)
+        if (board_.coincide(meet, where)) return name;
+    for (int number = 1;; ++number) {
+        std::string name = "R" + std::to_string(number);  // Ritter's points
+        if (truss_.mechanism().point_named(name)) continue;
+        if (std::any_of(meets_.begin(), meets_.end(), [&](const auto& each) { return each.first == name; })) continue;
+        meets_.emplace_back(name, meet);
+        return name;
+    }
+}
+
+bool Cuts::make(const std::vector<int>& bars, const std::vector<int>& side, bool asked) {
+    const Board::Mark before = board_.mark();
+    const Wrench known = known_on(side, bars);
+    std::vector<Equation> equations;
+    for (std::size_t sought = 0; sought < bars.size(); ++sought) {
+        const auto equation = equation_for(bars, sought, known);
+        if (!equation) {
+            board_.rewind(before);
+            return false;
+        }
+        equations.push_back(*equation);
+    }
+    for (std::size_t sought = 0; sought < bars.size(); ++sought) {
+        const Equation& equation = equations[sought];
+        const int bar = bars[sought];
+        tell(bars, side, sought, equation, asked);
+        const Action line = truss_.action_of(bar);
+        const ScalarHandle size = board_.quotient(board_.opposite(equation.moment), equation.lever);
+        const auto& ends = truss_.structure().bars[at(bar)].pins;
+        const int pin = holds(side, ends[0]) ? ends[0] : ends[1];
+        if (!truss_.bar(bar).known) truss_.settle(bar, pin, board_.scale<Plane::force>(size, line.direction));
+    }
+    return true;
+}
+
+void Cuts::tell(const std::vector<int>& bars, const std::vector<int>& side, std::size_t sought, const Equation& equation,
+                bool asked) {
+    const int bar = bars[sought];
+    const Names all = truss_.names_of(bars);
+    const PointName one{all[(sought + 1) % 3]}, two{all[(sought + 2) % 3]};
+    Truss::Cut told{bars, side, bar, {}, {}, {}, none, asked};
+    if (equation.pivot) {
+        told.pivot_name = name_of_meet(*equation.pivot);
+        told.pivot = Recorded<Vector>::at(equation.pivot->element);
+        truss_.say(Sentence::truss_cut_moment, {all, truss_.symbol_of(bar), one, two, PointName{told.pivot_name}}, "Ritter");
+    } else {
+        truss_.say(Sentence::truss_cut_across, {all, truss_.symbol_of(bar), one, two}, "Ritter");
+    }
+    told.moment = Recorded<Exact>::at(equation.moment.element);
+    told.statement = truss_.statement();
+    truss_.found().cuts.push_back(std::move(told));
+}
+
+}  // namespace kinegraph::statics

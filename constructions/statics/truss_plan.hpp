@@ -1,0 +1,64 @@
+// The plan of a truss: its spaces by Bow's notation, and their corners in the force plane (Cremona, Le figure reciproche nella
+// statica grafica, 1872; Maxwell 1864). Owns which regions bars and lines of forces part, and where their corners lie; finds no
+// force.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "constructions/statics/force_model.hpp"
+#include "engine/solution/truss.hpp"
+
+namespace kinegraph::statics {
+
+/// A force on the truss from outside, as the board has it.
+struct OuterForce {
+    Truss::External told;
+    Force force;
+    Quantity quantity;
+};
+
+class TrussPlan {
+public:
+    /// `loaded`: pins on which something acts from outside.
+    TrussPlan(Board& board, const TrussStructure& truss, const std::vector<int>& loaded);
+
+    /// Whether there is one: bars that hang together and cross nowhere, forces from outside on their border.
+    bool exists() const { return exists_; }
+    /// The spaces, and the polygon of the forces with each bar once; `pulls`: of each bar on the first of its pins.
+    /// `opening`: the statement of the forces from outside that are given.
+    void draw(Truss& truss, std::vector<OuterForce> outer, const std::vector<std::optional<Force>>& pulls,
+              StatementIndex opening);
+
+private:
+    using Ray = VectorOn<Plane::drawing>;
+    /// Bar 2·b + 0 from its first pin, 2·b + 1 from its second.
+    using HalfBar = int;
+
+    PlaceOnDrawing place(int pin) { return board_.place(truss_.pins[at(pin)].point); }
+    int tail(HalfBar half) const { return truss_.bars[at(half / 2)].pins[at(half % 2)]; }
+    int head(HalfBar half) const { return truss_.bars[at(half / 2)].pins[at(1 - half % 2)]; }
+    Ray ray(HalfBar half) { return board_.vector(place(tail(half)), place(head(half))); }
+    bool hangs_together() const;
+    bool cross(int bar, int other);
+    bool any_cross();
+    void order_round_pins();
+    bool comes_first(Ray from, Ray a, Ray b, int sense);
+    int extreme_pin();
+    void walk_faces();
+    std::vector<OuterForce> in_order(std::vector<OuterForce> outer);
+    Ray ray_of(const OuterForce& force, std::size_t corner);
+    void name_spaces(Truss& truss, const std::vector<OuterForce>& outer);
+    void draw_sides(Truss& truss, const std::vector<OuterForce>& outer, const std::vector<std::optional<Force>>& pulls,
+                    StatementIndex opening);
+
+    Board& board_;
+    const TrussStructure& truss_;
+    std::vector<std::vector<HalfBar>> round_;  ///< by pin: its bars counter-clockwise from −x
+    std::vector<HalfBar> border_;              ///< clockwise round the truss
+    std::vector<int> face_;                    ///< by half bar: on its left; 0: outside
+    int faces_ = 1;
+    bool exists_ = false;
+};
+
+}  // namespace kinegraph::statics

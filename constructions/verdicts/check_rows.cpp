@@ -1,0 +1,500 @@
+#include "constructions/verdicts/check_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "engine/results/quantity_name.hpp"
+#include "engine/check/check.hpp"
+#include "engine/check/check_forces.hpp"
+#include "engine/solution/magnitudes.hpp"
+#include "engine/drawing/spring_force.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Pair = std::array<double, 2>;
+
+std::size_t at(auto index) { return at_index(index); }
+Pair minus(const Pair& a, const Pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
+double length(const Pair& a) { return std::hypot(a[0], a[1]); }
+
+class Comparer {
+public:
+    explicit Comparer(const Solution& solution)
+        : solution_(solution), mechanism_(solution.mechanism), numeric_(check_motion(solution.mechanism, solution.pose)) {}
+
+    Comparison compare() && {
+        for (const BodyIndex body : mechanism_.moving_bodies()) compare_turning(body);
+        for (const PointMotion& point : solution_.points) compare_point(point);
+        for (const Sliding& sliding : solution_.sliding) compare_sliding(sliding);
+        for (const InstantCentre& centre : solution_.centres) compare_centre(centre);
+        for (const Curvature& found : solution_.curvature) compare_curvature(found);
+        if (!solution_.forces.empty() || !solution_.efforts.empty() || !solution_.resultants.empty() || solution_.virtual_work)
+            compare_forces();
+        for (const DrawnVector& vector : solution_.protocol.vectors) comparison_.moduli.push_back(modulus(vector));
+        tell_what_moves();
+        return std::move(comparison_);
+    }
+
+private:
+    using Kind = Quantity::Kind;
+
+    void add(const Quantity& quantity, double graphical, double independent) {
+        comparison_.rows.push_back({quantity, graphical, independent, graphical - independent});
+    }
+    void add(const Quantity& quantity, const Vector& graphical, const Pair& independent) {
+        add(quantity.along(Quantity::Component::x), graphical.x.to_double(), independent[0]);
+        add(quantity.along(Quantity::Component::y), graphical.y.to_double(), independent[1]);
+    }
+
+    void compare_turning(BodyIndex body) {
+        const auto& state = numeric_.bodies[at(body)];
+        const BodyMotion& found = solution_.bodies[at(body)];
+        if (found.omega && state.velocity_known) add({.kind = Kind::omega, .body = body}, found.omega->to_double(), state.omega);
+        if (found.alpha && state.acceleration_known)
+            add({.kind = Kind::alpha, .body = body}, found.alpha->to_double(), state.alpha);
+    }
+
+    void compare_point(const PointMotion& point) {
+        const BodyIndex body = point.bodies.front();
+        if (body == frame) return;
+        const auto& state = numeric_.bodies[at(body)];
+        const Vector& place = solution_.pose.at(point.point);
+        if (point.velocity && state.velocity_known) add(velocity_of(point), *point.velocity, numeric_.velocity(body, place));
+        if (point.acceleration && state.acceleration_known)
+            add(acceleration_of(point), *point.acceleration, numeric_.acceleration(body, place));
+    }
+
+    void compare_sliding(const Sliding& sliding) {
+        const Joint& joint = mechanism_.joints[at(sliding.joint)];
+        const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
+        const auto& slider = numeric_.bodies[at(i)];
+        const auto& guide = numeric_.bodies[at(j)];
+        const Vector& place = solution_.pose.at(joint.point);
+        if (!slider.velocity_known || !guide.velocity_known) return;
+        const Pair velocity = minus(numeric_.velocity(i, place), numeric_.velocity(j, place));
+        if (sliding.velocity) add({.kind = Kind::sliding_velocity, .joint = sliding.joint}, *sliding.velocity, velocity);
+        if (!slider.acceleration_known || !guide.acceleration_known || !sliding.acceleration) return;
+        const Pair coriolis{-2 * guide.omega * velocity[1], 2 * guide.omega * velocity[0]};
+        const Pair acceleration = minus(minus(numeric_.acceleration(i, place), numeric_.acceleration(j, place)), coriolis);
+        add({.kind = Kind::sliding_acceleration, .joint = sliding.joint}, *sliding.acceleration, acceleration);
+        add({.kind = Kind::sliding_coriolis, .joint = sliding.joint}, *sliding.coriolis, coriolis);
+    }
+
+    /// A finite centre against the place where the numeric relative velocity vanishes: P = X + z ∧ v_rel / ω_rel.
+    void compare_centre(const InstantCentre& centre) {
+        if (!centre.at || centre.at->at_infinity() || centre.everywhere) return;
+        const auto& first = numeric_.bodies[at(centre.first)];
+        const auto& second = numeric_.bodies[at(centre.second)];
+        if (!first.velocity_known || !second.velocity_known) return;
+        const double omega = second.omega - first.omega;
+        // Below this the two bodies hardly turn against each other, and the quotient says nothing about the place.
+        constexpr double least_relative_spin = 1e-6;
+        if (std::abs(omega) <= least_relative_spin * std::max(std::abs(first.omega), std::abs(second.omega)) || omega == 0)
+            return;
+        const Vector place = centre.at->place();
+        const Pair relative = minus(numeric_.velocity(centre.second, place), numeric_.velocity(centre.first, place));
+        const Pair found{place.x.to_double() - relative[1] / omega, place.y.to_double() + relative[0] / omega};
+        add(quantity_of(centre), place, found);
+    }
+
+    /// P and what the accelerations say of it: J = P + a_P/ω², K by a = 0, ρ = v²/a_n.
+    void compare_curvature(const Curvature& found) {
+        const auto& state = numeric_.bodies[at(found.body)];
+        if (!state.velocity_known || !state.acceleration_known) return;
+        for (const PathCentre& path : found.points) {
+            if (!path.centre || path.centre->at_infinity()) continue;
+            const Vector& place = solution_.pose.at(path.point);
+            const Pair v = numeric_.velocity(found.body, place), a = numeric_.acceleration(found.body, place);
+            const double speed = length(v), across = std::abs(v[0] * a[1] - v[1] * a[0]);
+            if (!(across > 0)) continue;
+            add({.kind = Kind::radius, .body = found.body, .point = path.point}, kinegraph::length(path.centre->place() - place),
+                speed * speed * speed / across);
+        }
+        if (found.kind != Curvature::Kind::general || state.omega == 0) return;
+        const Vector pole = found.pole->place();
+        const double square = state.omega * state.omega, whole = square * square + state.alpha * state.alpha;
+        const Pair a = numeric_.acceleration(found.body, pole);
+        add({.kind = Kind::inflection_diameter, .body = found.body}, kinegraph::length(*found.inflection_pole - pole),
+            length(a) / square);
+        const Pair centre{pole.x.to_double() + (square * a[0] - state.alpha * a[1]) / whole,
+                          pole.y.to_double() + (square * a[1] + state.alpha * a[0]) / whole};
+        add({.kind = Kind::acceleration_pole, .body = found.body}, *found.acceleration_pole, centre);
+    }
+
+    void compare_forces() {
+        const NumericForces numeric = check_forces(mechanism_, solution_.pose, numeric_);
+        for (const JointForce& found : solution_.forces)
+            if (const auto* action = action_of(numeric, found.joint, found.on, found.from)) compare_action(found, *action);
+        if (solution_.virtual_work)
+            add({.kind = Kind::virtual_power}, solution_.virtual_work->total.to_double(), numeric_power());
+        for (std::size_t e = 0; e < solution_.efforts.size(); ++e)
+            if (solution_.efforts[e].value && numeric.effort_known[e])
+                add({.kind = Kind::effort, .given = static_cast<int>(e)}, solution_.efforts[e].value->to_double(),
+                    numeric.efforts[e]);
+        for (const Resultant& found : solution_.resultants) compare_resultant(found, numeric);
+        if (solution_.truss) compare_bars(*solution_.truss, numeric);
+        for (const FreeBody& body : solution_.free_bodies) {
+            auto& actions = comparison_.actions.emplace_back();
+            for (const AppliedForce& applied : body.forces) actions.push_back(action_on(body, applied, numeric));
+        }
+    }
+    /// What the joints at a bar's first pin give it, with its loads there, seen along the bar.
+    void compare_bars(const Truss& truss, const NumericForces& numeric) {
+        const std::vector<Vector>& places = solution_.pose.points;
+        for (std::size_t b = 0; b < truss.bars.size(); ++b) {
+            const TrussStructure::Bar& bar = truss.structure.bars[b];
+            const PointIndex first = truss.structure.pins[at(bar.pins[0])].point,
+                             second = truss.structure.pins[at(bar.pins[1])].point;
+            Pair end{};
+            bool known = true;
+            for (const NumericForces::Action& action : numeric.actions) {
+                if (action.on != bar.body || mechanism_.joint(action.joint).point != first) continue;
+                known = known && action.known;
+                end = {end[0] + action.force[0], end[1] + action.force[1]};
+            }
+            for (const Load& load : mechanism_.loads) {
+                const Pair given = load_at(load, bar.body, first);
+                end = {end[0] + given[0], end[1] + given[1]};
+            }
+            if (!known || !truss.bars[b].force) continue;
+            const Vector along = places[at(second)] - places[at(first)];
+            const Pair unit{along.x.to_double() / kinegraph::length(along), along.y.to_double() / kinegraph::length(along)};
+            const double pull = -(end[0] * unit[0] + end[1] * unit[1]);
+            add({.kind = Kind::bar, .body = bar.body}, truss.tension(b, places), pull);
+            comparison_.bars.emplace_back(b, pull);
+        }
+    }
+    /// What a load gives a body at a point.
+    Pair load_at(const Load& load, BodyIndex body, PointIndex point) const {
+        if (const auto* force = std::get_if<ForceLoad>(&load)) {
+            if (force->body != body || force->at != point) return {};
+            if (force->value) return {force->value->x.to_double(), force->value->y.to_double()};
+            const Vector along = direction_of(force->magnitude->second, solution_.pose);
+            const double share = force->magnitude->first.to_double() / kinegraph::length(along);
+            return {share * along.x.to_double(), share * along.y.to_double()};
+        }
+        const auto* spring = std::get_if<SpringLoad>(&load);
+        if (spring == nullptr) return {};
+        Pair sum{};
+        for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+            if (spring->bodies[end] != body || spring->between[end] != point) continue;
+            const Vector along = solution_.pose.at(spring->between[1 - end]) - solution_.pose.at(spring->between[end]);
+            const double share = pull_of(*spring, solution_.pose).to_double() / kinegraph::length(along);
+            sum = {sum[0] + share * along.x.to_double(), sum[1] + share * along.y.to_double()};
+        }
+        return sum;
+    }
+    void compare_resultant(const Resultant& found, const NumericForces& numeric) {
+        NumericForces::Sum sum;
+        for (const BodyIndex body : found.bodies) {
+            const NumericForces::Sum& on = numeric.given[at(body)];
+            for (const std::size_t axis : {0U, 1U}) sum.force[axis] += on.force[axis];
+            sum.couple += on.couple;
+        }
+        add({.kind = Kind::resultant, .body = found.bodies.front()}, *found.force, sum.force);
+        add({.kind = Kind::resultant_couple, .body = found.bodies.front()}, found.couple->to_double(), sum.couple);
+    }
+    /// Where equilibrium determines something of it.
+    static const NumericForces::Action* action_of(const NumericForces& numeric, JointIndex joint, BodyIndex on, BodyIndex from) {
+        for (const NumericForces::Action& action : numeric.actions)
+            if ((action.force_known || action.couple_known || action.along) && action.joint == joint && action.on == on &&
+                action.from == from)
+                return &action;
+        return nullptr;
+    }
+    void compare_action(const JointForce& found, const NumericForces::Action& action) {
+        Quantity quantity = quantity_of(found);
+        if (found.force && action.force_known) add(quantity, *found.force, action.force);
+        quantity.kind = Kind::force_component;
+        if (found.component && action.along) add(quantity, component_of(found), seen_along(found, action));
+        quantity.kind = Kind::couple;
+        if (found.couple && action.couple_known && (!found.couple->is_zero() || action.couple != 0))
+            add(quantity, found.couple->to_double(), action.couple);
+    }
+    /// The numeric component, counted as the construction counts it.
+    static double seen_along(const JointForce& found, const NumericForces::Action& action) {
+        const Vector along = unit_of_component(found);
+        const double same = along.x.to_double() * (*action.along)[0] + along.y.to_double() * (*action.along)[1];
+        return action.component * same;
+    }
+
+    Comparison::Action action_on(const FreeBody& body, const AppliedForce& applied, const NumericForces& numeric) const {
+        switch (applied.kind) {
+            case AppliedForce::Kind::reaction: {
+                if (const auto* action = action_of(numeric, applied.joint, body.body, applied.from)) {
+                    if (action->along) return {std::abs(action->component), action->couple};
+                    return {length(action->force), action->couple};
+                }
+                // What a body gives to the pin of a multiple hinge is told as what the pin gives to the body.
+                const auto* action = body.body == none ? action_of(numeric, applied.joint, applied.from, none) : nullptr;
+                if (action == nullptr) return {};
+                return {length(action->force), -action->couple};
+            }
+            case AppliedForce::Kind::effort:
+                if (!numeric.effort_known[at(applied.given)]) return {};
+                return effort_on(body, mechanism_.efforts[at(applied.given)], numeric.efforts[at(applied.given)]);
+            case AppliedForce::Kind::weight:
+                return {mechanism_.masses[at(applied.given)].mass.to_double() * kinegraph::length(*mechanism_.gravity), {}};
+            case AppliedForce::Kind::inertia:
+                return inertia_of(mechanism_.masses[at(applied.given)]);
+            case AppliedForce::Kind::resultant: {
+                const NumericForces::Sum& sum = numeric.given[at(body.body)];
+                if (applied.force.is_zero()) return {{}, sum.couple};
+                return {length(sum.force), {}};
+            }
+            case AppliedForce::Kind::load:
+            case AppliedForce::Kind::spring: {
+                const Load& load = mechanism_.loads[at(applied.given)];
+                Comparison::Action size = std::visit([&](const auto& form) { return size_of(form); }, load);
+                const auto* torsion = std::get_if<TorsionLoad>(&load);
+                if (torsion != nullptr && body.body == torsion->bodies[1]) size.couple = -*size.couple;
+                return size;
+            }
+        }
+        return {};
+    }
+    /// A couple between two bodies acts on the one and, reversed, on the other.
+    static Comparison::Action effort_on(const FreeBody& body, const Effort& effort, double value) {
+        const auto* couple = std::get_if<CoupleEffort>(&effort);
+        if (couple == nullptr) return {std::abs(value), {}};
+        return {{}, body.body == couple->body ? value : -value};
+    }
+    Comparison::Action inertia_of(const Mass& mass) const {
+        const auto& state = numeric_.bodies[at(mass.body)];
+        if (!state.acceleration_known) return {};
+        const Pair acceleration = numeric_.acceleration(mass.body, solution_.pose.at(mass.centre));
+        return {mass.mass.to_double() * length(acceleration), -mass.inertia.to_double() * state.alpha};
+    }
+    static Comparison::Action size_of(const ForceLoad& load) {
+        return {load.value ? kinegraph::length(*load.value) : std::abs(load.magnitude->first.to_double()), {}};
+    }
+    static Comparison::Action size_of(const CoupleLoad& load) { return {{}, load.value.to_double()}; }
+    static Comparison::Action size_of(const TorsionLoad& load) { return {{}, couple_of(load).to_double()}; }
+    Comparison::Action size_of(const SpringLoad& load) const { return {std::abs(pull_of(load, solution_.pose).to_double()), {}}; }
+    Comparison::Action size_of(const DistributedLoad& load) const {
+        const Centroid centroid = centroid_of(load);
+        const double force = force_of(load, solution_.pose).to_double();
+        if (!centroid.is_couple) return {std::abs(force), {}};
+        const Vector apart = solution_.pose.at(load.to) - solution_.pose.at(load.from);
+        const Vector along = unit_along(direction_of(load.along, solution_.pose), solution_.pose.bits);
+        return {{}, (centroid.place * cross(apart, along)).to_double() * force};
+    }
+
+    void tell_what_moves() {
+        const double size = solution_.pose.size.to_double();
+        const auto speed = [&](const NumericMotion::BodyState& state) {
+            return state.velocity_known ? std::max(length(state.velocity), std::abs(state.omega) * size) : 0;
+        };
+        double fastest = 0;
+        for (const auto& state : numeric_.bodies) fastest = std::max(fastest, speed(state));
+        for (const auto& state : numeric_.bodies)
+            comparison_.bodies.push_back({state.velocity_known, speed(state) > Magnitudes::noise * fastest});
+    }
+
+    /// The powers of the same loads with the velocities of the check.
+    double numeric_power() const {
+        double power = 0;
+        for (const VirtualWork::Entry& entry : solution_.virtual_work->entries) {
+            const Pair velocity = numeric_.velocity(entry.body, entry.at);
+            power += entry.force.x.to_double() * velocity[0] + entry.force.y.to_double() * velocity[1] +
+                     entry.couple.to_double() * numeric_.bodies[at(entry.body)].omega;
+        }
+        return power;
+    }
+
+    /// Of velocities and accelerations; relative ones from the motions of their two places:
+    ///   a = a_to + a_cor + a_n + a_t (or a_rel),  a_cor = 2ω_to ∧ v,  a_n = v²/r,  a_t ⟂ r  (Rivals, Coriolis).
+    std::optional<double> modulus(const DrawnVector& vector) {
+        using Role = DrawnVector::Role;
+        const auto& [of, to, about] = vector.seen;
+        const bool is_velocity = solution_.protocol.polygons[at(vector.polygon)].plane == Plane::velocity;
+        if (!is_known(of, is_velocity)) return std::nullopt;
+        const Pair arm = arm_of(of), own_velocity = numeric_.velocity_at_arm(of.body, arm),
+                   own_acceleration = numeric_.acceleration_at_arm(of.body, arm);
+        if (vector.role == Role::absolute || vector.role == Role::transport)
+            return length(is_velocity ? own_velocity : own_acceleration);
+        if (!is_known(to, is_velocity)) return std::nullopt;
+        const Pair other = arm_of(to), v = minus(own_velocity, numeric_.velocity_at_arm(to.body, other));
+        if (is_velocity) return length(v);
+        const Pair a = minus(own_acceleration, numeric_.acceleration_at_arm(to.body, other));
+        const double turning = 2 * numeric_.bodies[at(to.body)].omega;
+        const Pair coriolis{-turning * v[1], turning * v[0]};
+        Pair radius{};
+        if (about != none) {
+            const ProjectivePoint &end = solution_.protocol.point(of.place), &centre = solution_.protocol.point(about);
+            radius = {difference_to_double(end.x, centre.x), difference_to_double(end.y, centre.y)};
+        }
+        const double r = length(radius);
+        const auto along_circle = [&](const Pair& part) { return std::abs(radius[0] * part[1] - radius[1] * part[0]) / r; };
+        switch (vector.role) {
+            case Role::coriolis:
+                return length(coriolis);
+            case Role::normal:
+                return r > 0 ? length(v) * length(v) / r : length(a);
+            case Role::tangential:
+                return r > 0 ? along_circle(a) : length(a);
+            case Role::sliding:
+                return r > 0 ? along_circle(minus(a, coriolis)) : length(minus(a, coriolis));
+            default:
+                return length(a);
+        }
+    }
+    bool is_known(const CarriedPlace& carried, bool velocity) const {
+        if (carried.body == none) return false;
+        const auto& state = numeric_.bodies[at(carried.body)];
+        return velocity ? state.velocity_known : state.acceleration_known;
+    }
+    /// Many vectors are of few places.
+    const Pair& arm_of(const CarriedPlace& carried) {
+        const auto [entry, is_new] = arms_.try_emplace({carried.body, carried.place});
+        if (is_new) entry->second = numeric_.arm(carried.body, solution_.protocol.point(carried.place).place());
+        return entry->second;
+    }
+
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+    NumericMotion numeric_;
+    std::map<std::pair<BodyIndex, ElementIndex>, Pair> arms_;
+    Comparison comparison_;
+};
+
+/// The worst of one kind where the construction and the check differ.
+struct Gap {
+    Argument name;
+    double graphical = 0, difference = 0;
+    std::string unit;
+    int others = 0;
+};
+
+/// In SI.
+std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
+    using Kind = Quantity::Kind;
+    switch (quantity.kind) {
+        case Kind::velocity:
+        case Kind::sliding_velocity:
+            return "m/s";
+        case Kind::acceleration:
+        case Kind::sliding_acceleration:
+        case Kind::sliding_coriolis:
+            return "m/s²";
+        case Kind::omega:
+            return "rad/s";
+        case Kind::alpha:
+            return "rad/s²";
+        case Kind::centre:
+        case Kind::acceleration_pole:
+        case Kind::radius:
+        case Kind::inflection_diameter:
+            return "m";
+        case Kind::couple:
+        case Kind::resultant_couple:
+            return "N m";
+        case Kind::effort:
+        case Kind::virtual_effort:
+            return std::holds_alternative<CoupleEffort>(mechanism.efforts[at(quantity.given)]) ? "N m" : "N";
+        case Kind::virtual_power:
+            return "W";
+        default:
+            return "N";
+    }
+}
+
+/// Gaps between two numbers that should be one, kind by kind.
+class Gaps {
+public:
+    /// `moduli` as of the magnitudes.
+    Gaps(const Solution& solution, const std::vector<std::optional<double>>& moduli)
+        : solution_(solution), magnitudes_(solution, moduli) {}
+
+    /// `name` gives what the quantity is called.
+    template <class Name>
+    void hold(const Quantity& quantity, const Name& name, double graphical, double numeric) {
+        // A thousand times the share below which a number is the check's rounding: near a dead point it loses some digits. Where
+        // constraints repeat each other within rounded data the two may rely on different ones.
+        constexpr double times_rounding = 256;
+        const double allowed = std::max(1e3 * Magnitudes::noise, times_rounding * solution_.pose.rounding());
+        const double difference = graphical - numeric;
+        if (std::abs(difference) <= allowed * magnitudes_.of(quantity)) return;
+        const auto [at_kind, is_first] = worst_.try_emplace(quantity.kind);
+        Gap& worst = at_kind->second;
+        if (!is_first) ++worst.others;
+        // What is no number at all is worst.
+        if (is_first || std::abs(difference) > std::abs(worst.difference) || std::isnan(difference))
+            worst = {name(), graphical, difference, unit_of(quantity, solution_.mechanism), worst.others};
+    }
+    std::vector<Message> told() const {
+        std::vector<Message> messages;
+        for (const auto& [kind, gap] : worst_) {
+            Message message{Sentence::check_differs,
+                            {gap.name, Amount{gap.graphical, gap.unit}, Amount{gap.difference, gap.unit}}};
+            if (gap.others > 0) message.arguments.emplace_back(Count{gap.others});
+            messages.push_back(std::move(message));
+        }
+        return messages;
+    }
+
+private:
+    const Solution& solution_;
+    Magnitudes magnitudes_;
+    std::map<Quantity::Kind, Gap> worst_;
+};
+
+/// Whether anything of a body moves by the construction.
+bool moves(const Solution& solution, BodyIndex body) {
+    const auto& omega = solution.bodies[at(body)].omega;
+    if (!omega) return false;
+    return !omega->is_zero() || std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& point) {
+        return point.velocity && !point.velocity->is_zero() &&
+               std::find(point.bodies.begin(), point.bodies.end(), body) != point.bodies.end();
+    });
+}
+
+}  // namespace
+
+Comparison compare_with_check(const Solution& solution) { return Comparer(solution).compare(); }
+
+void enter(Comparison comparison, Solution& solution) {
+    solution.checks = std::move(comparison.rows);
+    solution.numeric_moduli = std::move(comparison.moduli);
+    for (std::size_t b = 0; b < comparison.actions.size(); ++b)
+        for (std::size_t f = 0; f < comparison.actions[b].size(); ++f) {
+            AppliedForce& applied = solution.free_bodies[b].forces[f];
+            applied.numeric_force = comparison.actions[b][f].force;
+            applied.numeric_couple = comparison.actions[b][f].couple;
+        }
+    for (const auto& [bar, pull] : comparison.bars) solution.truss->bars[bar].numeric = pull;
+}
+
+std::vector<Message> disagreements(const Solution& solution, const std::vector<Comparison::Moved>& bodies) {
+    const std::vector<std::optional<double>> moduli = moduli_of_motion(solution.protocol);
+    Gaps gaps(solution, moduli);
+    for (const CheckRow& row : solution.checks)
+        gaps.hold(
+            row.quantity, [&] { return Argument(name_of(row.quantity, solution)); }, row.graphical, row.numeric);
+    for (std::size_t v = 0; v < solution.numeric_moduli.size(); ++v) {
+        const DrawnVector& vector = solution.protocol.vectors[v];
+        if (const auto& numeric = solution.numeric_moduli[v]; numeric && moduli[v])
+            gaps.hold(
+                vector.quantity, [&] { return Argument(vector.symbol); }, *moduli[v], *numeric);
+    }
+    std::vector<Message> messages = gaps.told();
+    // A driver that asks what cannot be is told as such; the check then has no motion at all.
+    if (!solution.mobility.idle_drivers.empty() || solution.mechanism.motion) return messages;
+    const std::vector<bool>& determined = solution.mobility.determined;
+    for (std::size_t b = 1; b < std::min(bodies.size(), determined.size()); ++b) {
+        const BodyIndex body(b);
+        const BodyName name{solution.mechanism.bodies[b].name};
+        // Of a body that is not determined a construction may still find how it turns.
+        if (determined[b] && moves(solution, body) && !bodies[b].determined)
+            messages.push_back({Sentence::check_stands_still, {name}});
+        if (bodies[b].determined && bodies[b].moves && !determined[b]) messages.push_back({Sentence::check_moves, {name}});
+    }
+    return messages;
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,190 @@
+#include "constructions/verdicts/oversights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "engine/file/units.hpp"
+
+namespace kinegraph {
+namespace {
+
+/// Bodies that hang together, as far as they have been joined.
+class Groups {
+public:
+    explicit Groups(std::size_t count) {
+        for (const BodyIndex body : indices<BodyIndex>(count)) parent_.push_back(body);
+    }
+    BodyIndex of(BodyIndex body) const {
+        while (parent_[at_index(body)] != body) body = parent_[at_index(body)];
+        return body;
+    }
+    void join(const std::vector<BodyIndex>& bodies) {
+        for (const BodyIndex body : bodies) {
+            const auto [low, high] = std::minmax({of(bodies.front()), of(body)});
+            parent_[at_index(high)] = low;
+        }
+    }
+
+private:
+    std::vector<BodyIndex> parent_;
+};
+
+class Search {
+public:
+    Search(const Mechanism& mechanism, const Pose& pose) : mechanism_(mechanism), pose_(pose) {
+        joints_of_.resize(mechanism.bodies.size());
+        for (const Joint& joint : mechanism.joints)
+            for (const BodyIndex body : joint.bodies) joints_of_[at_index(body)].push_back(&joint);
+    }
+
+    std::vector<Message> run() {
+        find_unjoined_pins();
+        find_loose_bodies();
+        find_groups_off_the_frame();
+        return std::move(found_);
+    }
+
+private:
+    /// Points at one place, the place rounded to a billionth of the drawing: what is drawn twice there is meant to be one.
+    std::vector<std::vector<PointIndex>> places() const {
+        const double step = pose_.size.to_double() * 1e-9;
+        std::map<std::pair<double, double>, std::vector<PointIndex>> by_place;
+        for (const PointIndex point : indices_of(mechanism_.points)) {
+            const Vector& at = pose_.at(point);
+            by_place[{std::round(at.x.to_double() / step), std::round(at.y.to_double() / step)}].push_back(point);
+        }
+        std::vector<std::vector<PointIndex>> places;
+        for (auto& [at, points] : by_place) places.push_back(std::move(points));
+        std::sort(places.begin(), places.end());  // in the file's order
+        return places;
+    }
+
+    void find_unjoined_pins() {
+        std::vector<std::vector<BodyIndex>> carriers(mechanism_.points.size());
+        for (const BodyIndex body : indices_of(mechanism_.bodies))
+            for (const PointIndex point : mechanism_.body(body).points) carriers[at_index(point)].push_back(body);
+        for (const std::vector<PointIndex>& place : places()) {
+            Groups groups(mechanism_.bodies.size());
+            for (const Joint& joint : mechanism_.joints)
+                if (joint.pair().is_clamp() || std::find(place.begin(), place.end(), joint.point) != place.end())
+                    groups.join(joint.bodies);
+            std::optional<std::pair<BodyIndex, PointIndex>> first;
+            for (const PointIndex point : place) {
+                for (const BodyIndex body : carriers[at_index(point)]) {
+                    if (!first) first = {body, point};
+                    if (groups.of(first->first) == groups.of(body)) continue;
+                    miss_pin(first->first, first->second, body, point);
+                    groups.join({first->first, body});
+                }
+            }
+        }
+    }
+
+    /// Two bodies want one pin, however many points they share.
+    void miss_pin(BodyIndex first, PointIndex at, BodyIndex second, PointIndex other) {
+        if (!unjoined_.insert({first, second}).second) return;
+        named_.insert({first, second});
+        found_.push_back(
+            {Sentence::unjoined_pin,
+             {body(first), body(second), point(at), point(other == at ? PointIndex() : other), hinge(at, first, second)}});
+    }
+
+    void find_loose_bodies() {
+        for (const BodyIndex index : indices<BodyIndex>(mechanism_.bodies.size(), frame.next())) {
+            const auto& joints = joints_of_[at_index(index)];
+            if (named_.contains(index) || joints.size() > 1) continue;
+            if (joints.empty())
+                found_.push_back({Sentence::body_without_joint, {body(index), hinge_with_frame(index)}});
+            else if (joints.front()->pair().freedoms() > 0 && !is_driven_or_held(index))
+                found_.push_back(
+                    {Sentence::body_of_one_joint, {body(index), file_name(*joints.front()), hinge_with_frame(index)}});
+            else
+                continue;
+            named_.insert(index);
+        }
+    }
+
+    void find_groups_off_the_frame() {
+        Groups groups(mechanism_.bodies.size());
+        for (const Joint& joint : mechanism_.joints) groups.join(joint.bodies);
+        std::map<BodyIndex, std::vector<BodyIndex>> apart;
+        for (const BodyIndex body : indices<BodyIndex>(mechanism_.bodies.size(), frame.next()))
+            if (groups.of(body) != frame) apart[groups.of(body)].push_back(body);
+        for (const auto& [root, bodies] : apart) {
+            if (std::any_of(bodies.begin(), bodies.end(), [&](BodyIndex each) { return named_.contains(each); })) continue;
+            Names names;
+            std::string hinge;
+            for (const BodyIndex each : bodies) {
+                names.push_back(mechanism_.body(each).name);
+                if (hinge.empty()) hinge = hinge_with_frame(each);
+            }
+            found_.push_back({Sentence::off_the_frame, {names, body(frame), hinge}});
+        }
+    }
+
+    bool is_driven_or_held(BodyIndex body) const {
+        const auto at_joint = [&](JointIndex joint) { return mechanism_.joint(joint).connects(body); };
+        const auto moves = [&](const auto& driver) {
+            if constexpr (requires { driver.joint; })
+                return at_joint(driver.joint);
+            else if constexpr (requires { driver.relative_to; })
+                return driver.body == body || driver.relative_to == body;
+            else
+                return driver.body == body;
+        };
+        const auto holds = [&](const auto& effort) {
+            if constexpr (requires { effort.joint; })
+                return at_joint(effort.joint);
+            else if constexpr (requires { effort.from; })
+                return effort.body == body || effort.from == body;
+            else
+                return effort.body == body;
+        };
+        const auto any = [](const auto& list, const auto& concerns) {
+            return std::any_of(list.begin(), list.end(), [&](const auto& each) { return std::visit(concerns, each); });
+        };
+        return any(mechanism_.drivers, moves) || any(mechanism_.efforts, holds);
+    }
+
+    /// At the first point of the body that no joint of it has; empty where all have one.
+    std::string hinge_with_frame(BodyIndex body) const {
+        const auto& joints = joints_of_[at_index(body)];
+        for (const PointIndex point : mechanism_.body(body).points)
+            if (std::none_of(joints.begin(), joints.end(), [&](const Joint* joint) { return joint->point == point; }))
+                return hinge(point, frame, body);
+        return {};
+    }
+
+    std::string hinge(PointIndex at, BodyIndex first, BodyIndex second) const {
+        return "{\"revolute\": " + quoted(mechanism_.point(at).name) + ", \"bodies\": [" + quoted(mechanism_.body(first).name) +
+               ", " + quoted(mechanism_.body(second).name) + "]}";
+    }
+    BodyName body(BodyIndex index) const { return {mechanism_.body(index).name}; }
+    PointName point(PointIndex index) const { return {index == none ? std::string() : mechanism_.point(index).name}; }
+
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+    std::vector<std::vector<const Joint*>> joints_of_;
+    std::set<BodyIndex> named_;
+    std::set<std::pair<BodyIndex, BodyIndex>> unjoined_;
+    std::vector<Message> found_;
+};
+
+}  // namespace
+
+std::vector<Message> oversights(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility) {
+    const int efforts = static_cast<int>(mechanism.efforts.size());
+    // Of a mechanism that nothing drives, holds or loads the one freedom is what its centres are asked for.
+    const bool bare = mechanism.drivers.empty() && mechanism.efforts.empty() && mechanism.loads.empty();
+    const int meant = std::max({mobility.driven, efforts, bare ? 1 : 0});
+    // Loads on bodies that nothing joins or drives ask for their resultant.
+    const bool adrift = mechanism.joints.empty() && mechanism.drivers.empty() && !mechanism.loads.empty();
+    if (mechanism.motion || adrift || mobility.effective <= meant) return {};
+    return Search(mechanism, pose).run();
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,452 @@
+// Program: a construction as a straight-line program. Givens are data with their names in the file; strokes make elements of
+// them; guards are the verdicts that the construction went on with, in their place among the strokes. Branch-free: a verdict
+// chose the verb. So anyone can replay it, in any number, with other givens, for as long as its guards hold.
+//
+// One text, carry_out(), says what each verb does; the board calls it in Exact, Replay in doubles. Knows no mechanism theory and
+// no word of what a stroke is for: that is the protocol's (engine/board/board.hpp).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "engine/number/assert.hpp"
+#include "engine/number/exact.hpp"
+#include "engine/number/geometry.hpp"
+#include "engine/number/index.hpp"
+
+namespace kinegraph {
+
+struct Mechanism;
+struct Pose;
+
+/// The planes a stroke may lie in: the drawing of the mechanism (m), the velocity plane (m/s), the acceleration plane (m/s²),
+/// the force plane (N). A scalar has the plane of the vectors it is proportional to: angular velocities the velocity plane,
+/// angular accelerations and ω² the acceleration plane, couples and powers the force plane, pure numbers the drawing.
+enum class Plane : std::uint8_t { drawing, velocity, acceleration, force };
+inline constexpr std::size_t plane_count = 4;
+
+template <class Number>
+using ValueOf = std::variant<PointOf<Number>, LineOf<Number>, VectorOf<Number>, Number>;
+using Value = ValueOf<Exact>;
+
+/// What a construction starts from. `index` is that of the point, joint, driver, load, mass or effort.
+struct Given {
+    enum class Kind : std::uint8_t {
+        place,  ///< a point of the drawing
+        guide,  ///< direction of a joint's guide; _unit: as a unit vector
+        guide_unit,
+        normal,        ///< common normal of a pin-slot, contact, rolling or gear (its line of action)
+        other_normal,  ///< a gear's other line of action: the normal mirrored at the common tangent
+        tangent,       ///< common tangent of the profiles or pitch curves
+        push,          ///< the sense in which a contact pushes its first body
+        driver_direction,
+        driver_unit,
+        driver_velocity,      ///< ω (rad/s) or speed (m/s)
+        driver_acceleration,  ///< α (rad/s²) or acceleration (m/s²)
+        act_velocity,         ///< the act of motion's: a vector, or a direction where only that is given
+        act_acceleration,
+        load_force,      ///< its components, N
+        load_magnitude,  ///< N, of a force given by magnitude and direction, of a spring; N m of a couple
+        load_unit,       ///< direction of a force given so; of a spring from its first point to the second
+        load_unit_back,  ///< of a spring from its second point to the first
+        effort_unit,     ///< direction of a force that balances
+        gravity,         ///< m/s²
+        mass,            ///< kg
+        inertia,         ///< kg m²
+        number,          ///< a number of the construction's own: 2 of 2ω, a trial value
+        direction        ///< a direction of the construction's own: that of x, of y
+    } kind = Kind::number;
+    int index = -1;
+    Vector constant;   ///< number (its x) and direction
+    std::string name;  ///< JSON pointer into the file; empty for the construction's own
+};
+
+enum class Verb : std::uint8_t {
+    given_point,
+    given_vector,
+    given_scalar,
+    pole,
+    vector_between,
+    perpendicular,
+    direction_of_line,
+    point_at_infinity,
+    through,
+    join,
+    meet,
+    meet_at_infinity,
+    carry,
+    add,
+    subtract,
+    negate,
+    scale,
+    turn,
+    ratio,
+    product,
+    sum,
+    difference,
+    opposite,
+    quotient,
+    moment,
+    projection,
+    arm,
+};
+
+/// One stroke: element = verb(inputs). Its element has its index in Program::strokes.
+struct Stroke {
+    Verb verb = Verb::given_scalar;
+    Plane plane = Plane::drawing;
+    ElementIndex inputs[2] = {none, none};
+    int given = -1;                   ///< index in Program::givens
+    StatementIndex statement = none;  ///< the sentence it belongs to; none before the first
+};
+
+/// A predicate and its verdict, kept because the construction went on with it.
+struct Guard {
+    enum class Question : std::uint8_t {
+        coincide,     ///< two points
+        parallel,     ///< two directions or lines
+        zero_vector,  ///< …
+        zero_scalar,
+        on_line,     ///< a point and a line
+        sign,        ///< of a scalar: −1, 0, 1
+        turn_sign,   ///< of two vectors: 1 where the second is turned counter-clockwise from the first by less than 180°
+        along_sign,  ///< of two vectors: 1 where the second has a part along the first, −1 where against it
+        longer       ///< of two vectors: the first is
+    } question = Question::coincide;
+    enum class How : std::uint8_t {
+        exactly,
+        by_finer_pose,  ///< suspiciously small: decided by what it did on the finer pose (a heuristic, not a proof)
+        by_precision,   ///< zero within the data: no larger than what the precision of the givens does to it
+        by_choice       ///< no result hangs on it: of several ways, all right, the handier one was taken
+    } how = How::exactly;
+    ElementIndex inputs[2] = {none, none};
+    int verdict = 0;  ///< 0 and 1 for no and yes
+    int before = 0;   ///< asked before the stroke of this index was made
+};
+
+struct Program {
+    std::vector<Given> givens;
+    std::vector<Stroke> strokes;
+    std::vector<Guard> guards;  ///< in the order asked
+    int doubtful_bits = 0;  ///< what guards judged zero by the precision of the givens is below 2^-this of what it stands beside
+};
+
+/// Whether a point or a line lies at infinity: its verb tells, for the verb was chosen by what the guards say.
+bool is_at_infinity(const Program& program, ElementIndex element);
+/// The vector that was turned or reversed to make a direction: they vanish together.
+ElementIndex before_turning(const Program& program, ElementIndex element);
+
+/// The values of a program's givens in the mechanism's pose (or another of its poses). Lengths in m, all SI.
+std::vector<Value> givens_of(const Program& program, const Mechanism& mechanism, const Pose& pose);
+Value given_value(const Given& given, const Mechanism& mechanism, const Pose& pose);
+/// Where the file says it: a JSON pointer.
+std::string name_of_given(Given::Kind kind, int index, const Mechanism& mechanism);
+ValueOf<double> to_double(const Value& value);
+/// Number by number.
+bool identical(const Value& a, const Value& b);
+
+/// The indices of the givens that an element hangs on, ascending.
+std::vector<int> hangs_on(const Program& program, ElementIndex element);
+
+/// A program cut to what a set of elements needs, as a compiler drops dead code.
+struct Cut {
+    Program program;
+    std::vector<ElementIndex> element;  ///< by element of the whole: its index in `program`; none: dropped
+};
+/// Keeps the strokes that `wanted` needs and every guard asked before `settled` strokes were made, with the strokes it needs: a
+/// result hangs on each verdict that was given before it was settled, even where no stroke tells so (a body that translates).
+/// Guards that are a mere choice go.
+Cut cut(const Program& program, const std::vector<ElementIndex>& wanted, int settled);
+
+/// A program evaluated in Exact.
+struct Evaluation {
+    std::vector<Value> values;   ///< by element; shorter than the program where a guard flipped
+    std::optional<int> flipped;  ///< index of the first guard whose verdict is another
+};
+/// With givens of one's own. `pose` says how large the drawing is and with how many bits the compass worked: what is as small as
+/// its leftovers counts as zero.
+Evaluation evaluate(const Program& program, const std::vector<Value>& givens, const Pose& pose);
+
+/// A value with so many binary digits of each of its numbers.
+Value trimmed(const Value& value, int digits);
+/// As many digits as tell how large values are on a pose whose compass worked to so many bits, with all that cancels on the way.
+constexpr int digits_to_compare(int bits) { return 4 * bits; }
+/// By element, each with so many digits: for who compares sizes and asks no guard.
+std::vector<Value> trimmed_values(const Program& program, const std::vector<Value>& givens, int digits);
+
+// --- the one text ------------------------------------------------------------------------------------------------------------
+
+/// k with v = k·w: the component along w, so that a replay on another pose, where they are parallel only nearly, is defined too.
+template <class Number>
+Number ratio_of(const VectorOf<Number>& v, const VectorOf<Number>& w) {
+    if (is_zero(w.x)) return v.y / w.y;
+    if (is_zero(w.y) || is_same_ratio(v.x, w.x, v.y, w.y)) return v.x / w.x;
+    return dot(v, w) / squared_length(w);
+}
+
+/// What a verb does. `Memory` has Number, point(i), line(i), vector(i), scalar(i) and put(i, …) for each of these; givens are
+/// put by who has them.
+template <class Memory>
+void carry_out(const Stroke& stroke, ElementIndex element, Memory& memory) {
+    using Number = typename Memory::Number;
+    using Point = PointOf<Number>;
+    const ElementIndex a = stroke.inputs[0], b = stroke.inputs[1];
+    switch (stroke.verb) {
+        case Verb::given_point:
+        case Verb::given_vector:
+        case Verb::given_scalar:
+            return;
+        case Verb::pole:
+            return memory.put(element, Point{0, 0, 1});
+        case Verb::vector_between:
+            return memory.put(element, memory.point(b) - memory.point(a));
+        case Verb::perpendicular:
+        case Verb::turn:
+            return memory.put(element, quarter_turn(memory.vector(a)));
+        case Verb::direction_of_line:
+            return memory.put(element, memory.line(a).direction());
+        case Verb::point_at_infinity:
+            return memory.put(element, Point{memory.vector(a).x, memory.vector(a).y, 0});
+        case Verb::through:
+            return memory.put(element, line_through(memory.point(a), memory.vector(b)));
+        case Verb::join:
+            return memory.put(element, line_joining(memory.point(a), memory.point(b)));
+        case Verb::meet:
+            return memory.put(element, finite_meet(memory.line(a), memory.line(b)));
+        case Verb::meet_at_infinity:
+            return memory.put(element, point_at_infinity_of(memory.line(a).at_infinity() ? memory.line(b) : memory.line(a)));
+        case Verb::carry: {
+            const auto tip = memory.point(a).place() + memory.vector(b);
+            return memory.put(element, Point{tip.x, tip.y, 1});
+        }
+        case Verb::add:
+            return memory.put(element, memory.vector(a) + memory.vector(b));
+        case Verb::subtract:
+            return memory.put(element, memory.vector(a) - memory.vector(b));
+        case Verb::negate:
+            return memory.put(element, -memory.vector(a));
+        case Verb::scale:
+            return memory.put(element, memory.scalar(a) * memory.vector(b));
+        case Verb::ratio:
+            return memory.put(element, ratio_of(memory.vector(a), memory.vector(b)));
+        case Verb::product:
+            return memory.put(element, Number(memory.scalar(a) * memory.scalar(b)));
+        case Verb::sum:
+            return memory.put(element, Number(memory.scalar(a) + memory.scalar(b)));
+        case Verb::difference:
+            return memory.put(element, Number(memory.scalar(a) - memory.scalar(b)));
+        case Verb::opposite:
+            return memory.put(element, Number(-memory.scalar(a)));
+        case Verb::quotient:
+            return memory.put(element, Number(memory.scalar(a) / memory.scalar(b)));
+        case Verb::moment:
+            return memory.put(element, cross(memory.vector(a), memory.vector(b)));
+        case Verb::projection:
+            return memory.put(element, dot(memory.vector(a), memory.vector(b)));
+        case Verb::arm: {
+            const auto& force = memory.vector(b);
+            return memory.put(element, Number(-memory.scalar(a) / squared_length(force)) * quarter_turn(force));
+        }
+    }
+    KG_ASSERT(false, "every verb is carried out");
+}
+
+/// How large a number is, for what is suspiciously small: of an Exact its binary order, which costs nothing beside the number;
+/// of a double its absolute value.
+template <class Number>
+struct Magnitude;
+template <>
+struct Magnitude<Exact> {
+    static constexpr long order_of_zero = -1000000;  ///< below anything a file may hold
+    long order = order_of_zero;                      ///< log2 |value| within one
+
+    static Magnitude of(const Exact& value);
+    friend Magnitude operator*(const Magnitude& a, const Magnitude& b) { return {a.order + b.order}; }
+    friend Magnitude operator/(const Magnitude& a, const Magnitude& b) { return {a.order - b.order}; }
+    friend bool operator<(const Magnitude& a, const Magnitude& b) { return a.order < b.order; }
+    /// At most 2^-bits of the unit.
+    bool is_below(const Magnitude& unit, int bits) const { return order - unit.order <= -bits; }
+};
+template <>
+struct Magnitude<double> {
+    double size = 0;
+
+    static Magnitude of(double value) { return {std::abs(value)}; }
+    friend Magnitude operator*(const Magnitude& a, const Magnitude& b) { return {a.size * b.size}; }
+    friend Magnitude operator/(const Magnitude& a, const Magnitude& b) { return {a.size / b.size}; }
+    friend bool operator<(const Magnitude& a, const Magnitude& b) { return a.size < b.size; }
+    bool is_below(const Magnitude& unit, int bits) const { return size * static_cast<double>(1ULL << bits) <= unit.size; }
+};
+template <class Number>
+Magnitude<Number> magnitude_of(const Number& value) {
+    return Magnitude<Number>::of(value);
+}
+template <class Number>
+Magnitude<Number> magnitude_of(const VectorOf<Number>& vector) {
+    return std::max(magnitude_of(vector.x), magnitude_of(vector.y));
+}
+
+/// What "small" is compared with in each plane: the longest vector and the largest scalar so far; in the drawing its size.
+template <class Number>
+struct Largest {
+    std::array<Magnitude<Number>, plane_count> vector, scalar;
+
+    /// What a scalar is small beside: the largest so far, or what the vectors of its plane make with the drawing's size (a couple
+    /// F·l, an angular velocity v/l).
+    Magnitude<Number> beside_scalar(Plane plane) const {
+        const auto at = static_cast<std::size_t>(plane);
+        if (plane == Plane::drawing) return scalar[at];
+        const Magnitude<Number>& size = vector[static_cast<std::size_t>(Plane::drawing)];
+        return std::max(scalar[at], plane == Plane::force ? vector[at] * size : vector[at] / size);
+    }
+
+    void note(Plane plane, const VectorOf<Number>& drawn) {
+        auto& largest = vector[static_cast<std::size_t>(plane)];
+        if (plane != Plane::drawing) largest = std::max(largest, magnitude_of(drawn));
+    }
+    void note(Plane plane, const PointOf<Number>& point) {
+        if (plane != Plane::drawing) note(plane, point.place());
+    }
+    void note(Plane, const LineOf<Number>&) {}
+    void note(Plane plane, const Number& value) {
+        auto& largest = scalar[static_cast<std::size_t>(plane)];
+        largest = std::max(largest, magnitude_of(value));
+    }
+};
+
+/// The answer to a predicate, and how far from zero what it asks about is.
+template <class Number>
+struct Answer {
+    int verdict = 0;
+    bool is_exact = true;  ///< no number was measured, or it is exactly zero
+    Magnitude<Number> excess, unit;
+    std::optional<VectorOf<Number>> measured;  ///< what was asked about, where that was wanted; a scalar in x
+
+    bool is_small(int bits) const { return is_exact || excess.is_below(unit, bits); }
+};
+
+/// A direction of a vector or a line.
+template <class Memory>
+VectorOf<typename Memory::Number> direction_in(const Memory& memory, ElementIndex element) {
+    return memory.is_line(element) ? memory.line(element).direction() : VectorOf<typename Memory::Number>(memory.vector(element));
+}
+
+template <class Memory>
+Magnitude<typename Memory::Number> magnitude_of_direction(const Memory& memory, ElementIndex element) {
+    if (!memory.is_line(element)) return magnitude_of(memory.vector(element));
+    const auto& line = memory.line(element);
+    return std::max(magnitude_of(line.b), magnitude_of(line.a));
+}
+
+/// How large the vectors are of which a direction is the difference: what its rounding is a part of.
+template <class Memory>
+Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, const Memory& memory, ElementIndex element,
+                                            const Largest<typename Memory::Number>& largest) {
+    const Stroke& stroke = strokes[at_index(element)];
+    switch (stroke.verb) {
+        case Verb::given_vector:
+            return magnitude_of(memory.vector(element));
+        case Verb::through:
+            return scale_of(strokes, memory, stroke.inputs[1], largest);
+        case Verb::perpendicular:
+        case Verb::turn:
+        case Verb::negate:
+        case Verb::direction_of_line:
+            return scale_of(strokes, memory, stroke.inputs[0], largest);
+        default:
+            return std::max(largest.vector[static_cast<std::size_t>(stroke.plane)], magnitude_of_direction(memory, element));
+    }
+}
+
+/// Beside what rounding alone may make the excess of two directions that are parallel.
+template <class Memory>
+Magnitude<typename Memory::Number> slack_of_parallels(const Guard& guard, const std::vector<Stroke>& strokes,
+                                                      const Memory& memory, const Largest<typename Memory::Number>& largest) {
+    const ElementIndex a = guard.inputs[0], b = guard.inputs[1];
+    return std::max(scale_of(strokes, memory, a, largest) * magnitude_of_direction(memory, b),
+                    magnitude_of_direction(memory, a) * scale_of(strokes, memory, b, largest));
+}
+
+/// Answers a predicate with exact zeros; whoever asks decides what a small excess means. For predicates of zero the verdict 1
+/// says that the excess is exactly zero.
+template <class Memory>
+Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Stroke>& strokes, const Memory& memory,
+                                       const Largest<typename Memory::Number>& largest, bool measures = false) {
+    using Number = typename Memory::Number;
+    using Question = Guard::Question;
+    const ElementIndex a = guard.inputs[0], b = guard.inputs[1];
+    const Plane lies_in = strokes[at_index(a)].plane;
+    const auto plane = static_cast<std::size_t>(lies_in);
+    const auto plain = [](bool yes) { return Answer<Number>{yes ? 1 : 0, true, {}, {}, {}}; };
+    const auto noted = [&](Answer<Number> found, const auto& value) {
+        if (measures) {
+            if constexpr (requires { value.x; }) {
+                found.measured = value;
+            } else {
+                found.measured = VectorOf<Number>{value, Number(0)};
+            }
+        }
+        return found;
+    };
+    const auto zero = [&](const auto& excess, Magnitude<Number> unit) {
+        const Magnitude<Number> size = magnitude_of(excess);
+        const bool vanishes = is_zero(excess);
+        return noted({vanishes ? 1 : 0, vanishes, size, unit, {}}, excess);
+    };
+    const auto sign = [&](const Number& value, Magnitude<Number> unit) {
+        const int verdict = sign_of(value);
+        return noted({verdict, verdict == 0, magnitude_of(value), unit, {}}, value);
+    };
+    const auto angle = [&](const VectorOf<Number>& d, const VectorOf<Number>& e) {
+        return zero(Number(cross(d, e)), magnitude_of(d) * magnitude_of(e));
+    };
+    switch (guard.question) {
+        case Question::coincide: {
+            const auto& p = memory.point(a);
+            const auto& q = memory.point(b);
+            if (p.at_infinity() && q.at_infinity()) return angle(p.place(), q.place());
+            if (p.at_infinity() || q.at_infinity()) return plain(false);
+            return zero(p - q, largest.vector[plane]);
+        }
+        case Question::parallel: {
+            const bool first = memory.is_line(a) && memory.line(a).at_infinity();
+            const bool second = memory.is_line(b) && memory.line(b).at_infinity();
+            if (first || second) return plain(first && second);
+            return angle(direction_in(memory, a), direction_in(memory, b));
+        }
+        case Question::zero_vector:
+            return zero(memory.vector(a), largest.vector[plane]);
+        case Question::zero_scalar:
+            return zero(memory.scalar(a), largest.beside_scalar(lies_in));
+        case Question::on_line: {
+            const auto& p = memory.point(a);
+            const auto& l = memory.line(b);
+            if (l.at_infinity()) return plain(p.at_infinity());
+            if (p.at_infinity()) return angle(p.place(), l.direction());
+            return zero(Number(sum_of_products(l.a, p.x, l.b, p.y) + l.c), magnitude_of(l.direction()) * largest.vector[plane]);
+        }
+        case Question::sign:
+            return sign(memory.scalar(a), largest.beside_scalar(lies_in));
+        case Question::turn_sign:
+            return sign(Number(cross(memory.vector(a), memory.vector(b))),
+                        magnitude_of(memory.vector(a)) * magnitude_of(memory.vector(b)));
+        case Question::along_sign:
+            return sign(Number(dot(memory.vector(a), memory.vector(b))),
+                        magnitude_of(memory.vector(a)) * magnitude_of(memory.vector(b)));
+        case Question::longer:
+            return plain(squared_length(memory.vector(b)) < squared_length(memory.vector(a)));
+    }
+    KG_ASSERT(false, "every question has an answer");
+}
+
+/// A predicate of zero: its verdict is 1 where what it asks about is zero. The others' is a sign, 0 for zero, or an order.
+constexpr bool asks_for_zero(Guard::Question question) { return question <= Guard::Question::on_line; }
+
+}  // namespace kinegraph

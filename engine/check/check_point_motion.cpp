@@ -1,0 +1,145 @@
+#include "engine/check/check_point_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace kinegraph {
+namespace {
+
+using Form = PointProblem::Form;
+using Complex = std::complex<double>;
+
+/// In SI.
+Jet jet_of(const Expressed& law, const NamedConstants& constants, double variable) {
+    const double unit = law.unit.to_double(), per = law.variable_unit.to_double();
+    const Jet found = jet(law.tree, constants, variable / per);
+    return {unit * found[0], unit * found[1] / per, unit * found[2] / (per * per)};
+}
+
+/// Place, velocity, acceleration.
+using Motion = std::array<Complex, 3>;
+
+class Numeric {
+public:
+    explicit Numeric(const PointProblem& problem) : problem_(problem) {}
+
+    Motion at(double time) const {
+        switch (problem_.form) {
+            case Form::cartesian: {
+                const Jet x = law(0, time), y = law(1, time);
+                return {Complex(x[0], y[0]), Complex(x[1], y[1]), Complex(x[2], y[2])};
+            }
+            case Form::polar: {
+                // z = r e^{iθ}, derived as it stands.
+                const Jet r = law(0, time), theta = law(1, time);
+                const Complex turn = std::polar(1.0, theta[0]), i(0, 1);
+                const Complex first = i * theta[1], second = i * theta[2] - theta[1] * theta[1];
+                return {r[0] * turn, (r[1] + r[0] * first) * turn, (r[2] + 2.0 * r[1] * first + r[0] * second) * turn};
+            }
+            case Form::path:
+                break;
+        }
+        return on_path(law(0, time));
+    }
+    Jet law(std::size_t i, double time) const { return jet_of(problem_.laws.at(i).law, problem_.constants, time); }
+
+private:
+    Motion on_path(const Jet& s) const {
+        if (const auto* circle = std::get_if<CirclePath>(&*problem_.path)) {
+            const double radius = circle->radius.to_double();
+            const Complex centre(circle->centre.x.to_double(), circle->centre.y.to_double());
+            const Complex turn = std::polar(radius, circle->start.to_double() + s[0] / radius), i(0, 1);
+            const double first = s[1] / radius, second = s[2] / radius;
+            return {centre + turn, i * first * turn, (i * second - first * first) * turn};
+        }
+        if (const auto* line = std::get_if<LinePath>(&*problem_.path)) {
+            const Complex direction(line->direction.x.to_double(), line->direction.y.to_double());
+            const Complex unit = direction / std::abs(direction);
+            return {Complex(line->from.x.to_double(), line->from.y.to_double()) + s[0] * unit, s[1] * unit, s[2] * unit};
+        }
+        return on_graph(std::get<GraphPath>(*problem_.path), s);
+    }
+    /// dx/ds = 1/(1 + f′²)^½ by Runge and Kutta; then by x: y = f(x).
+    Motion on_graph(const GraphPath& path, const Jet& s) const {
+        const auto curve = [&](double x) { return jet_of(path.f.law, problem_.constants, x); };
+        const auto rate = [&](double x) {
+            const double slope = curve(x)[1];
+            return 1 / std::sqrt(1 + slope * slope);
+        };
+        constexpr int steps = 4000;
+        const double step = s[0] / steps;
+        double x = path.start.to_double();
+        for (int i = 0; i < steps; ++i) {
+            const double a = rate(x), b = rate(x + step * a / 2), c = rate(x + step * b / 2), d = rate(x + step * c);
+            x += step * (a + 2 * b + 2 * c + d) / 6;
+        }
+        const Jet f = curve(x);
+        const double way = 1 + f[1] * f[1], first = s[1] / std::sqrt(way);
+        const double second = s[2] / std::sqrt(way) - f[1] * f[2] * first * first / way;
+        return {Complex(x, f[0]), Complex(first, f[1] * first), Complex(second, f[2] * first * first + f[1] * second)};
+    }
+
+    const PointProblem& problem_;
+};
+
+VectorOf<double> vector_of(Complex z) { return {z.real(), z.imag()}; }
+Complex complex_of(const Vector& v) { return {v.x.to_double(), v.y.to_double()}; }
+
+}  // namespace
+
+PointCheck check_point_motion(const PointProblem& problem) {
+    const Numeric numeric(problem);
+    const double at = problem.at.to_double(), from = problem.from.to_double();
+    const auto [z, v, a] = numeric.at(at);
+    PointCheck check;
+    check.place = vector_of(z);
+    check.velocity = vector_of(v);
+    check.acceleration = vector_of(a);
+    check.speed = std::abs(v);
+    check.acceleration_length = std::abs(a);
+    // ā v = (a · v) + i (a × v)
+    const Complex product = std::conj(v) * a / check.speed;
+    check.along = product.real();
+    check.across = std::abs(product.imag());
+    check.radius = check.speed * check.speed / check.across;
+    check.centre = vector_of(z + Complex(0, 1) * v * (check.speed * check.speed / (std::conj(v) * a).imag()));
+    if (problem.form == Form::path) {
+        check.way = numeric.law(0, at)[0];
+    } else {
+        constexpr int halves = 1000;
+        double sum = 0;
+        for (int i = 0; i <= 2 * halves; ++i) {
+            const double weight = i == 0 || i == 2 * halves ? 1 : i % 2 == 1 ? 4 : 2;
+            sum += weight * std::abs(numeric.at(from + (at - from) * i / (2 * halves))[1]);
+        }
+        check.way = sum * (at - from) / (6 * halves);
+    }
+    check.r = problem.form == Form::polar ? numeric.law(0, at)[0] : std::abs(z);
+    check.theta = problem.form == Form::polar ? numeric.law(1, at)[0] : std::arg(z);
+    const Complex back = problem.form == Form::polar ? std::polar(1.0, -check.theta) : std::conj(z) / std::abs(z);
+    check.polar_velocity = {(v * back).real(), (v * back).imag()};
+    check.polar_acceleration = {(a * back).real(), (a * back).imag()};
+    return check;
+}
+
+DisplacementCheck check_displacement(const PositionsProblem& problem, std::size_t from, std::size_t to) {
+    const auto &first = problem.positions.at(from).places, &second = problem.positions.at(to).places;
+    const Complex turn = (complex_of(second[1]) - complex_of(second[0])) / (complex_of(first[1]) - complex_of(first[0]));
+    DisplacementCheck check;
+    check.angle = std::arg(turn);
+    check.way = vector_of(complex_of(second[0]) - complex_of(first[0]));
+    check.pole = vector_of((complex_of(second[0]) - turn * complex_of(first[0])) / (1.0 - turn));
+    return check;
+}
+
+std::pair<VectorOf<double>, double> check_pivot(const PositionsProblem& problem, std::size_t point) {
+    const auto place = [&](std::size_t position) { return complex_of(problem.positions.at(position).places.at(point)); };
+    // From the first place, so that little cancels.
+    const Complex b = place(1) - place(0), c = place(2) - place(0);
+    const double area = 2 * (b.real() * c.imag() - b.imag() * c.real());
+    const Complex centre = Complex(0, 1) * (b * std::norm(c) - c * std::norm(b)) / area;
+    return {vector_of(place(0) + centre), std::abs(centre)};
+}
+
+}  // namespace kinegraph

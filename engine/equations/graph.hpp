@@ -1,0 +1,126 @@
+// The graph that loops are chosen from: each pair as the vectors by which its bodies stand apart (none at a hinge, a slide along
+// a guide and its offset across, the link that stands for a curved slot or for two round profiles), bodies that turn together,
+// what rolls, and which coordinate each driver drives. Without letters.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/equations/equations.hpp"
+
+namespace kinegraph::vector_loops {
+
+using Letter = Equations::Letter;
+using LetterIndex = Equations::LetterIndex;
+using Angle = Equations::Angle;
+using Side = Equations::Side;
+using Law = Equations::Law;
+
+/// The mechanism as it is drawn, and what is nothing in it.
+struct AsDrawn {
+    AsDrawn(const Mechanism& of, const Pose& drawn)
+        : mechanism(of), pose(drawn), near(std::max(std::ldexp(1.0, -70), 4 * drawn.rounding())) {}
+
+    bool is_nothing(const Exact& length) const { return std::abs(length.to_double()) <= near * pose.size.to_double(); }
+    bool is_small(const Exact& share) const { return std::abs(share.to_double()) <= near; }
+    Vector unit(const Vector& v) const { return unit_along(v, pose.bits); }
+    std::string name_of(BodyIndex body) const { return mechanism.body(body).name; }
+    bool are_pinned_at(BodyIndex a, BodyIndex b, const Vector& place) const;
+
+    const Mechanism& mechanism;
+    const Pose& pose;
+    double near;  ///< what is smaller, of the drawing's size, is nothing
+};
+
+/// What holds two bodies to each other, as vectors from its carrier to its rider.
+struct Edge {
+    enum class Kind {
+        pin,    ///< no vector
+        guide,  ///< a slide along `along` of the carrier, and an offset across it
+        link    ///< a length in a direction of its own
+    } kind = Kind::pin;
+    JointIndex joint = none;
+    std::string name;
+    BodyIndex carrier = frame, rider = frame;
+    Vector along;                      ///< unit, as drawn
+    std::optional<Vector> base, head;  ///< its ends on carrier and rider, once they are chosen
+    Vector place;                      ///< of the joint
+    bool is_loose = false;             ///< the offset, or the link's length, varies too
+    int driver = -1;                   ///< drives its slide …
+    int sense = 1;                     ///< … in this sense of `along` as it is now
+    std::vector<Side> sides{};         ///< once it has letters: carrier → rider
+    LetterIndex slide = -1, across = -1, direction = -1, length = -1;
+
+    std::optional<Vector>& end_on(BodyIndex body) { return body == carrier ? base : head; }
+};
+
+/// Bodies that turn together, and from which direction their turn is counted.
+struct TurningClass {
+    std::vector<BodyIndex> bodies;
+    int driver = -1;
+    int against = -1;             ///< class that the driver counts its turn from; −1: the frame
+    std::optional<Vector> datum;  ///< unit: the direction that its letters name
+    std::vector<LetterIndex> letters{};
+    std::vector<std::pair<Vector, LetterIndex>> others{};  ///< directions of the same bodies, by the given angle that tells them
+};
+
+/// What rolls, or meshes: the rider's centre at `reach` along the normal from the contact.
+struct Rolling {
+    JointIndex joint;
+    int edge = -1;  ///< whose slide or direction it drives along
+    BodyIndex rider, carrier;
+    Exact reach, reach_of_carrier;
+    bool straight = false;
+    BodyIndex arm;           ///< of gears: it holds both centres, or the centre and the rack's guide
+    JointIndex rack = none;  ///< joint between arm and rack
+};
+
+/// The graph of the pairs: its edges are vectors, its nodes bodies.
+struct VectorGraph {
+    std::vector<int> class_indices;  ///< by body
+    std::vector<TurningClass> classes;
+    std::vector<Edge> edges;
+    std::vector<Rolling> rollings;
+    std::vector<int> driven_apart;  ///< drivers without a coordinate of their own
+    std::vector<JointIndex> by_tangent;
+    Words why_not;  ///< there is no such graph; empty: there is
+
+    int class_of(BodyIndex body) const { return class_indices[at_index(body)]; }
+};
+
+class PairsAsEdges {
+public:
+    explicit PairsAsEdges(const AsDrawn& drawn) : drawn_(drawn) {}
+
+    VectorGraph graph();
+
+private:
+    void collect_classes();
+    void unite(int a, int b);
+    void collect_edges();
+    Edge edge_of(const Joint& joint, Edge::Kind kind, BodyIndex carrier, BodyIndex rider) const;
+    void add_pins(const Joint& joint);
+    void add_guide(const Joint& joint);
+    void add_contact(const Joint& joint);
+    /// A contact of unknown curvatures: the place on the one body slides along the common tangent on the other, to the first
+    /// order.
+    void add_tangent(const Joint& joint);
+    /// A body that holds both centres of a pair of gears, so that it turns with their line; or a pinion's centre and its rack.
+    bool find_arm(Rolling& rolling, const Joint& joint, const Vector& centre, const std::optional<Vector>& other) const;
+    /// What no pair joins to the frame has its place as coordinates.
+    void hold_what_is_loose();
+    void take_drivers();
+    void take(const SpinDriver& driver, int index);
+    void take(const SlideDriver& driver, int index);
+    /// A point that a slide along the same direction carries is driven by that slide.
+    void take(const PointDriver& driver, int index);
+
+    const AsDrawn& drawn_;
+    VectorGraph graph_;
+};
+
+}  // namespace kinegraph::vector_loops

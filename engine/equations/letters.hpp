@@ -1,0 +1,55 @@
+// The letters as they are given out: lengths and angles in pairs, each direction by the letters of the bodies it turns with,
+// radii of what rolls. Nothing is given twice.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "engine/equations/graph.hpp"
+
+namespace kinegraph::vector_loops {
+
+class Letters {
+public:
+    struct Pair {
+        std::string length, angle, sub;
+    };
+
+    Letters(const AsDrawn& drawn, VectorGraph& graph, Equations& found) : drawn_(drawn), graph_(graph), found_(found) {}
+
+    Pair next_pair();
+    LetterIndex add(Letter letter);
+    std::optional<Side> side_of(BodyIndex body, const Vector& from, const Vector& to);
+    void give_letters(Edge& edge);
+    void name_what_is_left();
+    LetterIndex radius(const Exact& reach, BodyIndex body);
+    /// Two coordinates of one name are told by their bodies.
+    void settle_names();
+
+private:
+    LetterIndex add_length(const Pair& pair, const Exact& length, Letter::Role role = Letter::Role::given);
+    LetterIndex add_angle(const Pair& pair, const Vector& direction, Letter::Role role = Letter::Role::given);
+    /// 0 … 3 where it is a quarter turn or several.
+    std::optional<int> quarters_of(const Vector& direction) const;
+    /// A direction that turns with a class, by its letters; a class without a datum counts its turn from it.
+    Angle angle_of(int index, const Vector& direction, const Pair& pair);
+    void set_datum(int index, const Vector& direction, const Pair& pair);
+    /// From a joint of the class to the farthest of its points.
+    Vector some_direction(int index) const;
+    void give_link_letters(Edge& edge);
+    /// So that the slide is positive as drawn: its length is what is written.
+    void give_guide_letters(Edge& edge);
+    void name(LetterIndex index, const char* kind, const Edge& edge);
+
+    const AsDrawn& drawn_;
+    VectorGraph& graph_;
+    Equations& found_;
+    std::vector<Side> body_sides_;
+    std::vector<std::tuple<BodyIndex, Exact, LetterIndex>> radii_;
+    std::size_t pairs_ = 0;
+};
+
+}  // namespace kinegraph::vector_loops

@@ -1,0 +1,31 @@
+// Error: what a user's file or a geometry did wrong, as a value. One line for a reader: place, what, remedy.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "engine/file/words.hpp"
+
+namespace kinegraph {
+
+enum class ErrorCode {
+    bad_input,         ///< the file or the command line is wrong (exit 2)
+    cannot_meet,       ///< curves that do not meet (exit 2)
+    no_unique_answer,  ///< the mechanism is at a dead point, a change point, locked (exit 3)
+    output,            ///< the output can't be written, or a font is missing (exit 4)
+};
+
+struct Error {
+    ErrorCode code = ErrorCode::bad_input;
+    std::string where;  ///< JSON pointer ("/joints/2/bodies/1"), or empty for the whole file
+    Words message;      ///< what is wrong and what to do, without the file's name and without a full stop
+};
+/// All faults of a file at once, in the file's order.
+using Errors = std::vector<Error>;
+
+template <class Value>
+using Result = tl::expected<Value, Errors>;
+
+}  // namespace kinegraph

@@ -1,0 +1,694 @@
+// Formulas: a descent over their grammar that carries value and dimension together.
+#include "engine/file/formula.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "engine/number/assert.hpp"
+#include "engine/file/scanner.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Outcome = tl::expected<Measured, Words>;
+
+/// What a formula hands on.
+constexpr int kept_bits = 200;
+/// What it reckons with: three times as much, so that the difference of two roots that is zero shrinks to what they leave open
+/// here, while one that is not stays far above it.
+constexpr int working_bits = 600;
+/// More than these, and a number is rounded to twice the bits that count: a power of a power would grow without use.
+constexpr std::size_t most_bits = 4096;
+constexpr int guard_bits = 60;
+constexpr int deepest = 100;
+
+auto refused(Words why) { return tl::make_unexpected(std::move(why)); }
+
+const Exact& degree() {
+    static const Exact size = pi() / 180;
+    return size;
+}
+
+Exact power_of(const Exact& base, int exponent) {
+    Exact result = 1;
+    for (int i = 0; i < std::abs(exponent); ++i) result *= base;
+    return exponent < 0 ? 1 / result : result;
+}
+
+/// ⌊log₂ |value|⌋ or one more; value ≠ 0.
+int order_of(const Exact& value) {
+    const auto bits = [](const mpz_class& whole) { return static_cast<int>(mpz_sizeinbase(whole.get_mpz_t(), 2)); };
+    return bits(value.rational().get_num()) - bits(value.rational().get_den());
+}
+
+/// To so many bits of its own size.
+Exact rounded_to_size(const Exact& value, int bits) { return value.is_zero() ? value : rounded(value, bits - order_of(value)); }
+
+// ----- dimensions
+
+Dimension dimension_of(QuantityKind kind) {
+    switch (kind) {
+        case QuantityKind::dimensionless:
+            return {};
+        case QuantityKind::length:
+            return {.length = 1};
+        case QuantityKind::angle:
+            return {.angle = 1};
+        case QuantityKind::angular_velocity:
+            return {.time = -1, .angle = 1};
+        case QuantityKind::angular_acceleration:
+            return {.time = -2, .angle = 1};
+        case QuantityKind::velocity:
+            return {.length = 1, .time = -1};
+        case QuantityKind::acceleration:
+            return {.length = 1, .time = -2};
+        case QuantityKind::mass:
+            return {.mass = 1};
+        case QuantityKind::force:
+            return {.length = 1, .mass = 1, .time = -2};
+        case QuantityKind::moment:
+            return {.length = 2, .mass = 1, .time = -2};
+        case QuantityKind::inertia:
+            return {.length = 2, .mass = 1};
+        case QuantityKind::pressure:
+            return {.length = -1, .mass = 1, .time = -2};
+        case QuantityKind::time:
+            return {.time = 1};
+        case QuantityKind::area:
+            return {.length = 2};
+        case QuantityKind::force_per_length:
+            return {.mass = 1, .time = -2};
+        case QuantityKind::torsional_stiffness:
+            return {.length = 2, .mass = 1, .time = -2, .angle = -1};
+        case QuantityKind::wear:
+            return {.length = 1, .mass = -1, .time = 2};
+    }
+    KG_ASSERT(false, "every kind has a dimension");
+}
+
+constexpr std::array all_kinds{QuantityKind::length,
+                               QuantityKind::angle,
+                               QuantityKind::angular_velocity,
+                               QuantityKind::angular_acceleration,
+                               QuantityKind::velocity,
+                               QuantityKind::acceleration,
+                               QuantityKind::mass,
+                               QuantityKind::force,
+                               QuantityKind::moment,
+                               QuantityKind::inertia};
+
+bool same_but_for_angle(const Dimension& a, const Dimension& b) {
+    return a.length == b.length && a.mass == b.mass && a.time == b.time;
+}
+
+/// "kg m²/s", for what is of no kind that has a name.
+std::string base_units(const Dimension& dimension) {
+    std::string above, below;
+    const auto put = [&](std::string_view symbol, int exponent) {
+        if (exponent == 0) return;
+        std::string& side = exponent > 0 ? above : below;
+        if (!side.empty()) side += ' ';
+        side += symbol;
+        if (std::abs(exponent) > 1) side += '^' + std::to_string(std::abs(exponent));
+    };
+    put("kg", dimension.mass);
+    put("m", dimension.length);
+    put("rad", dimension.angle);
+    put("s", dimension.time);
+    if (above.empty()) above = "1";
+    return below.empty() ? above : above + '/' + below;
+}
+
+void scale(Measured& of, const Exact& factor) {
+    of.value *= factor;
+    of.error *= abs(factor);
+}
+
+/// The same quantity without its angle: each degree has become a number, that of radians.
+Measured without_angle(Measured of) {
+    scale(of, power_of(degree(), of.dimension.angle));
+    of.dimension.angle = 0;
+    return of;
+}
+
+/// As a formula hands it on.
+Exact handed_on(const Measured& of) { return of.is_approximate ? rounded_to_size(of.value, kept_bits) : of.value; }
+
+Measured measured(const WrittenQuantity& written) {
+    const Dimension dimension = dimension_of(written.unit->kind);
+    Exact value = written.value * (written.unit->si / power_of(degree(), dimension.angle));
+    return {.value = std::move(value), .dimension = dimension};
+}
+
+// ----- functions
+
+/// A value with what it may be off by.
+struct Bounded {
+    Exact value, error;
+    bool is_zero() const { return abs(value) <= error; }
+};
+
+/// A/B lies as near to a/b as |A/B − a/b| ≤ (δa + |a/b| δb)/(|b| − δb).
+Bounded quotient(const Bounded& a, const Bounded& b) {
+    Exact value = a.value / b.value;
+    if (a.error.is_zero() && b.error.is_zero()) return {std::move(value), {}};
+    Exact error = (a.error + abs(value) * b.error) / (abs(b.value) - b.error);
+    return {std::move(value), std::move(error)};
+}
+
+/// The root of order `order` of a value ≥ 0, to `working_bits` of its size at least.
+Bounded root_of(const Exact& value, unsigned order) {
+    if (value.is_zero()) return {};
+    mpz_class top, bottom;
+    const bool exact = mpz_root(top.get_mpz_t(), value.rational().get_num_mpz_t(), order) != 0 &&
+                       mpz_root(bottom.get_mpz_t(), value.rational().get_den_mpz_t(), order) != 0;
+    if (exact) return {Exact(mpq_class(top, bottom)), {}};
+    // ⌊(value · 2^(order · shift))^(1/order)⌋ / 2^shift
+    const int shift = working_bits + guard_bits + std::abs(order_of(value));
+    mpz_class scaled = value.rational().get_num();
+    mpz_mul_2exp(scaled.get_mpz_t(), scaled.get_mpz_t(), static_cast<mp_bitcnt_t>(shift) * order);
+    scaled /= value.rational().get_den();
+    mpz_root(scaled.get_mpz_t(), scaled.get_mpz_t(), order);
+    return {Exact(mpq_class(scaled)) * Exact::power_of_two(-shift), Exact::power_of_two(-shift)};
+}
+
+/// Sine and cosine of an angle in degrees; rounded to a grid of 2^-600 that holds 0, ±1/2 and ±1, so these come out exactly.
+std::pair<Exact, Exact> sine_and_cosine(const Exact& degrees) {
+    const Exact turns = degrees / 360;
+    const Exact whole(mpq_class(mpz_class(turns.rational().get_num() / turns.rational().get_den())));
+    Exact rest = turns - whole;  // in (-1, 1)
+    if (rest.sign() < 0) rest += 1;
+    const Exact quarters = 4 * rest;
+    const int quarter = static_cast<int>(mpz_class(quarters.rational().get_num() / quarters.rational().get_den()).get_si());
+    const Exact within = quarters - quarter;  // of a right angle, in [0, 1)
+    const Exact t = tangent_in_first_octant(within / 4, working_bits + guard_bits);
+    const Exact down = 1 + square(t);
+    const Exact sine = rounded(2 * t / down, working_bits);
+    const Exact cosine = rounded((1 - square(t)) / down, working_bits);
+    switch (quarter) {
+        case 0:
+            return {sine, cosine};
+        case 1:
+            return {cosine, -sine};
+        case 2:
+            return {-sine, -cosine};
+        default:
+            return {-cosine, sine};
+    }
+}
+
+// ----- the grammar
+
+constexpr std::array<std::string_view, 9> words_of_formulas{"sqrt", "sin", "cos", "tan", "atan2", "abs", "min", "max", "pi"};
+
+/// How many bytes of UTF-8 a letter of a name takes here; 0: none begins here.
+std::size_t letter_at(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(i < text.size() ? text[i] : 0); };
+    if (byte(at) < 0x80) return std::isalpha(byte(at)) != 0 || byte(at) == '_' ? 1 : 0;
+    // Latin with accents, Greek, Cyrillic; `°`, `²`, `·`, `µ` and the signs below À are no letters.
+    return byte(at) >= 0xC3 && byte(at) <= 0xD4 && (byte(at + 1) & 0xC0U) == 0x80 ? 2 : 0;
+}
+
+std::size_t name_length(std::string_view text) {
+    std::size_t at = letter_at(text, 0);
+    if (at == 0) return 0;
+    for (;;) {
+        const std::size_t letter = letter_at(text, at);
+        const bool digit = at < text.size() && text[at] >= '0' && text[at] <= '9';
+        if (letter == 0 && !digit) return at;
+        at += digit ? 1 : letter;
+    }
+}
+
+bool is_function(std::string_view name) {
+    return name != "pi" && std::find(words_of_formulas.begin(), words_of_formulas.end(), name) != words_of_formulas.end();
+}
+
+class Descent : Scanner {
+public:
+    Descent(std::string_view text, const LookUp& look_up) : Scanner(text), look_up_(look_up) {}
+
+    Outcome whole() {
+        Outcome result = sum();
+        if (!result) return result;
+        skip();
+        if (at_ < text_.size()) return unexpected_here();
+        return result;
+    }
+
+private:
+    tl::unexpected<Words> unexpected_here() const {
+        if (rest().empty())
+            return refused({"the formula ends where a number, a name or a bracket is wanted",
+                            "la formula finisce dove serve un numero, un nome o una parentesi"});
+        if (rest().starts_with("−") || rest().starts_with("–"))
+            return refused({"a minus is written \"-\" in a formula", "il meno in una formula si scrive \"-\""});
+        if (rest().starts_with("·") || rest().starts_with("×"))
+            return refused({"a product is written \"*\" in a formula", "il prodotto in una formula si scrive \"*\""});
+        if (auto why = factor_without_sign()) return refused(*std::move(why));
+        return refused({"{0} is not understood here; +, -, *, /, ^, brackets, numbers with units and names are",
+                        "{0} qui non si capisce; si capiscono +, -, *, /, ^, parentesi, numeri con unità e nomi",
+                        quoted(rest())});
+    }
+
+    /// Behind a value a unit, a name or a bracket, as if they were multiplied: how that is written.
+    std::optional<Words> factor_without_sign() const {
+        const std::size_t last = text_.substr(0, at_).find_last_not_of(" \t");
+        if (last == std::string_view::npos) return std::nullopt;
+        const char before = text_[last];
+        const bool follows_a_value = before == ')' || static_cast<unsigned char>(before) >= 0x80 ||
+                                     std::isalnum(static_cast<unsigned char>(before)) != 0 || before == '_';
+        if (!follows_a_value) return std::nullopt;
+        constexpr std::size_t longest_unit = 16;
+        for (std::size_t length = std::min(longest_unit, rest().size()); length > 0; --length) {
+            const std::string_view spelt = rest().substr(0, length);
+            if (spelt.ends_with(' ') || unit_spelt(spelt) == nullptr || letter_at(rest(), length) > 0) continue;
+            if (means_something(spelt)) break;
+            return Words("a unit stands behind a number: write … * 1 {0}", "un’unità sta dopo un numero: scrivere … * 1 {0}",
+                         std::string(spelt));
+        }
+        const std::string_view word = rest().substr(0, name_length(rest()));
+        if (means_something(word)) return product_wanted("…", word);
+        if (rest().starts_with('(')) return product_wanted("…", "(");
+        return std::nullopt;
+    }
+
+    Outcome sum() {
+        if (++depth_ > deepest)
+            return refused({"a formula with more than {0} brackets within each other; name a part of it as a parameter",
+                            "una formula con più di {0} parentesi una dentro l’altra; dare un nome a una parte come parametro",
+                            std::to_string(deepest)});
+        Outcome result = product();
+        while (result) {
+            const bool plus = takes('+');
+            if (!plus && !takes('-')) break;
+            Outcome other = product();
+            if (!other) return other;
+            result = added(*result, *other, plus);
+        }
+        --depth_;
+        return result;
+    }
+    Outcome product() {
+        Outcome result = factor();
+        while (result) {
+            const bool times = takes('*');
+            if (!times && !takes('/')) break;
+            Outcome other = factor();
+            if (!other) return other;
+            result = times ? multiplied(*result, *other) : divided(*result, *other);
+        }
+        return result;
+    }
+    Outcome factor() {
+        bool negative = false;
+        for (;;) {
+            if (takes('-')) {
+                negative = !negative;
+            } else if (!takes('+')) {
+                break;
+            }
+        }
+        Outcome result = power();
+        if (result && negative) result->value = -result->value;
+        return result;
+    }
+    Outcome power() {
+        Outcome base = operand();
+        if (!base || !takes('^')) return base;
+        if (++depth_ > deepest) return refused({"too many powers upon each other", "troppe potenze una sull’altra"});
+        Outcome exponent = factor();
+        --depth_;
+        if (!exponent) return exponent;
+        return raised(*base, *exponent);
+    }
+    Outcome operand() {
+        skip();
+        if (takes('(')) {
+            Outcome inner = sum();
+            if (inner && !takes(')')) return refused({"a bracket is not closed", "una parentesi non è chiusa"});
+            return inner;
+        }
+        if (at_ < text_.size() && (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.'))
+            return number();
+        const std::size_t length = name_length(text_.substr(at_));
+        if (length == 0) return unexpected_here();
+        const std::string_view name = text_.substr(at_, length);
+        at_ += length;
+        if (is_function(name)) return function(name);
+        if (name == "pi") {
+            Measured result = bare(pi());
+            result.is_in_radians = true;
+            return result;
+        }
+        return look_up_(name);
+    }
+
+    /// A number with the longest unit that follows it.
+    Outcome number() {
+        std::size_t end = at_;
+        const auto digits = [&] {
+            while (end < text_.size() && std::isdigit(static_cast<unsigned char>(text_[end])) != 0) ++end;
+        };
+        digits();
+        if (end < text_.size() && text_[end] == '.') {
+            ++end;
+            digits();
+        }
+        if (end < text_.size() && (text_[end] == 'e' || text_[end] == 'E')) {
+            const std::size_t before = end++;
+            if (end < text_.size() && (text_[end] == '-' || text_[end] == '+')) ++end;
+            const std::size_t first = end;
+            digits();
+            if (end == first) end = before;
+        }
+        const std::string_view number = text_.substr(at_, end - at_);
+        auto value = read_decimal(number);
+        if (!value) return refused(std::move(value.error()));
+        at_ = end;
+        if (const KnownUnit* unit = takes_unit()) return measured({std::move(*value), unit});
+        skip();
+        const std::string_view word = text_.substr(at_, name_length(text_.substr(at_)));
+        if (means_something(word)) return refused(product_wanted(number, word));
+        if (!word.empty()) return refused(unknown_unit_message(word, QuantityKind::dimensionless));
+        return bare(std::move(*value));
+    }
+    /// A word that a formula may have as a factor.
+    bool means_something(std::string_view word) const {
+        return !word.empty() && (word == "pi" || is_function(word) || look_up_(word).has_value());
+    }
+    static Words product_wanted(std::string_view first, std::string_view second) {
+        return {"a product is written with *: {0}*{1}, not {0} {1}", "il prodotto si scrive con *: {0}*{1}, non {0} {1}",
+                std::string(first), std::string(second)};
+    }
+    /// "12 cm^2" is the square of 12 cm, as it ever was; "12 cm²" is an area.
+    static bool means_a_power(std::string_view spelt) {
+        const KnownUnit* unit = unit_spelt(spelt);
+        return unit != nullptr && unit->kind == QuantityKind::area && spelt.find('^') != std::string_view::npos;
+    }
+    /// "10 N/m" is a force over the parameter m, where there is one.
+    bool divides_by_a_name(std::string_view spelt) const {
+        const KnownUnit* unit = unit_spelt(spelt);
+        if (unit == nullptr || unit->kind != QuantityKind::force_per_length) return false;
+        return look_up_(spelt.substr(spelt.find('/') + 1)).has_value();
+    }
+    const KnownUnit* takes_unit() {
+        std::size_t from = at_;
+        while (from < text_.size() && text_[from] == ' ') ++from;
+        constexpr std::size_t longest_unit = 16;
+        for (std::size_t length = std::min(longest_unit, text_.size() - from); length > 0; --length) {
+            const std::string_view spelt = text_.substr(from, length);
+            // A product is the formula's: "2 N*m" is a force times m. And no unit ends within a word.
+            if (spelt.find('*') != std::string_view::npos || spelt.ends_with(' ') || spelt.starts_with(' ')) continue;
+            const bool ends_a_letter = letter_at(spelt, length - 1) > 0;
+            const std::size_t behind = from + length;
+            const bool goes_on = behind < text_.size() &&
+                                 (letter_at(text_, behind) > 0 || std::isdigit(static_cast<unsigned char>(text_[behind])) != 0);
+            if (ends_a_letter && goes_on) continue;
+            if (means_a_power(spelt) || divides_by_a_name(spelt)) continue;
+            if (const KnownUnit* unit = unit_spelt(spelt)) {
+                at_ = behind;
+                return unit;
+            }
+        }
+        return nullptr;
+    }
+
+    Outcome function(std::string_view name) {
+        if (!takes('(')) return refused({"{0} is a function; write {0}(…)", "{0} è una funzione; scrivere {0}(…)", name});
+        std::vector<Measured> arguments;
+        do {
+            Outcome argument = sum();
+            if (!argument) return argument;
+            arguments.push_back(std::move(*argument));
+        } while (takes(','));
+        if (!takes(')')) return refused({"a bracket is not closed", "una parentesi non è chiusa"});
+        const bool any_number = name == "min" || name == "max";
+        const std::size_t wanted = name == "atan2" ? 2 : 1;
+        if (!any_number && arguments.size() != wanted)
+            return refused({"{0} is written {1}, with {2} between the brackets", "{0} si scrive {1}, con {2} fra le parentesi",
+                            name, std::string(name == "atan2" ? "atan2(y, x)" : std::string(name) + "(x)"),
+                            wanted == 1 ? Words("one value", "un valore") : Words("two values", "due valori")});
+        if (any_number) return extreme(name == "min", std::move(arguments));
+        if (name == "atan2") return arc(arguments[0], arguments[1]);
+        if (name == "abs") {
+            arguments[0].value = abs(arguments[0].value);
+            return arguments[0];
+        }
+        if (name == "sqrt") return root(arguments[0], 2);
+        return circular(name, arguments[0]);
+    }
+
+    // ----- operations
+
+    Outcome settled(Measured result) const {
+        if (result.error.sign() > 0) heed_error(result);
+        if (!result.value.is_zero() && std::abs(order_of(result.value)) > 1000)
+            return refused(
+                {"a value of the formula lies outside 1e-300 … 1e300", "un valore della formula è fuori da 1e-300 … 1e300"});
+        if (result.value.bits() > most_bits) {
+            const int places = 2 * working_bits - order_of(result.value);
+            result.value = rounded(result.value, places);
+            result.error = result.error + Exact::power_of_two(-places);
+            result.is_approximate = true;
+        }
+        return result;
+    }
+    /// What its error does not tell from zero is zero; and digits far below the error say nothing.
+    static void heed_error(Measured& of) {
+        if (abs(of.value) <= of.error) {
+            of.value = of.error = {};
+            return;
+        }
+        constexpr int digits_of_error = 30;
+        const int places = digits_of_error - order_of(of.error);
+        const Exact step = Exact::power_of_two(-places);
+        of.value = rounded(of.value, places);
+        of.error = rounded(of.error, places) + 2 * step;
+    }
+    static void join(Measured& result, const Measured& other) {
+        result.is_in_radians = (result.is_in_radians || other.is_in_radians) && result.is_bare && other.is_bare;
+        result.is_bare = result.is_bare && other.is_bare;
+        result.is_approximate = result.is_approximate || other.is_approximate;
+    }
+    /// Both brought to one dimension, where they are of one.
+    static std::optional<Words> match(Measured& a, Measured& b) {
+        const auto turn = [](Measured& number, const Measured& angle) {
+            if (!number.is_in_radians || angle.dimension != Dimension{.angle = 1}) return;
+            scale(number, 1 / degree());
+            number.dimension.angle = 1;
+        };
+        turn(a, b);
+        turn(b, a);
+        if (a.dimension == b.dimension) return std::nullopt;
+        if (same_but_for_angle(a.dimension, b.dimension) && !same_but_for_angle(a.dimension, Dimension{})) {
+            a = without_angle(std::move(a));
+            b = without_angle(std::move(b));
+            return std::nullopt;
+        }
+        return Words("{0} and {1} do not go together", "{0} e {1} non vanno insieme", described(a), described(b));
+    }
+    Outcome added(Measured a, Measured b, bool plus) const {
+        if (auto why = match(a, b)) {
+            Words message(plus ? "{0} in a sum" : "{0} in a difference", plus ? "{0} in una somma" : "{0} in una differenza",
+                          *why);
+            const bool lacks_unit = a.is_bare != b.is_bare;
+            if (lacks_unit) message += Words("; the bare number wants a unit", "; il numero puro vuole un’unità");
+            return refused(std::move(message));
+        }
+        a.value = plus ? a.value + b.value : a.value - b.value;
+        a.error += b.error;
+        join(a, b);
+        return settled(std::move(a));
+    }
+    Outcome multiplied(Measured a, const Measured& b) const {
+        if (a.is_approximate || b.is_approximate) a.error = abs(a.value) * b.error + (abs(b.value) + b.error) * a.error;
+        a.value *= b.value;
+        a.dimension = {a.dimension.length + b.dimension.length, a.dimension.mass + b.dimension.mass,
+                       a.dimension.time + b.dimension.time, a.dimension.angle + b.dimension.angle};
+        join(a, b);
+        return within_reason(std::move(a));
+    }
+    Outcome divided(Measured a, const Measured& b) const {
+        if (b.value.is_zero()) return refused({"the formula divides by zero", "la formula divide per zero"});
+        auto [value, error] = quotient({a.value, a.error}, {b.value, b.error});
+        a.value = std::move(value);
+        a.error = std::move(error);
+        a.dimension = {a.dimension.length - b.dimension.length, a.dimension.mass - b.dimension.mass,
+                       a.dimension.time - b.dimension.time, a.dimension.angle - b.dimension.angle};
+        join(a, b);
+        return within_reason(std::move(a));
+    }
+    Outcome within_reason(Measured result) const {
+        constexpr int highest = 1000;
+        const Dimension& d = result.dimension;
+        for (const int exponent : {d.length, d.mass, d.time, d.angle})
+            if (std::abs(exponent) > highest)
+                return refused({"a power of a unit beyond {0}", "una potenza di un’unità oltre {0}", std::to_string(highest)});
+        return settled(std::move(result));
+    }
+    Outcome raised(const Measured& base, const Measured& exponent) const {
+        constexpr int highest = 1000, finest = 60;
+        if (!exponent.dimension.is_a_number())
+            return refused({"an exponent must be a bare number, not {0}", "un esponente deve essere un numero puro, non {0}",
+                            described(exponent)});
+        const Exact number = handed_on(exponent);
+        const mpq_class& power = number.rational();
+        if (abs(number) > Exact(highest) || power.get_den() > finest)
+            return refused({"an exponent must be a fraction up to {0} with a denominator up to {1}",
+                            "un esponente deve essere una frazione fino a {0} con denominatore fino a {1}",
+                            std::to_string(highest), std::to_string(finest)});
+        const long whole = power.get_num().get_si();
+        Outcome result = root(base, static_cast<unsigned>(power.get_den().get_ui()));
+        if (!result) return result;
+        if (whole < 0 && result->value.is_zero()) return refused({"the formula divides by zero", "la formula divide per zero"});
+        const Measured one = *result;
+        Measured product = bare(Exact(1));
+        product.is_bare = one.is_bare;
+        Outcome grown = product;
+        for (long i = 0; i < std::abs(whole) && grown; ++i) grown = whole > 0 ? multiplied(*grown, one) : divided(*grown, one);
+        if (grown) join(*grown, exponent.is_bare ? bare(Exact(1)) : one);
+        return grown;
+    }
+    Outcome root(Measured of, unsigned order) const {
+        if (order == 1) return of;
+        if (of.value.sign() < 0)
+            return refused({"the root of a negative value is not real", "la radice di un valore negativo non è reale"});
+        const int n = static_cast<int>(order);
+        if (of.dimension.angle % n != 0) of = without_angle(std::move(of));
+        Dimension& d = of.dimension;
+        if (d.length % n != 0 || d.mass % n != 0 || d.time % n != 0)
+            return refused({"no quantity is the root of {0}", "nessuna grandezza è la radice di {0}", described(of)});
+        d = {d.length / n, d.mass / n, d.time / n, d.angle / n};
+        // A root is off by no greater share than its radicand.
+        auto [value, error] = root_of(of.value, order);
+        of.is_approximate = of.is_approximate || !error.is_zero();
+        if (!of.error.is_zero()) error += value * of.error / of.value;
+        of.value = std::move(value);
+        of.error = std::move(error);
+        return settled(std::move(of));
+    }
+    Outcome circular(std::string_view name, Measured angle) const {
+        if (angle.dimension.is_a_number()) {
+            scale(angle, 1 / degree());  // a bare number is in radians here, as everywhere in mathematics
+        } else if (angle.dimension != Dimension{.angle = 1}) {
+            return refused(
+                {"{0} is taken of an angle, not of {1}", "{0} si calcola di un angolo, non di {1}", name, described(angle)});
+        }
+        const auto [sine, cosine] = sine_and_cosine(angle.value);
+        // A degree is less than 1/32; 0, ±1/2 and ±1 are exact where the angle is.
+        const auto bounded = [&](const Exact& value) -> Bounded {
+            const bool on_grid = value.is_zero() || abs(value) == Exact(1) || abs(value) == Exact::ratio(1, 2);
+            if (angle.error.is_zero() && on_grid) return {value, {}};
+            return {value, angle.error * Exact::ratio(1, 32) + Exact::power_of_two(-working_bits)};
+        };
+        Measured result = bare({});
+        result.is_bare = angle.is_bare;
+        Bounded found = bounded(name == "cos" ? cosine : sine);
+        if (name == "tan") {
+            const Bounded below = bounded(cosine);
+            if (below.is_zero()) return refused({"tan of a right angle has no value", "tan di un angolo retto non ha valore"});
+            // In the middle of a quadrant ±1, exactly where the angle is.
+            const bool is_diagonal = angle.error.is_zero() && abs(sine) == abs(cosine);
+            found = is_diagonal ? Bounded{sine / cosine, {}} : quotient(found, below);
+        }
+        result.is_approximate = angle.is_approximate || !found.error.is_zero();
+        result.value = std::move(found.value);
+        result.error = std::move(found.error);
+        return settled(std::move(result));
+    }
+    Outcome arc(Measured y, Measured x) const {
+        if (const auto why = match(y, x)) return refused({"{0} in atan2(y, x)", "{0} in atan2(y, x)", *why});
+        if (x.value.is_zero() && y.value.is_zero()) return refused({"atan2(0, 0) has no value", "atan2(0, 0) non ha valore"});
+        join(y, x);
+        const bool exact = x.value.is_zero() || y.value.is_zero() || abs(x.value) == abs(y.value);
+        // The end of a vector that is off by δ turns by no more than π/2 · δ/|vector|.
+        Exact error = 90 * (y.error + x.error) / std::max(abs(x.value), abs(y.value));
+        if (!exact) error += Exact::power_of_two(-working_bits);
+        return settled({.value = degrees_of(y.value, x.value, working_bits),
+                        .error = std::move(error),
+                        .dimension = {.angle = 1},
+                        .is_approximate = y.is_approximate || !exact});
+    }
+    Outcome extreme(bool least, std::vector<Measured> of) const {
+        Measured best = std::move(of.front());
+        for (std::size_t i = 1; i < of.size(); ++i) {
+            if (auto why = match(best, of[i]))
+                return refused({"{0} in {1}", "{0} in {1}", *why, std::string(least ? "min" : "max")});
+            const bool better = least ? of[i].value < best.value : of[i].value > best.value;
+            join(best, of[i]);
+            if (!better) continue;
+            best.value = of[i].value;
+            best.error = of[i].error;
+        }
+        return best;
+    }
+
+    const LookUp& look_up_;
+    int depth_ = 0;
+};
+
+}  // namespace
+
+bool is_formula(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(' ');
+    return first != std::string_view::npos && text[first] == '=';
+}
+
+tl::expected<Measured, Words> evaluate(std::string_view formula, const LookUp& look_up) {
+    KG_ASSERT(is_formula(formula), "a formula begins with =");
+    return Descent(formula.substr(formula.find('=') + 1), look_up).whole();
+}
+
+tl::expected<Measured, Words> read_measured(std::string_view text, const LookUp& look_up) {
+    if (is_formula(text)) return evaluate(text, look_up);
+    if (auto number = read_decimal(text)) return bare(std::move(*number));
+    auto written = read_quantity(text, QuantityKind::dimensionless);
+    if (!written) return refused(std::move(written.error()));
+    return measured(*written);
+}
+
+Measured bare(Exact value) { return {.value = std::move(value), .dimension = {}, .is_bare = true}; }
+
+tl::expected<WrittenQuantity, Words> as_quantity(const Measured& value, QuantityKind kind, const KnownUnit& bare_unit) {
+    static const KnownUnit* const degrees = unit_spelt("deg");
+    static const KnownUnit* const radians = unit_spelt("rad");
+    const Dimension wanted = dimension_of(kind);
+    if (value.is_bare && kind == QuantityKind::angle && value.is_in_radians) return WrittenQuantity{handed_on(value), radians};
+    if (value.is_bare) return WrittenQuantity{handed_on(value), &bare_unit};
+    if (kind == QuantityKind::angle) {
+        if (value.dimension == wanted) return WrittenQuantity{handed_on(value), degrees};
+        if (value.dimension.is_a_number()) return WrittenQuantity{handed_on(value), radians};
+    } else if (same_but_for_angle(value.dimension, wanted)) {
+        return WrittenQuantity{handed_on(without_angle(value)) / bare_unit.si, &bare_unit};
+    }
+    return refused(
+        {"the formula gives {0}; {1} is wanted here", "la formula dà {0}; qui serve {1}", described(value), with_article(kind)});
+}
+
+tl::expected<Exact, Words> as_number(const Measured& value) {
+    if (value.dimension.is_a_number()) return handed_on(value);
+    return refused(
+        {"the formula gives {0}; a bare number is wanted here", "la formula dà {0}; qui serve un numero puro", described(value)});
+}
+
+Words described(const Measured& value) {
+    if (value.dimension.is_a_number()) return with_article(QuantityKind::dimensionless);
+    const auto* const kind = std::find_if(all_kinds.begin(), all_kinds.end(),
+                                          [&](QuantityKind each) { return dimension_of(each) == value.dimension; });
+    if (kind != all_kinds.end()) return with_article(*kind);
+    return {"a quantity in {0}", "una grandezza in {0}", base_units(value.dimension)};
+}
+
+bool is_parameter_name(std::string_view name) {
+    return !name.empty() && name_length(name) == name.size() && name != "pi" && !is_function(name);
+}
+
+std::span<const std::string_view> formula_words() { return words_of_formulas; }
+
+}  // namespace kinegraph

@@ -1,0 +1,65 @@
+// Words of faults.
+#include "engine/file/spelling.hpp"
+
+#include "engine/number/assert.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Kind = JsonValue::Kind;
+
+}  // namespace
+
+Words described(JsonValue value) {
+    switch (value.kind()) {
+        case Kind::null:
+            return std::string_view("null");
+        case Kind::boolean:
+            return value.text();
+        case Kind::number:
+            return {"the number {0}", "il numero {0}", shown(value.text(), 40)};
+        case Kind::string:
+            return quoted(value.text());
+        case Kind::array:
+            if (value.size() == 0) return {"an empty array", "un array vuoto"};
+            return {"an array of {0}", "un array di {0}", std::to_string(value.size())};
+        case Kind::object:
+            return {"an object", "un oggetto"};
+    }
+    KG_ASSERT(false, "every kind of value has a description");
+}
+
+bool is_whole_number(JsonValue value) {
+    // The names of bodies are short; longer ones would not survive other JSON readers.
+    constexpr std::size_t longest = 18;
+    if (!value.is_number() || value.text().size() > longest) return false;
+    const std::string_view digits = value.text().substr(value.text().starts_with('-') ? 1 : 0);
+    return std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool is_true(JsonValue value) { return value.kind() == Kind::boolean && value.text() == "true"; }
+
+Words listed(std::span<const std::string_view> words) {
+    Words list;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) list += i + 1 == words.size() ? Words(" and ", " e ") : Words(std::string(", "));
+        list += '"' + std::string(words[i]) + '"';
+    }
+    return list;
+}
+
+bool has_control_character(std::string_view text, bool also_blank) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        const bool blank = c == '\t' || c == '\n' || c == '\r';
+        if ((c < 0x20 && (also_blank || !blank)) || c == 0x7F) return true;
+        if (c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0) return true;
+    }
+    return false;
+}
+
+Words did_you_mean(const std::optional<std::string>& name) {
+    return name ? Words(" (did you mean {0}?)", " (forse {0}?)", quoted(*name)) : Words();
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,88 @@
+// Spelling: how faults of a file describe what stands there, and which known name a misspelt one may mean. Knows no form.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "engine/file/json_source.hpp"
+#include "engine/file/units.hpp"
+
+namespace kinegraph {
+
+/// "the number 3", "an array of 2".
+Words described(JsonValue value);
+bool is_whole_number(JsonValue value);
+bool is_true(JsonValue value);
+/// "a", "b" and "c".
+Words listed(std::span<const std::string_view> words);
+/// The C0, DEL and C1 characters, at any place of well-formed UTF-8; a tab or line break only where `also_blank`.
+bool has_control_character(std::string_view text, bool also_blank);
+
+/// Finds the name nearest to a misspelt one, as long as the work for all of them stays small.
+class Speller {
+public:
+    template <class Names>
+    std::optional<std::string> nearest(std::string_view word, const Names& names) {
+        constexpr std::size_t longest = 64;
+        constexpr int most = 2;
+        if (word.size() > longest) return std::nullopt;
+        const std::string letters = letters_of(word);
+        using Rank = std::tuple<std::size_t, bool, std::size_t, std::uint64_t, std::ptrdiff_t>;
+        std::optional<std::pair<Rank, std::string_view>> best;
+        for (const std::string_view name : names) {
+            if (budget_ == 0) break;
+            --budget_;
+            if (name.size() > longest) continue;
+            // What is written otherwise but says the same is nearer than any other letter: "v_B" is "v B" rather than "v_C"; and
+            // the same letters in another order are nearer than others.
+            const std::string other = letters_of(name);
+            const std::size_t said = edit_distance(letters, other, most);
+            const std::size_t length = std::max(word.size(), name.size());
+            if (said > std::clamp<std::size_t>(length / 2, 1, most)) continue;
+            const auto prefix = std::mismatch(word.begin(), word.end(), name.begin(), name.end()).first - word.begin();
+            const Rank rank{said, !std::is_permutation(letters.begin(), letters.end(), other.begin(), other.end()),
+                            edit_distance(word, name, most), numbers_apart(letters, other), -prefix};
+            if (!best || rank < best->first) best = {rank, name};
+        }
+        if (!best) return std::nullopt;
+        return std::string(best->second);
+    }
+
+private:
+    /// Without blanks and underscores, in small letters.
+    static std::string letters_of(std::string_view name) {
+        std::string letters;
+        for (const char c : name)
+            if (c != ' ' && c != '_') letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        return letters;
+    }
+    /// Of names that differ in the number at their end alone the nearer number is the likelier: 5 is 4 rather than 1.
+    static std::uint64_t numbers_apart(std::string_view a, std::string_view b) {
+        constexpr std::size_t longest = 18;
+        constexpr std::uint64_t far = UINT64_MAX;
+        const auto digits_from = [](std::string_view text) { return text.find_last_not_of("0123456789") + 1; };
+        const auto value = [](std::string_view digits) {
+            std::int64_t sum = 0;
+            for (const char c : digits) sum = sum * 10 + (c - '0');
+            return sum;
+        };
+        const std::string_view x = a.substr(digits_from(a)), y = b.substr(digits_from(b));
+        const bool are_numbers = !x.empty() && !y.empty() && std::max(x.size(), y.size()) <= longest;
+        if (!are_numbers || a.substr(0, digits_from(a)) != b.substr(0, digits_from(b))) return far;
+        const std::int64_t apart = value(x) - value(y);
+        return static_cast<std::uint64_t>(apart < 0 ? -apart : apart);
+    }
+    long budget_ = 200'000;
+};
+
+/// " (did you mean "4"?)", or nothing.
+Words did_you_mean(const std::optional<std::string>& name);
+
+}  // namespace kinegraph

@@ -1,0 +1,429 @@
+#include "engine/file/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/number/assert.hpp"
+
+namespace kinegraph {
+namespace {
+
+constexpr std::size_t most_digits = 1000;
+constexpr int largest_order = 60;
+/// The largest unit or its inverse is far below 1e10: beyond this margin no unit brings a number back into range.
+constexpr std::int64_t order_margin = largest_order + 10;
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+Exact decimal(std::string_view text) {
+    const std::optional<Exact> value = Exact::from_decimal(text);
+    KG_ASSERT(value.has_value(), "a number of the unit table is a decimal");
+    return *value;
+}
+
+std::vector<KnownUnit> make_units() {
+    using enum QuantityKind;
+    const Exact inch = decimal("0.0254");
+    const Exact foot = decimal("0.3048");
+    const Exact pound = decimal("0.45359237");
+    const Exact pound_force = pound * decimal("9.80665");
+    const Exact degree = pi() / 180;
+    const Exact turn_a_minute = pi() / 30;
+    return {
+        {length, "m", 1},
+        {length, "cm", Exact::ratio(1, 100)},
+        {length, "mm", Exact::ratio(1, 1000)},
+        {length, "in", inch},
+        {length, "ft", foot},
+        {angle, "deg", degree},
+        {angle, "rad", 1},
+        {angular_velocity, "rad/s", 1},
+        {angular_velocity, "rpm", turn_a_minute},
+        {angular_velocity, "deg/s", degree},
+        {angular_acceleration, "rad/s²", 1},
+        {angular_acceleration, "deg/s²", degree},
+        {angular_acceleration, "rpm/s", turn_a_minute},
+        {velocity, "m/s", 1},
+        {velocity, "cm/s", Exact::ratio(1, 100)},
+        {velocity, "mm/s", Exact::ratio(1, 1000)},
+        {velocity, "in/s", inch},
+        {velocity, "ft/s", foot},
+        {acceleration, "m/s²", 1},
+        {acceleration, "cm/s²", Exact::ratio(1, 100)},
+        {acceleration, "mm/s²", Exact::ratio(1, 1000)},
+        {acceleration, "in/s²", inch},
+        {acceleration, "ft/s²", foot},
+        {mass, "kg", 1},
+        {mass, "g", Exact::ratio(1, 1000)},
+        {mass, "t", 1000},
+        {mass, "lb", pound},
+        {mass, "slug", pound_force / foot},
+        {mass, "lb s²/in", pound_force / inch},
+        {force, "N", 1},
+        {force, "kN", 1000},
+        {force, "MN", 1000000},
+        {force, "lbf", pound_force},
+        {force, "kgf", decimal("9.80665")},
+        {moment, "N m", 1},
+        {moment, "N mm", Exact::ratio(1, 1000)},
+        {moment, "kN m", 1000},
+        {moment, "lbf in", pound_force * inch},
+        {moment, "lbf ft", pound_force * foot},
+        {inertia, "kg m²", 1},
+        {inertia, "kg cm²", Exact::ratio(1, 10000)},
+        {inertia, "kg mm²", Exact::ratio(1, 1000000)},
+        {inertia, "lb in s²", pound_force * inch},
+        {inertia, "lb in²", pound * inch * inch},
+        {inertia, "lb ft²", pound * foot * foot},
+        {inertia, "slug ft²", pound_force * foot},
+        {pressure, "Pa", 1},
+        {pressure, "kPa", 1000},
+        {pressure, "MPa", 1000000},
+        {pressure, "GPa", 1000000000},
+        {pressure, "bar", 100000},
+        {pressure, "psi", pound_force / (inch * inch)},
+        {area, "m²", 1},
+        {area, "cm²", Exact::ratio(1, 10000)},
+        {area, "mm²", Exact::ratio(1, 1000000)},
+        {area, "in²", inch * inch},
+        {force_per_length, "N/m", 1},
+        {force_per_length, "N/cm", 100},
+        {force_per_length, "N/mm", 1000},
+        {force_per_length, "kN/m", 1000},
+        {force_per_length, "lbf/in", pound_force / inch},
+        {force_per_length, "lbf/ft", pound_force / foot},
+        {force_per_length, "kgf/m", decimal("9.80665")},
+        {torsional_stiffness, "N m/rad", 1},
+        {torsional_stiffness, "N mm/rad", Exact::ratio(1, 1000)},
+        {torsional_stiffness, "N m/deg", Exact(1) / degree},
+        {torsional_stiffness, "N mm/deg", Exact::ratio(1, 1000) / degree},
+        {torsional_stiffness, "lbf in/rad", pound_force * inch},
+        {torsional_stiffness, "lbf ft/rad", pound_force * foot},
+        {time, "s", 1},
+        {time, "ms", Exact::ratio(1, 1000)},
+        {time, "min", 60},
+        {time, "h", 3600},
+        {wear, "m²/N", 1},
+        {wear, "mm²/N", Exact::ratio(1, 1000000)},
+        {wear, "mm³/(N m)", Exact::ratio(1, 1000000000)},
+    };
+}
+
+/// One spelling for all that are alike: products by one space, squares as ^2, degrees as deg.
+std::string normal_spelling(std::string_view text) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 5> alike{
+        {{"·", " "}, {"⋅", " "}, {"*", " "}, {"²", "^2"}, {"°", "deg"}}};
+    std::string plain;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto* found =
+            std::find_if(alike.begin(), alike.end(), [&](const auto& a) { return text.substr(at).starts_with(a.first); });
+        const std::string_view put = found == alike.end() ? text.substr(at, 1) : found->second;
+        at += found == alike.end() ? 1 : found->first.size();
+        if (put == " " && (plain.empty() || plain.back() == ' ')) continue;
+        plain += put;
+    }
+    if (plain.ends_with(' ')) plain.pop_back();
+    return plain;
+}
+
+/// For "did you mean": what people leave out or write in the wrong case.
+std::string careless_spelling(std::string_view text) {
+    std::string word;
+    for (const char c : normal_spelling(text)) {
+        if (c != ' ' && c != '^') word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return word;
+}
+
+const KnownUnit* unit_meant(std::string_view text, QuantityKind wanted) {
+    constexpr std::size_t longest_unit = 16;
+    if (text.size() > longest_unit) return nullptr;
+    const std::string word = careless_spelling(text);
+    const KnownUnit* nearest = nullptr;
+    for (const KnownUnit& unit : known_units()) {
+        const std::string other = careless_spelling(unit.symbol);
+        const bool near = other == word || (other.size() > 2 && edit_distance(other, word, 1) <= 1);
+        if (near && (nearest == nullptr || (unit.kind == wanted && nearest->kind != wanted))) nearest = &unit;
+    }
+    return nearest;
+}
+
+/// Where the number at the text's beginning ends; an `e` counts only with its digits ("2 e" has none).
+std::size_t number_length(std::string_view text) {
+    std::size_t at = 0;
+    const auto digits = [&](std::size_t i) {
+        while (i < text.size() && is_digit(text[i])) ++i;
+        return i;
+    };
+    if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
+    at = digits(at);
+    if (at < text.size() && text[at] == '.') at = digits(at + 1);
+    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+        std::size_t exponent = at + 1;
+        if (exponent < text.size() && (text[exponent] == '-' || text[exponent] == '+')) ++exponent;
+        const std::size_t end = digits(exponent);
+        if (end > exponent) at = end;
+    }
+    return at;
+}
+
+}  // namespace
+
+Words name_of(QuantityKind kind) {
+    switch (kind) {
+        case QuantityKind::dimensionless:
+            return {"bare number", "numero puro"};
+        case QuantityKind::length:
+            return {"length", "lunghezza"};
+        case QuantityKind::angle:
+            return {"angle", "angolo"};
+        case QuantityKind::angular_velocity:
+            return {"angular velocity", "velocità angolare"};
+        case QuantityKind::angular_acceleration:
+            return {"angular acceleration", "accelerazione angolare"};
+        case QuantityKind::velocity:
+            return {"velocity", "velocità"};
+        case QuantityKind::acceleration:
+            return {"acceleration", "accelerazione"};
+        case QuantityKind::mass:
+            return {"mass", "massa"};
+        case QuantityKind::force:
+            return {"force", "forza"};
+        case QuantityKind::moment:
+            return {"moment", "momento"};
+        case QuantityKind::inertia:
+            return {"moment of inertia", "momento d’inerzia"};
+        case QuantityKind::pressure:
+            return {"pressure", "pressione"};
+        case QuantityKind::time:
+            return {"time", "durata"};
+        case QuantityKind::area:
+            return {"area", "area"};
+        case QuantityKind::force_per_length:
+            return {"force per length", "forza per unità di lunghezza"};
+        case QuantityKind::torsional_stiffness:
+            return {"torsional stiffness", "rigidezza torsionale"};
+        case QuantityKind::wear:
+            return {"coefficient of wear", "coefficiente d’usura"};
+    }
+    KG_ASSERT(false, "every kind has a name");
+}
+
+Words with_article(QuantityKind kind) {
+    const Words name = name_of(kind);
+    const bool masculine = kind == QuantityKind::dimensionless || kind == QuantityKind::angle || kind == QuantityKind::moment ||
+                           kind == QuantityKind::inertia || kind == QuantityKind::wear;
+    const std::string_view feminine = name.it.starts_with('a') ? "un’" : "una ";
+    return {(name.en.starts_with('a') ? "an " : "a ") + name.en, std::string(masculine ? "un " : feminine) + name.it};
+}
+
+std::span<const KnownUnit> known_units() {
+    static const std::vector<KnownUnit> units = make_units();
+    return units;
+}
+
+const KnownUnit* unit_spelt(std::string_view text) {
+    static const std::unordered_map<std::string, const KnownUnit*> by_spelling = [] {
+        std::unordered_map<std::string, const KnownUnit*> spellings;
+        for (const KnownUnit& unit : known_units()) spellings.emplace(normal_spelling(unit.symbol), &unit);
+        return spellings;
+    }();
+    constexpr std::size_t longest_spelling = 64;
+    if (text.size() > longest_spelling) return nullptr;
+    const auto found = by_spelling.find(normal_spelling(text));
+    return found == by_spelling.end() ? nullptr : found->second;
+}
+
+const KnownUnit& default_unit(QuantityKind kind) {
+    const auto units = known_units();
+    const auto found = std::find_if(units.begin(), units.end(), [&](const KnownUnit& unit) { return unit.kind == kind; });
+    KG_ASSERT(found != units.end(), "every kind that has units has a first one");
+    return *found;
+}
+
+std::string units_of(QuantityKind kind) {
+    std::string list;
+    for (const KnownUnit& unit : known_units()) {
+        if (unit.kind != kind) continue;
+        if (!list.empty()) list += ", ";
+        list += unit.symbol;
+    }
+    return list;
+}
+
+Words unknown_unit_message(std::string_view text, QuantityKind wanted) {
+    Words message("unknown unit {0}", "unità sconosciuta {0}", quoted(text));
+    if (const KnownUnit* meant = unit_meant(text, wanted))
+        message += Words(" (did you mean \"{0}\"?)", " (forse \"{0}\"?)", meant->symbol);
+    if (wanted != QuantityKind::dimensionless)
+        message += Words("; the units of {0} are {1}", "; le unità di {0} sono {1}", name_of(wanted), units_of(wanted));
+    return message;
+}
+
+tl::expected<Exact, Words> read_decimal(std::string_view text) {
+    const auto no_number = [&] {
+        return tl::make_unexpected(Words("{0} is no decimal number", "{0} non è un numero decimale", quoted(text)));
+    };
+    const auto out_of_range = [&] {
+        return tl::make_unexpected(Words("{0} is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie",
+                                         "{0} è fuori da 1e-60 … 1e60 (in unità SI), dove deve stare un numero diverso da zero",
+                                         shown(text, 40)));
+    };
+    std::size_t at = 0;
+    const bool negative = text.starts_with('-');
+    if (negative || text.starts_with('+')) ++at;
+    std::string digits;            // without leading zeros
+    std::size_t written = 0;       // with them
+    std::int64_t order = 0;        // of the first digit that counts: value = 0.d₁d₂d₃… · 10^order
+    std::size_t before_point = 0;  // digits of the integer part
+    for (; at < text.size() && is_digit(text[at]); ++at, ++written, ++before_point) {
+        if (text[at] == '0' && digits.empty()) continue;
+        if (digits.size() <= most_digits) digits += text[at];
+        ++order;
+    }
+    if (before_point == 0) return no_number();
+    if (at < text.size() && text[at] == '.') {
+        const std::size_t first = ++at;
+        for (; at < text.size() && is_digit(text[at]); ++at, ++written) {
+            if (text[at] == '0' && digits.empty()) {
+                --order;
+            } else if (digits.size() <= most_digits) {
+                digits += text[at];
+            }
+        }
+        if (at == first) return no_number();
+    }
+    std::int64_t exponent = 0;
+    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+        ++at;
+        const bool down = at < text.size() && text[at] == '-';
+        if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
+        const std::size_t first = at;
+        constexpr std::int64_t enough = 1'000'000'000'000;  // no text is long enough to make up for it
+        for (; at < text.size() && is_digit(text[at]); ++at) exponent = std::min(enough, exponent * 10 + (text[at] - '0'));
+        if (at == first) return no_number();
+        if (down) exponent = -exponent;
+    }
+    if (at != text.size()) return no_number();
+    if (written > most_digits) {
+        return tl::make_unexpected(Words("a number of {0} digits; 1000 are the most that are read",
+                                         "un numero di {0} cifre; se ne leggono al massimo 1000", std::to_string(written)));
+    }
+    if (digits.empty()) return Exact();
+    order += exponent;
+    if (order > order_margin || order < -order_margin) return out_of_range();
+    // Written anew with the point behind the first digit, so that the exponent is small whatever it was.
+    std::string normal = negative ? "-" : "";
+    normal += digits[0];
+    normal += '.' + digits.substr(1) + 'e' + std::to_string(order - 1);
+    const std::optional<Exact> value = Exact::from_decimal(normal);
+    KG_ASSERT(value.has_value(), "a number that was checked is a decimal");
+    return *value;
+}
+
+bool is_within_range(const Exact& in_si) {
+    static const Exact largest = decimal("1e60");
+    static const Exact smallest = decimal("1e-60");
+    if (in_si.is_zero()) return true;
+    // Most numbers are far from the ends, which their bits alone tell.
+    constexpr std::size_t surely_within = 190;
+    if (in_si.bits() < surely_within) return true;
+    const Exact magnitude = abs(in_si);
+    return smallest <= magnitude && magnitude <= largest;
+}
+
+tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, QuantityKind wanted) {
+    const std::size_t length = number_length(text);
+    const std::string_view number = text.substr(0, length);
+    const Words example = wanted == QuantityKind::dimensionless
+                              ? Words()
+                              : Words(", as \"2 {0}\"", ", come \"2 {0}\"", default_unit(wanted).symbol);
+    if (number.find_first_of("0123456789") == std::string_view::npos) {
+        const bool typographic_minus = text.starts_with("−") || text.starts_with("–");
+        return tl::make_unexpected(
+            Words("{0} is no quantity; {1}", "{0} non è una grandezza; {1}", quoted(text),
+                  typographic_minus ? Words("a minus is written \"-\"", "il meno si scrive \"-\"")
+                                    : Words("write a number and its unit{0}", "scrivere un numero e la sua unità{0}", example)));
+    }
+    auto value = read_decimal(number);
+    if (!value) return tl::make_unexpected(value.error());
+    std::string_view unit = text.substr(length);
+    while (unit.starts_with(' ')) unit.remove_prefix(1);
+    while (unit.ends_with(' ')) unit.remove_suffix(1);
+    if (unit.empty())
+        return tl::make_unexpected(Words("{0} has no unit; add one{1}, or write the number without quotes",
+                                         "{0} non ha unità; aggiungerla{1}, o scrivere il numero senza virgolette", quoted(text),
+                                         example));
+    const KnownUnit* known = unit_spelt(unit);
+    if (known == nullptr) return tl::make_unexpected(unknown_unit_message(unit, wanted));
+    return WrittenQuantity{std::move(*value), known};
+}
+
+std::string shown(std::string_view text, std::size_t longest) {
+    constexpr std::string_view hex = "0123456789abcdef";
+    std::string out;
+    const auto spell_out = [&](unsigned code) {
+        out += "\\u00";
+        out += hex[(code >> 4U) & 0xFU];
+        out += hex[code & 0xFU];
+    };
+    for (std::size_t at = 0; at < text.size();) {
+        const auto byte = static_cast<std::uint8_t>(text[at]);
+        const std::size_t size = byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
+        const auto continues = [](char c) { return (static_cast<std::uint8_t>(c) & 0xC0U) == 0x80U; };
+        const std::string_view rest = text.substr(at + 1, size - 1);
+        const bool whole = size == 1 || (byte >= 0xC2 && byte <= 0xF4 && rest.size() == size - 1 &&
+                                         std::all_of(rest.begin(), rest.end(), continues));
+        if (out.size() + (whole ? size : 1) > longest) return out + "…";
+        if (!whole) {
+            out += "\\x";
+            out += hex[byte >> 4U];
+            out += hex[byte & 0xFU];
+            ++at;
+            continue;
+        }
+        const unsigned c1 = size == 2 && byte == 0xC2 ? static_cast<std::uint8_t>(text[at + 1]) : 0;
+        if (byte < 0x20 || byte == 0x7F) {
+            spell_out(byte);
+        } else if (c1 >= 0x80 && c1 < 0xA0) {
+            spell_out(c1);
+        } else {
+            out += text.substr(at, size);
+        }
+        at += size;
+    }
+    return out;
+}
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t longest = 60;
+    return '"' + shown(text, longest) + '"';
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most) {
+    if (a.size() > b.size()) std::swap(a, b);
+    if (b.size() - a.size() > most) return most + 1;
+    std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        std::size_t least = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+            const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+            least = std::min(least, row[j]);
+        }
+        if (least > most) return most + 1;
+        std::swap(before, above);
+        std::swap(above, row);
+    }
+    return above[b.size()];
+}
+
+}  // namespace kinegraph

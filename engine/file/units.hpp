@@ -1,0 +1,88 @@
+// Units: the table of every unit that a file may write, and the reading of decimals and of quantities ("31.8 cm", "120 rpm") from
+// text, exactly. Knows nothing of JSON nor of what a quantity is wanted for.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "engine/number/exact.hpp"
+#include "engine/file/words.hpp"
+
+namespace kinegraph {
+
+/// What a unit measures. Dimensionless is a bare number (a ratio, a component of a direction) and has no unit.
+enum class QuantityKind {
+    dimensionless,
+    length,
+    angle,
+    angular_velocity,
+    angular_acceleration,
+    velocity,
+    acceleration,
+    mass,
+    force,
+    moment,
+    inertia,
+    pressure,
+    time,
+    area,
+    force_per_length,     ///< of distributed loads and of springs, N/m
+    torsional_stiffness,  ///< N m/rad
+    wear,                 ///< volume worn off for each unit of the work of friction over the coefficient: m³/(N m)
+};
+
+/// "length", "angular velocity": as the keys of `units` call it.
+Words name_of(QuantityKind kind);
+/// "a length", "an angle".
+Words with_article(QuantityKind kind);
+
+/// One row of the table: `si` is the unit's size in m, rad, rad/s, rad/s², m/s, m/s², kg, N, N m, kg m², Pa, s, m², N/m, N m/rad
+/// or m²/N.
+struct KnownUnit {
+    QuantityKind kind = QuantityKind::dimensionless;
+    std::string_view symbol;  ///< as it is printed: "kg m²"
+    Exact si;
+};
+
+/// All units, kind by kind, the SI unit of each kind (for angles: deg) first.
+std::span<const KnownUnit> known_units();
+/// The unit of these characters, or null. `·`, `⋅`, `*` and space are alike, `²` is `^2`, `°` is deg.
+const KnownUnit* unit_spelt(std::string_view text);
+/// The first unit of a kind, which holds where a file sets none.
+const KnownUnit& default_unit(QuantityKind kind);
+/// "m, cm, mm, in, ft".
+std::string units_of(QuantityKind kind);
+/// `unknown unit "Nm" (did you mean "N m"?); units of moment are N m, …`. `wanted` may be dimensionless: no list then.
+Words unknown_unit_message(std::string_view text, QuantityKind wanted);
+
+/// A decimal as JSON writes it (a leading + is let pass), exactly. Refused, with the reason: what is no decimal, more than
+/// 1000 digits, a non-zero magnitude so far outside 1e-60 … 1e60 that no unit brings it back. Costs no more than the text's
+/// length, whatever the exponent says.
+tl::expected<Exact, Words> read_decimal(std::string_view text);
+
+/// The rule of magnitudes: zero, or 1e-60 ≤ |in_si| ≤ 1e60.
+bool is_within_range(const Exact& in_si);
+
+/// As a file writes it.
+struct WrittenQuantity {
+    Exact value;  ///< in `unit`
+    const KnownUnit* unit = nullptr;
+    Exact in_si() const { return value * unit->si; }
+};
+
+/// Number, optional space, unit. `wanted` serves the messages alone: the unit may be of another kind.
+tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, QuantityKind wanted);
+
+/// Text of a user as a message may show it: in quotes, control characters and broken UTF-8 spelt out, long text cut short.
+std::string quoted(std::string_view text);
+/// The same without the quotes; `longest` in bytes.
+std::string shown(std::string_view text, std::size_t longest);
+
+/// How many letters must be changed, added, left out or swapped with their neighbour to turn one word into the other; more than
+/// `most` is all the same.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most);
+
+}  // namespace kinegraph

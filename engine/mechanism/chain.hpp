@@ -1,0 +1,27 @@
+// The chain that bodies and pairs make: how many pairs each body has, loops, whether it is open or closed. Topology alone: knows
+// no place and no freedom.
+#pragma once
+
+#include <vector>
+
+#include "engine/mechanism/mechanism.hpp"
+
+namespace kinegraph {
+
+/// A hinge of n bodies counts once at each of them, and as n − 1 pairs between them. Clamped bodies count as the bodies that the
+/// file names, clamps as pairs.
+struct KinematicChain {
+    std::vector<int> pairs;  ///< by BodyIndex: at how many joints the body takes part; 1 unary (an end), 2 binary, 3 ternary …
+    int joints = 0;          ///< binary ones: a hinge of n bodies is n − 1
+    int parts = 0;           ///< connected pieces; 1: one chain
+    int loops = 0;           ///< independent ones: joints − bodies + parts
+    enum class Kind {
+        open,    ///< no loop
+        closed,  ///< loops, and each body has two pairs at least
+        mixed    ///< loops, and bodies that hang on one pair alone
+    };
+    Kind kind() const;
+};
+KinematicChain chain_of(const Mechanism& mechanism);
+
+}  // namespace kinegraph

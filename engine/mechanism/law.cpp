@@ -1,0 +1,145 @@
+#include "engine/mechanism/law.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace kinegraph {
+namespace {
+
+constexpr double pi_ = std::numbers::pi;
+
+constexpr std::array<std::pair<LawForm, std::string_view>, 7> spellings{
+    {{LawForm::rest, "rest"},
+     {LawForm::constant_speed, "constant speed"},
+     {LawForm::constant_acceleration, "constant acceleration"},
+     {LawForm::harmonic, "harmonic"},
+     {LawForm::cycloidal, "cycloidal"},
+     {LawForm::polynomial_345, "3-4-5"},
+     {LawForm::modified_trapezoidal, "modified trapezoidal"}}};
+
+/// sin πx and cos πx; zero where they vanish.
+double sin_pi(double x) {
+    x -= 2 * std::round(x / 2);
+    if (std::abs(x) > 0.5) x = std::copysign(1, x) - x;
+    return std::sin(pi_ * x);
+}
+double cos_pi(double x) { return sin_pi(0.5 - std::abs(x)); }
+
+/// The first half of the modified trapezoid: a ramp of an eighth, constant for a quarter, down again for an eighth.
+LawState first_half_of_trapezoid(double x) {
+    const double most = 8 * pi_ / (2 + pi_), four_pi = 4 * pi_;
+    const double speed_1 = most / four_pi, way_1 = speed_1 * (1.0 / 8 - 1 / four_pi);
+    if (x <= 1.0 / 8) {
+        return {speed_1 * (x - sin_pi(4 * x) / four_pi), speed_1 * (1 - cos_pi(4 * x)), most * sin_pi(4 * x)};
+    }
+    if (x <= 3.0 / 8) {
+        const double u = x - 1.0 / 8;
+        return {way_1 + speed_1 * u + most * u * u / 2, speed_1 + most * u, most};
+    }
+    const double speed_2 = speed_1 + most / 4, way_2 = way_1 + speed_1 / 4 + most / 32, u = x - 3.0 / 8;
+    return {way_2 + speed_2 * u + most * (1 - cos_pi(4 * u)) / (four_pi * four_pi), speed_2 + speed_1 * sin_pi(4 * u),
+            most * cos_pi(4 * u)};
+}
+
+/// f and its derivatives by τ = x.
+LawState unit_state(LawForm form, double x) {
+    switch (form) {
+        case LawForm::rest:
+            return {};
+        case LawForm::constant_speed:
+            return {x, 1, 0};
+        case LawForm::constant_acceleration:
+            if (x < 0.5) return {2 * x * x, 4 * x, 4};
+            return {1 - 2 * (1 - x) * (1 - x), 4 * (1 - x), -4};
+        case LawForm::harmonic:
+            return {(1 - cos_pi(x)) / 2, pi_ / 2 * sin_pi(x), pi_ * pi_ / 2 * cos_pi(x)};
+        case LawForm::cycloidal:
+            return {x - sin_pi(2 * x) / (2 * pi_), 1 - cos_pi(2 * x), 2 * pi_ * sin_pi(2 * x)};
+        case LawForm::polynomial_345:
+            return {x * x * x * (10 - 15 * x + 6 * x * x), 30 * x * x * (1 - x) * (1 - x), 60 * x * (1 - x) * (1 - 2 * x)};
+        case LawForm::modified_trapezoidal: {
+            if (x <= 0.5) return first_half_of_trapezoid(x);
+            const LawState mirrored = first_half_of_trapezoid(1 - x);
+            return {1 - mirrored.s, mirrored.first, -mirrored.second};
+        }
+    }
+    return {};
+}
+
+double rise_of(const LawPiece& piece) { return piece.form == LawForm::rest ? 0 : piece.rise.to_double(); }
+
+}  // namespace
+
+std::string_view spelling_of(LawForm form) {
+    return std::find_if(spellings.begin(), spellings.end(), [&](const auto& each) { return each.first == form; })->second;
+}
+std::optional<LawForm> law_form_spelt(std::string_view text) {
+    const auto found = std::find_if(spellings.begin(), spellings.end(), [&](const auto& each) { return each.second == text; });
+    if (found == spellings.end()) return std::nullopt;
+    return found->first;
+}
+std::vector<std::string> law_forms() {
+    std::vector<std::string> names;
+    for (const auto& each : spellings) names.emplace_back(each.second);
+    return names;
+}
+
+double Law::length() const {
+    double sum = 0;
+    for (const LawPiece& piece : pieces) sum += piece.over.to_double();
+    return sum;
+}
+
+LawState Law::at(double t) const {
+    // A time that sums to a joint of two pieces but for rounding is meant to be there.
+    const double grain = 1e-14 * length();
+    double start = 0, way = 0;
+    if (t < -grain) return {};
+    for (const LawPiece& piece : pieces) {
+        const double over = piece.over.to_double(), rise = rise_of(piece);
+        const bool is_last = &piece == &pieces.back();
+        if (t < start + over - grain || (is_last && t <= start + over + grain)) {
+            const LawState unit = unit_state(piece.form, std::clamp((t - start) / over, 0.0, 1.0));
+            return {way + rise * unit.s, rise * unit.first / over, rise * unit.second / (over * over)};
+        }
+        start += over;
+        way += rise;
+    }
+    return {way, 0, 0};
+}
+
+std::optional<double> Law::when(double s) const {
+    const auto [least, most] = range();
+    const double grain = 1e-12 * std::max(most - least, 1e-300);
+    double start = 0, way = 0;
+    for (const LawPiece& piece : pieces) {
+        const double over = piece.over.to_double(), rise = rise_of(piece);
+        if (std::abs(s - way) <= grain) return start;
+        if (std::abs(s - way - rise) <= grain) return start + over;
+        if ((s - way) * (s - way - rise) < 0) {
+            double low = 0, high = 1;
+            for (int i = 0; i < 60; ++i) {
+                const double middle = (low + high) / 2;
+                (unit_state(piece.form, middle).s * std::abs(rise) < std::abs(s - way) ? low : high) = middle;
+            }
+            return start + over * (low + high) / 2;
+        }
+        start += over;
+        way += rise;
+    }
+    return std::nullopt;
+}
+
+std::pair<double, double> Law::range() const {
+    double least = 0, most = 0, way = 0;
+    for (const LawPiece& piece : pieces) {
+        way += rise_of(piece);
+        least = std::min(least, way);
+        most = std::max(most, way);
+    }
+    return {least, most};
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,57 @@
+// Law: how a driver, or a cam's follower, moves in time, or over the cam's turn: pieces of rest and of rise one after the other.
+// Knows the pieces' closed forms; neither mechanisms nor files.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/number/exact.hpp"
+
+namespace kinegraph {
+
+/// With τ = t/T from 0 to 1 over a piece and h its rise, s = h f(τ).
+enum class LawForm {
+    rest,                   ///< f = 0
+    constant_speed,         ///< f = τ; starts and ends with a jump of the speed
+    constant_acceleration,  ///< f = 2τ² to the middle, then 1 − 2(1−τ)²: the acceleration ±4h/T²
+    harmonic,               ///< f = (1 − cos πτ)/2; greatest acceleration π²/2 h/T²
+    cycloidal,              ///< f = τ − sin(2πτ)/2π; greatest acceleration 2π h/T²
+    polynomial_345,         ///< f = 10τ³ − 15τ⁴ + 6τ⁵; greatest acceleration 10/√3 h/T²
+    modified_trapezoidal    ///< the acceleration's ramps are sines of an eighth each; its greatest value 8π/(2+π) h/T²
+};
+
+/// How files write the forms: "3-4-5".
+std::string_view spelling_of(LawForm form);
+std::optional<LawForm> law_form_spelt(std::string_view text);
+std::vector<std::string> law_forms();
+
+/// SI: rise in rad or m, `over` in s, or in rad of the cam's turn; `over` is positive.
+struct LawPiece {
+    LawForm form = LawForm::rest;
+    Exact rise, over;
+};
+
+/// The first and second derivative are by what the pieces are `over`.
+struct LawState {
+    double s = 0, first = 0, second = 0;
+};
+
+struct Law {
+    std::vector<LawPiece> pieces;
+    Exact drawn;  ///< how far the law has come (s) in the drawn position
+    std::string where;
+
+    double length() const;  ///< of all pieces
+    /// Before its beginning and after its end it rests. Where two pieces meet, the later one's derivatives hold.
+    /// Source: R. L. Norton, Cam Design and Manufacturing Handbook, ch. 3; f and its derivatives as above.
+    LawState at(double t) const;
+    /// The first t at which it has come to s; none: it never does.
+    std::optional<double> when(double s) const;
+    /// The least and the greatest s.
+    std::pair<double, double> range() const;
+};
+
+}  // namespace kinegraph

@@ -1,0 +1,38 @@
+// The catalogue of pairs: beside those of the plane the lower pairs in space and what a multiple hinge stands for. Data, from
+// which `kinegraph pairs` and docs/pairs.md are printed; words are the sheet's business.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "engine/mechanism/pair.hpp"
+
+namespace kinegraph {
+
+/// A lower pair in space: surfaces in contact (Reuleaux). Axis z; the planar pair's normal is z.
+struct SpacePair {
+    std::string_view key;
+    int freedoms;
+    std::string_view motions;    ///< freedoms left: translations t_x …, rotations r_x …
+    std::string_view reactions;  ///< components it can transmit: forces F_x …, couples M_x …
+    int reaction_count() const { return 6 - freedoms; }
+};
+inline constexpr std::array space_pairs{
+    SpacePair{"revolute", 1, "r_z", "F_x F_y F_z M_x M_y"},
+    SpacePair{"prismatic", 1, "t_z", "F_x F_y M_x M_y M_z"},
+    SpacePair{"helical", 1, "r_z, t_z = p r_z", "F_x F_y M_x M_y, p F_z = −M_z"},
+    SpacePair{"cylindrical", 2, "t_z r_z", "F_x F_y M_x M_y"},
+    SpacePair{"planar", 3, "t_x t_y r_z", "F_z M_x M_y"},
+    SpacePair{"spherical", 3, "r_x r_y r_z", "F_x F_y F_z"},
+};
+
+/// A hinge of n bodies stands for n − 1 binary ones: each scheme is a tree on the bodies, an edge a binary hinge.
+struct BinaryScheme {
+    std::vector<std::array<int, 2>> hinges;  ///< positions in the hinge's list of bodies, smaller first
+};
+/// All n^(n−2) of them (Cayley, 1889), by their Prüfer sequences in order, 2 ≤ n. The n stars, in which one body carries all the
+/// hinges, are among them; for n = 3 there are no others.
+std::vector<BinaryScheme> binary_schemes(int bodies);
+
+}  // namespace kinegraph

@@ -1,0 +1,220 @@
+#include "engine/motion/branch_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kinegraph::closing {
+namespace {
+
+/// Cubic between two positions.
+void between(const std::vector<double>& a, const std::vector<double>& va, const std::vector<double>& b,
+             const std::vector<double>& vb, double width, double t, std::vector<double>& q) {
+    for (std::size_t k = 0; k < q.size(); ++k) {
+        const double rise = b[k] - a[k];
+        q[k] = a[k] + t * width * va[k] + t * t * (3 * rise - width * (2 * va[k] + vb[k])) +
+               t * t * t * (width * (va[k] + vb[k]) - 2 * rise);
+    }
+}
+
+}  // namespace
+
+// --- the start ----------------------------------------------------------------------------------------------------------------
+
+void BranchWalk::start_at(const State& position) {
+    for (State* state : {&here_, &before_, &next_, &regular_, &low_, &high_, &middle_}) *state = position;
+    has_before_ = false;
+    closure_.set_places(here_.q);
+}
+
+void BranchWalk::start_at_change_point(const State& position, const State& ahead) {
+    start_at(position);
+    regular_ = ahead;
+    change_points_ = {0};
+}
+
+// --- steps --------------------------------------------------------------------------------------------------------------------
+
+/// Through the last two positions and their dq/ds, a cubic; from the first alone a straight line.
+void BranchWalk::predict(double s, std::vector<double>& q) const {
+    const double ahead = s - here_.s, back = here_.s - before_.s;
+    const bool cubic = has_before_ && ahead * back > 0 && std::abs(ahead) <= 2 * std::abs(back);
+    const double t = cubic ? ahead / back : 0;
+    for (std::size_t k = 0; k < q.size(); ++k) {
+        q[k] = here_.q[k] + here_.v[k] * ahead;
+        if (!cubic) continue;
+        // Hermite on [−1, 0], carried on to t.
+        const double rise = before_.q[k] - here_.q[k] + here_.v[k] * back, bend = (before_.v[k] - here_.v[k]) * back;
+        q[k] += t * t * (3 * rise + bend) + t * t * t * (2 * rise + bend);
+    }
+}
+
+bool BranchWalk::try_step(double s) {
+    next_.s = s;
+    predict(s, next_.q);
+    middle_.q = next_.q;
+    if (!closure_.close(next_)) return false;
+    closure_.look_along(next_);
+    double correction = 0, bend = 0, speed = 1e-9;
+    for (std::size_t k = 0; k < next_.q.size(); ++k) {
+        correction = std::max(correction, std::abs(next_.q[k] - middle_.q[k]));
+        bend = std::max(bend, std::abs(next_.v[k] - here_.v[k]));
+        speed = std::max({speed, std::abs(next_.v[k]), std::abs(here_.v[k])});
+    }
+    if (next_.slack < least_slack) return bridge(next_);
+    // Another branch may lie near: what a look ahead did not foresee by far is not trusted.
+    if (correction > 0.2 * speed * std::abs(s - here_.s) || bend > 0.3 * speed) return false;
+    next_.sign = closure_.sign_of_leading_rows();
+    return next_.sign == regular_.sign || pass(regular_, next_);
+}
+
+void BranchWalk::accept() {
+    if (!is_singular()) {
+        std::swap(before_, here_);
+        has_before_ = true;
+    } else {
+        has_before_ = false;
+    }
+    std::swap(here_, next_);
+    if (!is_singular()) regular_ = here_;
+}
+
+/// The determinant changed its sign between two positions. If it vanishes in between, where they are joined smoothly, that is a
+/// change point, and is noted; if only the leading rows are at fault, it is nothing. False: the two are not on one branch.
+bool BranchWalk::pass(State& from, const State& to) {
+    low_ = from;
+    high_ = to;
+    double slack = 1;
+    constexpr double near = 1e-10;
+    const auto next = next_;  // closure_.close() below sets the places; they are set again at the end
+    for (int i = 0; i < 60 && std::abs(high_.s - low_.s) > near * longest_step_; ++i) {
+        middle_.s = (low_.s + high_.s) / 2;
+        between(low_.q, low_.v, high_.q, high_.v, high_.s - low_.s, 0.5, middle_.q);
+        if (!closure_.close(middle_)) return false;
+        slack = middle_.slack;
+        closure_.look_along(middle_);
+        middle_.sign = closure_.sign_of_leading_rows();
+        if (middle_.sign == 0) {
+            low_ = high_ = middle_;
+            break;
+        }
+        std::swap(middle_.sign == from.sign ? low_ : high_, middle_);
+    }
+    next_ = next;
+    closure_.set_places(next_.q);
+    const bool vanishes = slack < 1e-5;
+    if (vanishes) {
+        const double found = (low_.s + high_.s) / 2;
+        const auto known = [&](double each) { return std::abs(each - found) < 1e-5 * longest_step_; };
+        if (std::none_of(change_points_.begin(), change_points_.end(), known)) change_points_.push_back(found);
+    }
+    return vanishes || !closure_.all_rows_lead();
+}
+
+/// A position in which the matrix is singular: found between two beside it.
+bool BranchWalk::bridge(State& state) {
+    State ahead = state;
+    const double way = state.s > here_.s ? 1 : -1;
+    for (double reach = 0.05 * longest_step_; reach < longest_step_; reach *= 3) {
+        low_ = here_;
+        low_.s = state.s - way * reach;
+        ahead.s = state.s + way * reach;
+        predict(low_.s, low_.q);
+        if (!closure_.close(low_) || !is_regular(low_)) continue;
+        closure_.look_along(low_);
+        low_.sign = closure_.sign_of_leading_rows();
+        predict(ahead.s, ahead.q);
+        if (!closure_.close(ahead) || !is_regular(ahead)) continue;
+        closure_.look_along(ahead);
+        ahead.sign = closure_.sign_of_leading_rows();
+        const double width = ahead.s - low_.s;
+        double bend = 0, speed = 1e-9;
+        for (std::size_t k = 0; k < ahead.q.size(); ++k) {
+            bend = std::max(bend, std::abs(ahead.v[k] - low_.v[k]));
+            speed = std::max({speed, std::abs(ahead.v[k]), std::abs(low_.v[k])});
+        }
+        if (bend > 0.5 * speed) return false;
+        between(low_.q, low_.v, ahead.q, ahead.v, width, 0.5, state.q);
+        for (std::size_t k = 0; k < state.q.size(); ++k)
+            state.v[k] = 1.5 / width * (ahead.q[k] - low_.q[k]) - (low_.v[k] + ahead.v[k]) / 4;
+        State from = low_;
+        if (from.sign != ahead.sign && !pass(from, ahead)) return false;
+        // pass() keeps next_, which `state` is; what comes next is seen from beyond.
+        state.sign = ahead.sign;
+        state.slack = 0;
+        regular_ = ahead;
+        closure_.set_places(state.q);
+        return true;
+    }
+    return false;
+}
+
+/// Steps became too small. Seen along the unknown that moves fastest, the driver's coordinate goes to an extreme and turns round:
+/// that is the limit. True: it goes on to `towards` after all, which is then in next_.
+bool BranchWalk::find_limit(double towards) {
+    std::size_t column = 0;
+    for (std::size_t k = 0; k < here_.v.size(); ++k)
+        if (std::abs(here_.v[k]) > std::abs(here_.v[column])) column = k;
+    limit_ = here_.s;
+    if (here_.v[column] == 0) return false;
+    const double way = (towards > here_.s ? 1 : -1) * (here_.v[column] > 0 ? 1 : -1);
+    double slope_low = 1 / here_.v[column], slope = 0;
+    State low = here_, high = here_, middle = here_;
+    for (double reach = 1e-4;; reach *= 2) {
+        if (reach > 0.3) return false;
+        high = low;
+        high.q[column] += way * reach;
+        for (std::size_t k = 0; k < high.q.size(); ++k)
+            if (k != column) high.q[k] += way * reach * here_.v[k] / here_.v[column];
+        if (!closure_.close_at(column, high, slope)) return false;
+        if (slope * slope_low <= 0) break;
+        if ((high.s - towards) * (here_.s - towards) <= 0) {
+            next_.s = towards;
+            next_.q = high.q;
+            if (!closure_.close(next_) || next_.slack < least_slack) return false;
+            closure_.look_along(next_);
+            next_.sign = closure_.sign_of_leading_rows();
+            return true;
+        }
+    }
+    for (int i = 0; i < 60 && std::abs(high.q[column] - low.q[column]) > 1e-12; ++i) {
+        for (std::size_t k = 0; k < middle.q.size(); ++k) middle.q[k] = (low.q[k] + high.q[k]) / 2;
+        middle.s = (low.s + high.s) / 2;
+        if (!closure_.close_at(column, middle, slope)) break;
+        (slope * slope_low > 0 ? low : high) = middle;
+    }
+    limit_ = (low.s + high.s) / 2;
+    return false;
+}
+
+bool BranchWalk::move_to(double coordinate) {
+    start_here_ = here_;
+    start_before_ = before_;
+    start_regular_ = regular_;
+    const bool had_before = has_before_;
+    double step = longest_step_;
+    const double least = 1e-6 * longest_step_;
+    while (here_.s != coordinate) {
+        const double left = coordinate - here_.s;
+        const double s = std::abs(left) <= step ? coordinate : here_.s + std::copysign(step, left);
+        if (try_step(s)) {
+            accept();
+            step = std::min(2 * step, longest_step_);
+            continue;
+        }
+        step = std::min(step, std::abs(left)) / 2;
+        if (step > least) continue;
+        if (!find_limit(coordinate)) {
+            here_ = start_here_;
+            before_ = start_before_;
+            regular_ = start_regular_;
+            has_before_ = had_before;
+            closure_.set_places(here_.q);
+            return false;
+        }
+        accept();
+        step = longest_step_;
+    }
+    return true;
+}
+
+}  // namespace kinegraph::closing

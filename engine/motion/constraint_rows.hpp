@@ -1,0 +1,24 @@
+// Constraint rows: what each pair forbids to the velocities of its bodies, one scalar condition a row. One list for the count of
+// the rank and for all that is asked of it afterwards. Knows no arithmetic but the pose's own.
+#pragma once
+
+#include <vector>
+
+#include "engine/mechanism/mechanism.hpp"
+#include "engine/drawing/pose.hpp"
+
+namespace kinegraph {
+
+/// along · (v_i(P) − v_j(P)) = 0, or ω_i = ω_j.
+struct ConstraintRow {
+    JointIndex joint = none;
+    BodyIndex i = none, j = none;
+    PointIndex point = none;
+    Vector along;  ///< any length; unused where `turn`
+    bool turn = false;
+};
+
+/// The rows of all joints, in the file's order: those of the pair, for each body after the first.
+std::vector<ConstraintRow> constraint_rows(const Mechanism& mechanism, const Pose& pose);
+
+}  // namespace kinegraph

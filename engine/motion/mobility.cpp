@@ -1,0 +1,556 @@
+// Counts freedoms: Grübler's formula from the kinds of joints, and the rank of their constraints at this pose, joint by joint, so
+// that a redundant one is named. The constraints are written once, over a field: residues modulo a large prime where the pose is
+// exact, 512-bit reals where roots were taken or data are rounded. Speeds are unknown here.
+#include "engine/motion/mobility.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "engine/number/assert.hpp"
+#include "engine/motion/constraint_rows.hpp"
+#include "engine/mechanism/rounding.hpp"
+
+namespace kinegraph {
+namespace {
+
+// --- two fields ----------------------------------------------------------------------------------------------------------------
+
+/// Integers modulo a prime p < 2^61. A rank found here is never above the true one, and below it only if p happens to divide a
+/// minor, which for one prime has a chance of about 2^-60 and for two is not worth a thought.
+class Residues {
+public:
+    using Number = std::uint64_t;
+    explicit Residues(std::uint64_t prime) : prime_(prime) {}
+
+    /// Zero for a number whose denominator the prime divides; `failed` then tells to take another prime (as after a division by
+    /// what is zero to this prime only).
+    Number from(const Exact& value) {
+        const auto above = mpz_fdiv_ui(value.rational().get_num_mpz_t(), prime_);
+        const auto below = mpz_fdiv_ui(value.rational().get_den_mpz_t(), prime_);
+        failed_ = failed_ || below == 0;
+        if (below == 1) return above;
+        return below == 0 ? 0 : product(above, inverse(below));
+    }
+    bool failed() const { return failed_; }
+    Number zero() const { return 0; }
+    Number difference(Number a, Number b) const { return a >= b ? a - b : a + prime_ - b; }
+    Number product(Number a, Number b) const { return static_cast<Number>(static_cast<Wide>(a) * b % prime_); }
+    void divide(Number& a, Number b) {
+        failed_ = failed_ || b == 0;
+        a = product(a, inverse(b));
+    }
+    void subtract_product(Number& from, Number a, Number b) const { from = difference(from, product(a, b)); }
+    /// Any pivot is as good as another.
+    double magnitude(Number a) const { return a == 0 ? 0 : 1; }
+
+private:
+    __extension__ using Wide = unsigned __int128;
+    Number inverse(Number a) const {
+        // Euclid: a·x ≡ r throughout
+        std::int64_t x = 1, next_x = 0;
+        auto r = static_cast<std::int64_t>(a);
+        auto next_r = static_cast<std::int64_t>(prime_);
+        while (next_r != 0) {
+            const std::int64_t q = r / next_r;
+            x = std::exchange(next_x, x - q * next_x);
+            r = std::exchange(next_r, r - q * next_r);
+        }
+        return x < 0 ? static_cast<Number>(x + static_cast<std::int64_t>(prime_)) : static_cast<Number>(x);
+    }
+    std::uint64_t prime_;
+    bool failed_ = false;
+};
+
+/// Reals of 512 bits: five times the digits of a pose, so that what is small is small because of the pose.
+class Reals {
+public:
+    using Number = mpf_class;
+    static constexpr mp_bitcnt_t bits = 512;
+
+    Number from(const Exact& value) const {
+        Number number(0, bits);
+        mpf_set_q(number.get_mpf_t(), value.rational().get_mpq_t());
+        return number;
+    }
+    Number zero() const { return Number(0, bits); }
+    Number difference(const Number& a, const Number& b) const {
+        Number result(0, bits);
+        mpf_sub(result.get_mpf_t(), a.get_mpf_t(), b.get_mpf_t());
+        return result;
+    }
+    Number product(const Number& a, const Number& b) const {
+        Number result(0, bits);
+        mpf_mul(result.get_mpf_t(), a.get_mpf_t(), b.get_mpf_t());
+        return result;
+    }
+    void divide(Number& a, const Number& b) const { mpf_div(a.get_mpf_t(), a.get_mpf_t(), b.get_mpf_t()); }
+    void subtract_product(Number& from, const Number& a, const Number& b) {
+        mpf_mul(product_.get_mpf_t(), a.get_mpf_t(), b.get_mpf_t());
+        mpf_sub(from.get_mpf_t(), from.get_mpf_t(), product_.get_mpf_t());
+        // What is left of a cancellation to this depth is rounding; a finer pose errs by 2^-200 at most.
+        constexpr long rounding = -400;
+        long exponent = 0;
+        mpf_get_d_2exp(&exponent, from.get_mpf_t());
+        if (exponent < rounding) mpf_set_ui(from.get_mpf_t(), 0);
+    }
+    double magnitude(const Number& a) const { return std::abs(mpf_get_d(a.get_mpf_t())); }
+
+private:
+    Number product_{0, bits};
+};
+
+/// Doubles, for a look at how large what is left of a row is.
+class Doubles {
+public:
+    using Number = double;
+    double from(const Exact& value) const { return value.to_double(); }
+    double zero() const { return 0; }
+    double difference(double a, double b) const { return a - b; }
+    double product(double a, double b) const { return a * b; }
+    void divide(double& a, double b) const { a /= b; }
+    void subtract_product(double& from, double a, double b) const { from -= a * b; }
+    double magnitude(double a) const { return std::abs(a); }
+};
+
+// --- the constraints -----------------------------------------------------------------------------------------------------------
+
+/// Coefficients of one constraint; unknowns of body b > 0 are columns 3(b−1): v_x, v_y of the origin's place, +2: ω.
+template <class Number>
+using Row = std::vector<std::pair<int, Number>>;
+
+/// Whose row: a joint or a driver, by index; a given motion's is neither.
+struct Owner {
+    JointIndex joint = none;
+    int driver = -1;
+};
+
+template <class Field>
+class Constraints {
+public:
+    using Number = typename Field::Number;
+    std::vector<Row<Number>> rows;
+    std::vector<Owner> owners;  ///< joints first, then drivers
+
+    Constraints(Field& field, const Mechanism& mechanism, const Pose& pose) : field_(field), mechanism_(mechanism), pose_(pose) {
+        // Lengths from the first point and over the size, so that no entry is large for being far away.
+        size_ = field.from(pose.size);
+        points_.reserve(pose.points.size());
+        if (!pose.points.empty()) origin_ = converted(pose.points.front());
+        for (const Vector& point : pose.points) {
+            Pair place = converted(point);
+            for (const std::size_t k : {0U, 1U}) {
+                place[k] = field.difference(place[k], origin_[k]);
+                field.divide(place[k], size_);
+            }
+            points_.push_back(std::move(place));
+        }
+        for (const ConstraintRow& row : constraint_rows(mechanism, pose)) write(row);
+        for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
+            owner_ = {none, static_cast<int>(i)};
+            std::visit([&](const auto& driver) { write(driver); }, mechanism.drivers[i]);
+        }
+        owner_ = {};
+        if (mechanism.motion) write(*mechanism.motion);
+    }
+
+private:
+    using Pair = std::array<Number, 2>;
+
+    Pair converted(const Vector& a) { return {field_.from(a.x), field_.from(a.y)}; }
+    /// A direction, its larger component one.
+    Pair direction(const Vector& a) {
+        KG_ASSERT(!a.is_zero(), "a constraint has a direction");
+        const bool is_steep = abs(a.y) > abs(a.x);
+        const Exact& largest = is_steep ? a.y : a.x;
+        const Exact one = largest.sign(), other = (is_steep ? a.x : a.y) / abs(largest);
+        return is_steep ? converted({other, one}) : converted({one, other});
+    }
+
+    /// Σ ± (n·v_b at the point) = 0: n·v = n_x v_x + n_y v_y + ω (P × n).
+    void equal_speeds(BodyIndex i, BodyIndex j, PointIndex point, const Pair& n) {
+        if (i == j) return enter({});  // says nothing
+        Row<Number> row;
+        const Pair& place = points_[at_index(point)];
+        Number moment = field_.product(place[0], n[1]);
+        field_.subtract_product(moment, place[1], n[0]);
+        const auto add = [&](BodyIndex body, bool negative) {
+            if (body == frame) return;
+            const auto signed_of = [&](const Number& value) {
+                return negative ? field_.difference(field_.zero(), value) : value;
+            };
+            const int first = 3 * (body.number() - 1);
+            row.emplace_back(first, signed_of(n[0]));
+            row.emplace_back(first + 1, signed_of(n[1]));
+            row.emplace_back(first + 2, signed_of(moment));
+        };
+        add(i, false);
+        add(j, true);
+        enter(std::move(row));
+    }
+    void equal_turns(BodyIndex i, BodyIndex j) {
+        if (i == j) return enter({});
+        Row<Number> row;
+        if (i != frame) row.emplace_back(3 * (i.number() - 1) + 2, field_.from(1));
+        if (j != frame) row.emplace_back(3 * (j.number() - 1) + 2, field_.from(-1));
+        enter(std::move(row));
+    }
+    void enter(Row<Number> row) {
+        rows.push_back(std::move(row));
+        owners.push_back(owner_);
+    }
+    void pinned(BodyIndex i, BodyIndex j, PointIndex point) {
+        for (const Vector& n : {Vector{1, 0}, Vector{0, 1}}) equal_speeds(i, j, point, direction(n));
+    }
+
+    void write(const ConstraintRow& row) {
+        owner_ = {row.joint, -1};
+        if (row.turn) {
+            equal_turns(row.i, row.j);
+        } else {
+            equal_speeds(row.i, row.j, row.point, direction(row.along));
+        }
+    }
+    void write(const SpinDriver& driver) { equal_turns(driver.body, driver.relative_to); }
+    void write(const SlideDriver& driver) {
+        const Joint& joint = mechanism_.joint(driver.joint);
+        const Vector& guide = pose_.guides[at_index(driver.joint)];
+        equal_speeds(joint.bodies[0], joint.bodies[1], joint.point,
+                     direction(guide.is_zero() ? quarter_turn(pose_.normals[at_index(driver.joint)]) : guide));
+    }
+    void write(const PointDriver& driver) {
+        equal_speeds(driver.body, frame, driver.at, direction(direction_of(driver.along, pose_)));
+    }
+    void write(const ActOfMotion& motion) {
+        for (const GivenMotion& given : motion.velocities) {
+            if (const auto* along = std::get_if<Bearing>(&given.value)) {
+                equal_speeds(motion.body, frame, given.point, direction(quarter_turn(direction_of(*along, pose_))));
+            } else {
+                pinned(motion.body, frame, given.point);
+            }
+        }
+    }
+
+    Field& field_;
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+    Number size_;
+    Pair origin_;
+    std::vector<Pair> points_;
+    Owner owner_;
+};
+
+// --- elimination ---------------------------------------------------------------------------------------------------------------
+
+/// Rows reduced by those kept before; a kept row is scaled to one in its pivot column.
+template <class Field>
+class Echelon {
+public:
+    using Number = typename Field::Number;
+    Echelon(Field& field, int columns) : field_(field), row_(at_index(columns), field.zero()) {}
+
+    /// Takes a row and removes what the kept rows say already.
+    void reduce(const Row<Number>& row) {
+        for (Number& entry : row_) entry = 0;
+        for (const auto& [column, value] : row) row_[at_index(column)] = value;
+        for (const auto& [pivot, kept] : kept_) {
+            if (row_[at_index(pivot)] == 0) continue;
+            std::swap(factor_, row_[at_index(pivot)]);
+            row_[at_index(pivot)] = 0;
+            for (const auto& [column, value] : kept) field_.subtract_product(row_[at_index(column)], factor_, value);
+        }
+    }
+    /// The column of what is left that is largest (the first of equals), and its size; zero where nothing is left.
+    std::pair<int, double> largest() const {
+        std::pair<int, double> found{-1, 0};
+        for (std::size_t i = 0; i < row_.size(); ++i) {
+            if (row_[i] == 0) continue;
+            const double size = field_.magnitude(row_[i]);
+            if (size > found.second) found = {static_cast<int>(i), size};
+        }
+        return found;
+    }
+    /// The largest difference of what is left here from what is left there.
+    double distance(const Echelon& there) const {
+        double apart = 0;
+        for (std::size_t i = 0; i < row_.size(); ++i)
+            apart = std::max(apart, field_.magnitude(field_.difference(row_[i], there.row_[i])));
+        return apart;
+    }
+    void keep(int pivot) {
+        const Number scale = row_[at_index(pivot)];
+        Row<Number> kept;
+        for (std::size_t i = 0; i < row_.size(); ++i) {
+            if (static_cast<int>(i) == pivot || row_[i] == 0) continue;
+            Number entry = row_[i];
+            field_.divide(entry, scale);
+            kept.emplace_back(static_cast<int>(i), std::move(entry));
+        }
+        kept_.emplace_back(pivot, std::move(kept));
+    }
+    int rank() const { return static_cast<int>(kept_.size()); }
+    int columns() const { return static_cast<int>(row_.size()); }
+
+private:
+    Field& field_;
+    std::vector<Number> row_;
+    Number factor_{field_.zero()};
+    std::vector<std::pair<int, Row<Number>>> kept_;  ///< pivot column, and the row but for its one there
+};
+
+/// Which rows add to the rank of those before them, and which bodies all rows together determine.
+struct Verdict {
+    std::vector<bool> independent;
+    std::vector<Owner> owners;
+    std::vector<bool> determined;
+    bool decided_by_finer_pose = false;
+    bool decided_by_precision = false;
+    bool is_full = false;  ///< no rank could be higher
+};
+
+/// `keep(i)`: reduces row i, keeps what is left of it, and says whether anything was. `spanned(row)`: says whether nothing was.
+template <class Field, class Keep, class Spanned>
+Verdict judge(Field& field, const Constraints<Field>& constraints, int bodies, Keep keep, Spanned spanned) {
+    Verdict verdict;
+    verdict.owners = constraints.owners;
+    const auto one = field.from(1);
+    int rank = 0;
+    for (std::size_t i = 0; i < constraints.rows.size(); ++i) {
+        verdict.independent.push_back(keep(i));
+        if (verdict.independent.back()) ++rank;
+    }
+    const int columns = 3 * (bodies - 1);
+    verdict.is_full = rank == columns || rank == static_cast<int>(constraints.rows.size());
+    verdict.determined.assign(at_index(bodies), true);
+    for (int body = 1; body < bodies && rank < columns; ++body) {
+        for (int k = 0; k < 3 && verdict.determined[at_index(body)]; ++k) {
+            verdict.determined[at_index(body)] = spanned({{3 * (body - 1) + k, one}});
+        }
+    }
+    return verdict;
+}
+
+std::optional<Verdict> judge_exactly(const Mechanism& mechanism, const Pose& pose, std::uint64_t prime) {
+    Residues field(prime);
+    const Constraints<Residues> constraints(field, mechanism, pose);
+    if (field.failed()) return std::nullopt;
+    const auto bodies = static_cast<int>(mechanism.bodies.size());
+    Echelon<Residues> echelon(field, 3 * (bodies - 1));
+    const auto keep = [&](std::size_t i) {
+        echelon.reduce(constraints.rows[i]);
+        const int pivot = echelon.largest().first;
+        if (pivot >= 0) echelon.keep(pivot);
+        return pivot >= 0;
+    };
+    const auto spanned = [&](const Row<std::uint64_t>& row) {
+        echelon.reduce(row);
+        return echelon.largest().first < 0;
+    };
+    return judge(field, constraints, bodies, keep, spanned);
+}
+
+Verdict judge_exactly(const Mechanism& mechanism, const Pose& pose) {
+    // The largest primes below 2^61.
+    constexpr std::array<std::uint64_t, 6> primes{2305843009213693951U, 2305843009213693921U, 2305843009213693907U,
+                                                  2305843009213693723U, 2305843009213693693U, 2305843009213693669U};
+    std::optional<Verdict> best;
+    int looks = 0;
+    for (const std::uint64_t prime : primes) {
+        auto verdict = judge_exactly(mechanism, pose, prime);
+        if (!verdict) continue;
+        const auto rank = [](const Verdict& v) { return std::count(v.independent.begin(), v.independent.end(), true); };
+        if (!best || rank(*verdict) > rank(*best)) best = std::move(verdict);
+        if (best->is_full || ++looks == 2) break;
+    }
+    KG_ASSERT(best, "six primes do not all divide the denominators of one drawing");
+    return *std::move(best);
+}
+
+/// On an inexact pose, in step with a finer one once a pivot is so small that the pose may be to blame: what shrinks with the
+/// pose is zero, what stays is not. Nothing where the finer pose is needed and not given.
+std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& pose, const Pose* finer) {
+    const double suspicious = std::ldexp(1, -pose.bits * 2 / 5);
+    const double shrinks = std::ldexp(1, -pose.bits / 2);
+    Reals field;
+    const auto bodies = static_cast<int>(mechanism.bodies.size());
+    const Constraints<Reals> rows(field, mechanism, pose);
+    Echelon<Reals> echelon(field, 3 * (bodies - 1));
+    std::optional<Constraints<Reals>> finer_rows;
+    Echelon<Reals> finer_echelon(field, 3 * (bodies - 1));
+    if (finer != nullptr) finer_rows.emplace(field, mechanism, *finer);
+    bool needs_finer = false;
+    bool decided = false;
+
+    // Reduces in both; the pivot column, or −1 where what is left is zero.
+    const auto left_of = [&](const Row<mpf_class>& row, const Row<mpf_class>& finer_row) {
+        echelon.reduce(row);
+        const auto [pivot, size] = echelon.largest();
+        if (finer != nullptr) finer_echelon.reduce(finer_row);
+        if (pivot < 0 || size > suspicious) return pivot;
+        if (finer == nullptr) {
+            needs_finer = true;
+            return -1;
+        }
+        if (finer_echelon.largest().second > shrinks * size) return pivot;
+        decided = true;
+        return -1;
+    };
+    const auto keep = [&](std::size_t i) {
+        if (needs_finer) return false;
+        const int pivot = left_of(rows.rows[i], finer_rows ? finer_rows->rows[i] : rows.rows[i]);
+        if (pivot < 0) return false;
+        echelon.keep(pivot);
+        if (finer != nullptr) finer_echelon.keep(pivot);
+        return true;
+    };
+    const auto spanned = [&](const Row<mpf_class>& row) { return needs_finer || left_of(row, row) < 0; };
+    Verdict verdict = judge(field, rows, bodies, keep, spanned);
+    if (needs_finer) return std::nullopt;
+    verdict.decided_by_finer_pose = decided;
+    return verdict;
+}
+
+Verdict judge_in_reals(const Mechanism& mechanism, const Pose& pose, const FinerPose& given) {
+    if (auto verdict = judge_in_reals(mechanism, pose, nullptr)) return *std::move(verdict);
+    // A drawing that closes on 100 bits and not on 200 hangs on a coincidence of its numbers; then nothing shrinks.
+    const Result<Pose> finer = given ? Result<Pose>(given()) : draw_pose(mechanism, 2 * pose.bits);
+    const auto verdict = judge_in_reals(mechanism, pose, finer ? &*finer : &pose);
+    KG_ASSERT(verdict, "a finer pose decides every pivot");
+    return *verdict;
+}
+
+/// On rounded data, in step with the shifted drawings: zero is what is left of a row that the precision explains. What is larger
+/// than may be in question is not asked.
+Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
+    Reals field;
+    const auto bodies = static_cast<int>(mechanism.bodies.size());
+    struct Elimination {
+        Constraints<Reals> rows;
+        Echelon<Reals> echelon;
+    };
+    std::vector<Elimination> all;
+    all.reserve(pose.shifted->size() + 1);
+    const auto add = [&](const Mechanism& drawn, const Pose& as) {
+        all.push_back({Constraints<Reals>(field, drawn, as), Echelon<Reals>(field, 3 * (bodies - 1))});
+    };
+    add(mechanism, pose);
+    for (const ShiftedDrawing& each : *pose.shifted) add(each.mechanism, each.pose);
+    Elimination& given = all.front();
+    const double in_question = std::ldexp(1, -bits_in_question(pose.rounding()));
+    bool decided = false;
+
+    // The pivot column, or −1 where what is left is zero. `row(i)` is that of the i-th drawing.
+    const auto left_of = [&](auto row) {
+        for (Elimination& each : all) each.echelon.reduce(row(each));
+        const auto [pivot, size] = given.echelon.largest();
+        if (pivot < 0 || size > in_question) return pivot;
+        double spread = 0;
+        for (std::size_t k = 1; k < all.size(); ++k) spread = std::max(spread, given.echelon.distance(all[k].echelon));
+        const bool finer = !pose.exact && size < std::ldexp(1, -pose.bits * 2 / 5);
+        if (!is_zero_within(size, spread) && !finer) return pivot;
+        decided = true;
+        return -1;
+    };
+    const auto keep = [&](std::size_t i) {
+        const int pivot = left_of([&](const Elimination& each) -> const auto& { return each.rows.rows[i]; });
+        if (pivot < 0) return false;
+        for (Elimination& each : all) each.echelon.keep(pivot);
+        return true;
+    };
+    const auto spanned = [&](const Row<mpf_class>& row) {
+        return left_of([&](const Elimination&) -> const auto& { return row; }) < 0;
+    };
+    Verdict verdict = judge(field, given.rows, bodies, keep, spanned);
+    verdict.decided_by_precision = decided;
+    return verdict;
+}
+
+Verdict judge(const Mechanism& mechanism, const Pose& pose, const FinerPose& finer) {
+    if (pose.is_rounded()) return judge_within_precision(mechanism, pose);
+    return pose.exact ? judge_exactly(mechanism, pose) : judge_in_reals(mechanism, pose, finer);
+}
+
+void count_joints(const Mechanism& mechanism, Mobility& mobility) {
+    for (const Joint& joint : mechanism.joints) {
+        const int freedoms = joint.pair().freedoms();
+        int& count = freedoms == 0 ? mobility.welds : freedoms == 1 ? mobility.class_1 : mobility.class_2;
+        count += static_cast<int>(joint.bodies.size()) - 1;
+    }
+    mobility.bodies = static_cast<int>(mechanism.bodies.size());
+    mobility.gruebler = 3 * (mobility.bodies - 1) - 2 * mobility.class_1 - mobility.class_2 - 3 * mobility.welds;
+}
+
+}  // namespace
+
+int Mobility::repeated() const {
+    int rows = 0;
+    for (const Redundant& each : redundant) rows += each.rows;
+    return rows;
+}
+
+Mobility::Verdict Mobility::verdict() const {
+    if (effective == 0) return redundant.empty() ? Verdict::isostatic : Verdict::hyperstatic;
+    return gruebler > 0 ? Verdict::mechanism : Verdict::labile;
+}
+
+const char* name_of(Mobility::Verdict verdict) {
+    switch (verdict) {
+        case Mobility::Verdict::mechanism:
+            return "mechanism";
+        case Mobility::Verdict::isostatic:
+            return "isostatic";
+        case Mobility::Verdict::hyperstatic:
+            return "hyperstatic";
+        case Mobility::Verdict::labile:
+            break;
+    }
+    return "labile";
+}
+
+Mobility mobility_of(const Mechanism& mechanism, const Pose& pose, const FinerPose& finer) {
+    Mobility mobility;
+    count_joints(mechanism, mobility);
+    Verdict verdict = judge(mechanism, pose, finer);
+    int rank = 0;
+    for (std::size_t i = 0; i < verdict.owners.size(); ++i) {
+        const auto [joint, driver] = verdict.owners[i];
+        if (verdict.independent[i]) {
+            ++(joint != none ? rank : mobility.driven);
+        } else if (joint != none) {
+            auto& redundant = mobility.redundant;
+            if (redundant.empty() || redundant.back().joint != joint) redundant.push_back({joint, 0});
+            ++redundant.back().rows;
+        } else if (driver >= 0) {
+            mobility.idle_drivers.push_back(driver);
+        }
+    }
+    mobility.effective = 3 * (mobility.bodies - 1) - rank;
+    mobility.determined = std::move(verdict.determined);
+    mobility.decided_by_finer_pose = verdict.decided_by_finer_pose;
+    mobility.decided_by_precision = verdict.decided_by_precision;
+    return mobility;
+}
+
+std::vector<JointIndex> nearly_redundant_joints(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility) {
+    constexpr double nearly = 1e-3, rounding = 1e-13;
+    Doubles field;
+    const Constraints<Doubles> constraints(field, mechanism, pose);
+    Echelon<Doubles> echelon(field, 3 * (static_cast<int>(mechanism.bodies.size()) - 1));
+    std::vector<JointIndex> found;
+    for (std::size_t i = 0; i < constraints.rows.size(); ++i) {
+        const JointIndex joint = constraints.owners[i].joint;
+        if (joint == none) continue;
+        echelon.reduce(constraints.rows[i]);
+        const auto [pivot, size] = echelon.largest();
+        const bool is_redundant = std::any_of(mobility.redundant.begin(), mobility.redundant.end(),
+                                              [&](const Mobility::Redundant& each) { return each.joint == joint; });
+        if (size < nearly && !is_redundant && (found.empty() || found.back() != joint)) found.push_back(joint);
+        if (size > rounding) echelon.keep(pivot);
+    }
+    return found;
+}
+
+}  // namespace kinegraph

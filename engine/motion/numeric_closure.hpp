@@ -1,0 +1,99 @@
+// The equations of a closure in doubles, closed by Newton's method near a given position, with the storage made once. Knows no
+// position but the one that it is asked for; which branch it lies on is BranchWalk's.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/motion/place_rules.hpp"
+#include "engine/motion/closure.hpp"
+#include "engine/number/elimination.hpp"
+
+namespace kinegraph::closing {
+
+/// A position on the way of a course.
+struct State {
+    double s = 0;              ///< the course's coordinate, rad or m
+    std::vector<double> q, v;  ///< by the closure's columns, in its unit and rad; v = dq/ds
+    double slack = 1;          ///< the last pivot over the first: near 0 where the drivers do not determine the velocities
+    int sign = 0;              ///< of the leading rows' determinant
+};
+
+/// The largest |value|; 0 of none.
+double largest(const std::vector<double>& values);
+
+class NumericClosure {
+public:
+    using Row = ClosureRowOf<double>;
+
+    NumericClosure() = default;
+    /// `shares`: by driver, its coordinate in the rows over the course's.
+    NumericClosure(const Closure& closure, std::vector<double> shares);
+
+    const std::vector<Row>& rows() const { return rows_; }
+    const std::vector<Closure::Body>& bodies() const { return bodies_; }
+    const std::vector<double>& shares() const { return shares_; }
+    const std::vector<bool>& frozen() const { return frozen_; }
+    const BodyPlaces& places() const { return places_; }
+    std::size_t columns() const { return jacobian_.columns(); }
+    /// As drawn.
+    State drawn() const;
+    /// The rate of a row's right side with the course's coordinate.
+    double rate(const Row& row) const { return row.driver >= 0 ? shares_[at_index(row.driver)] : 0; }
+
+    void set_places(const std::vector<double>& q);
+    /// Adds the gradient of a row, at the places set, to a line of `columns()` elements: n · dD and what the turns add, with
+    /// dD = dP − dQ.
+    void write(const Row& row, double* into) const;
+    /// The matrix at the places set, factored.
+    void factor();
+
+    // Rows that determine the motion.
+    /// Of the rows at the places set, with those of the drivers or without, as far as it can be told from rounding; factors them.
+    std::size_t rank(bool with_drivers);
+    /// Of the matrix factored last.
+    std::size_t rank_factored() const { return jacobian_.rank(); }
+    /// Its last leading pivot over the first.
+    double slack() const { return jacobian_.pivot_share(leading_.size() - 1); }
+    /// Columns without one of the first `rank` pivots of the matrix factored last rest from now on: nothing determines them.
+    void freeze_beyond(std::size_t rank);
+    void unfreeze();
+    /// The rows of the first `count` pivots of the matrix factored last lead: independent as long as their determinant keeps its
+    /// sign.
+    void take_leading_rows(std::size_t count);
+    /// As many as will be taken.
+    void expect_leading_rows(std::size_t count) { leading_.resize(count); }
+    /// None is left over: every sign of the determinant means something.
+    bool all_rows_lead() const { return leading_.size() == rows_.size(); }
+    /// −1, 0, 1: of their determinant, at the places set and factored last.
+    int sign_of_leading_rows();
+
+    // Newton's method.
+    /// From state.q, the matrix kept as long as it serves; q, slack and the places are then those of the position. False: there
+    /// is none near.
+    bool close(State& state);
+    /// With the unknown of a column given and the course's coordinate unknown in its stead; slope: ds over that unknown, v: dq
+    /// over it.
+    bool close_at(std::size_t column, State& state, double& slope);
+    /// v by the matrix factored last.
+    void look_along(State& state);
+    /// Of q, for these excesses by row, by the matrix factored last. Uses them up.
+    const std::vector<double>& correction(std::vector<double>& excesses);
+
+private:
+    void write_excesses(double s);
+    void write_jacobian();
+    void put(double* into, BodyIndex body, const Spot& direction, double turning) const;
+    const BodyPlaceOf<double>& now(BodyIndex body) const { return places_[at_index(body)]; }
+
+    std::vector<Row> rows_;
+    std::vector<Closure::Body> bodies_;
+    std::vector<double> shares_;
+    BodyPlaces places_;
+    std::vector<bool> frozen_;          ///< by column: undetermined, and at rest
+    std::vector<std::size_t> leading_;  ///< as many rows as there are columns that move, independent as drawn
+    Elimination jacobian_, square_;
+    std::vector<double> right_, delta_;
+};
+
+}  // namespace kinegraph::closing

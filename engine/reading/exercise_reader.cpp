@@ -1,0 +1,488 @@
+// Exercises, read.
+#include "engine/reading/exercise_reader.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/mechanism/problem.hpp"
+#include "engine/results/result_names.hpp"
+#include "engine/mechanism/variation.hpp"
+
+namespace kinegraph {
+namespace {
+
+constexpr std::string_view crank_phrase = "crank turns fully";
+constexpr std::array polygon_phrases{
+    std::pair{std::string_view("velocity polygon readable"), Condition::Polygon::velocity},
+    std::pair{std::string_view("acceleration polygon readable"), Condition::Polygon::acceleration},
+    std::pair{std::string_view("force polygon readable"), Condition::Polygon::force},
+};
+
+std::string_view trimmed(std::string_view text) {
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    return text;
+}
+
+struct Sign {
+    std::string_view spelt;
+    Condition::Relation relation;
+};
+/// Longer ones first.
+constexpr std::array signs{Sign{">=", Condition::Relation::at_least}, Sign{"<=", Condition::Relation::at_most},
+                           Sign{"≥", Condition::Relation::at_least},  Sign{"≤", Condition::Relation::at_most},
+                           Sign{">", Condition::Relation::greater},   Sign{"<", Condition::Relation::less},
+                           Sign{"=", Condition::Relation::equal}};
+/// What other languages write, and is no comparison here.
+constexpr std::array<std::string_view, 7> foreign_signs{"!=", "≠", "<>", "==", "=>", "=<", "=!"};
+
+/// The first sign of a text, and where.
+std::optional<std::pair<Sign, std::size_t>> sign_in(std::string_view text, std::size_t from = 0) {
+    for (std::size_t at = from; at < text.size(); ++at)
+        for (const Sign& sign : signs)
+            if (text.substr(at).starts_with(sign.spelt)) return std::pair{sign, at};
+    return std::nullopt;
+}
+
+/// By the sign of left − right.
+bool holds_by(Condition::Relation relation, int order) {
+    switch (relation) {
+        case Condition::Relation::less:
+            return order < 0;
+        case Condition::Relation::at_most:
+            return order <= 0;
+        case Condition::Relation::equal:
+            return order == 0;
+        case Condition::Relation::at_least:
+            return order >= 0;
+        case Condition::Relation::greater:
+            return order > 0;
+    }
+    return false;
+}
+
+}  // namespace
+
+void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
+    if (!file["ask"] && !file["vary"] && !file["require"]) return;
+    // What results go by is known only where all that has them could be read.
+    knows_results_ = faults_.empty() && !stands_for_joints(mechanism);
+    if (knows_results_) results_ = possible_results(mechanism);
+    // A value in place of a formula cuts off what the formula hangs on.
+    knows_uses_ = faults_.empty() && std::none_of(parameters_.begin(), parameters_.end(), [](const auto& each) {
+                      return !each.second.set.empty() && each.second.at.is_string() && is_formula(each.second.at.text());
+                  });
+    Exercise exercise;
+    exercise.comes_to = std::move(comes_to_);
+    if (file["ask"]) read_ask(file["ask"], exercise);
+    if (file["vary"]) read_vary(file["vary"], exercise);
+    if (file["require"]) read_require(file["require"], mechanism, exercise);
+    mechanism.exercise = std::make_shared<const Exercise>(std::move(exercise));
+}
+
+const Column* ExerciseReader::result_named(std::string_view name) const {
+    static const Column transmission{Column::Kind::named, {}, transmission_angle_name, QuantityKind::angle};
+    if (name == transmission.name) return &transmission;
+    const auto found = std::find_if(results_.begin(), results_.end(), [&](const Column& each) { return each.name == name; });
+    return found == results_.end() ? nullptr : &*found;
+}
+
+// ----- ask
+
+void ExerciseReader::read_ask(JsonValue ask, Exercise& exercise) {
+    const Words wanted("an array of names of results, such as \"omega 3\"", "un array di nomi di risultati, come \"omega 3\"");
+    if (!expect(ask, Kind::array, wanted)) return;
+    if (ask.size() == 0)
+        fault(ask, {"nothing is asked for; take \"ask\" out, or name a result",
+                    "non si chiede nulla; togliere \"ask\", o indicare un risultato"});
+    for (const JsonValue value : ask) {
+        if (!expect(value, Kind::string,
+                    {"the name of a result, such as \"omega 3\"", "il nome di un risultato, come \"omega 3\""}))
+            continue;
+        const std::string_view name = value.text();
+        if (std::any_of(exercise.ask.begin(), exercise.ask.end(), [&](const AskedResult& each) { return each.name == name; }))
+            fault(value, {"{0} is asked for twice; take one out", "{0} è chiesto due volte; toglierne uno", quoted(name)});
+        if (knows_results_ && result_named(name) == nullptr) {
+            std::vector<std::string_view> names{transmission_angle_name};
+            for (const Column& each : results_) names.emplace_back(each.name);
+            fault(value, {"no result is named {0}{1}; names are those of the columns of \"sweep\"",
+                          "nessun risultato si chiama {0}{1}; i nomi sono quelli delle colonne di \"sweep\"", quoted(name),
+                          did_you_mean(speller_.nearest(name, names))});
+        }
+        exercise.ask.push_back({std::string(name), value.pointer()});
+    }
+}
+
+// ----- vary
+
+void ExerciseReader::read_vary(JsonValue vary, Exercise& exercise) {
+    if (!expect(vary, Kind::object,
+                {"an object of parameters with the values that they take", "un oggetto con i parametri e i valori che assumono"}))
+        return;
+    if (vary.size() == 0)
+        fault(vary, {"nothing varies; take \"vary\" out, or name a parameter",
+                     "non varia nulla; togliere \"vary\", o indicare un parametro"});
+    for (const JsonValue member : vary) read_variation(member, exercise);
+}
+
+void ExerciseReader::read_variation(JsonValue member, Exercise& exercise) {
+    const auto found = parameters_.find(member.key());
+    const Measured* own = nullptr;
+    std::optional<Measured> of_the_file;
+    if (found == parameters_.end()) {
+        fault(member, {"no parameter is named {0}{1}; what varies stands among the \"parameters\", with a value of its own",
+                       "nessun parametro si chiama {0}{1}; ciò che varia sta fra i \"parameters\", con un valore proprio",
+                       quoted(member.key()), did_you_mean(speller_.nearest(member.key(), parameter_names_))});
+    } else if (knows_uses_ && !is_used(member.key())) {
+        fault(member,
+              {"nothing hangs on {0}: copies that differ in it alone would be the same; write \"= {1}\" where it counts, or "
+               "take it out of \"vary\"",
+               "nulla dipende da {0}: copie che differiscono solo per esso sarebbero uguali; scrivere \"= {1}\" dove conta, o "
+               "toglierlo da \"vary\"",
+               quoted(member.key()), std::string(member.key())});
+    } else if (found->second.at.is_string() && is_formula(found->second.at.text())) {
+        fault(member,
+              {"{0} is a formula, and what varies has a value of its own; let vary what it hangs on, or give it a value",
+               "{0} è una formula, e ciò che varia ha un valore proprio; far variare ciò da cui dipende, o darle un valore",
+               quoted(member.key())});
+    } else {
+        own = own_value(member.key(), found->second, of_the_file);
+    }
+    const Words wanted("{\"from\": …, \"to\": …, \"step\": …} or {\"choose\": […]}",
+                       "{\"from\": …, \"to\": …, \"step\": …} o {\"choose\": […]}");
+    if (!expect(member, Kind::object, wanted)) return;
+    const Members form =
+        members(member, {"from", "to", "step", "choose"}, {"what a parameter may be", "i valori di un parametro"});
+    Variation variation;
+    variation.parameter = member.key();
+    variation.where = member.pointer();
+    const std::size_t before = faults_.size();
+    if (form["choose"]) {
+        for (const std::string_view key : {"from", "to", "step"})
+            if (form[key])
+                fault(form[key], {"{0} and \"choose\" exclude each other; take one of them out",
+                                  "{0} e \"choose\" si escludono; togliere uno dei due", quoted(key)});
+        read_choices(form["choose"], own, variation);
+    } else {
+        read_steps(form, own, variation);
+    }
+    const auto same = [&](const Variation& each) { return each.parameter == variation.parameter; };
+    if (faults_.size() == before && std::none_of(exercise.vary.begin(), exercise.vary.end(), same))
+        exercise.vary.push_back(std::move(variation));
+    if (!Lattice::size(exercise.vary))
+        fault(member, {"more combinations than can be counted (2^62); take a larger step",
+                       "più combinazioni di quante si possano contare (2^62); prendere un passo più grande"});
+}
+
+const Measured* ExerciseReader::own_value(std::string_view name, const Parameter& parameter,
+                                          std::optional<Measured>& of_the_file) {
+    if (parameter.state != Parameter::State::read) return nullptr;
+    if (parameter.set.empty()) return &parameter.value;
+    auto read = read_measured(parameter.at.text(), [this](std::string_view other) { return look_up_parameter(other); });
+    if (!read) return nullptr;
+    of_the_file = *std::move(read);
+    const Measured& set = parameter.value;
+    if (set.is_bare != of_the_file->is_bare || !(set.dimension == of_the_file->dimension))
+        faults_.emplace_back(
+            0, Error{ErrorCode::bad_input,
+                     {},
+                     {"--set {0}={1} is {2}; the file’s own value, and all that \"vary\" gives it, is {3}: set such a one",
+                      "--set {0}={1} è {2}; il valore proprio del file, e tutti quelli di \"vary\", è {3}: dare uno così",
+                      std::string(name), shown(parameter.set, 40), described(set), described(*of_the_file)}});
+    return &*of_the_file;
+}
+
+std::optional<Measured> ExerciseReader::value_of_parameter(JsonValue value, const Measured* own) {
+    const Words wanted("a number or a quantity", "un numero o una grandezza");
+    if (!value) return std::nullopt;
+    if (!value.is_number() && !expect(value, Kind::string, wanted)) return std::nullopt;
+    if (value.is_string() && is_formula(value.text())) {
+        fault(value, {"a number or a quantity is wanted here; a formula stands among the \"parameters\"",
+                      "qui serve un numero o una grandezza; una formula sta fra i \"parameters\""});
+        return std::nullopt;
+    }
+    auto read = read_measured(value.text(), {});
+    if (read && value.is_string() && read->is_bare)
+        read = tl::make_unexpected(Words("{0} has no unit; add one, or write the number without quotes",
+                                         "{0} non ha unità; aggiungerla, o scrivere il numero senza virgolette",
+                                         quoted(value.text())));
+    if (read && own != nullptr && (read->is_bare != own->is_bare || !(read->dimension == own->dimension)))
+        read = tl::make_unexpected(Words("{0} is {1}; the parameter’s own value is {2}",
+                                         "{0} è {1}; il valore proprio del parametro è {2}", shown(value.text(), 40),
+                                         described(*read), described(*own)));
+    if (read) return *std::move(read);
+    fault(value, std::move(read.error()));
+    return std::nullopt;
+}
+
+void ExerciseReader::read_choices(JsonValue choose, const Measured* own, Variation& variation) {
+    if (!expect(choose, Kind::array, {"an array of values", "un array di valori"})) return;
+    if (choose.size() == 0)
+        fault(choose, {"there is nothing to choose from; write a value", "non c’è nulla da scegliere; scrivere un valore"});
+    std::vector<Exact> values;
+    for (const JsonValue value : choose) {
+        const auto read = value_of_parameter(value, own);
+        if (!read) continue;
+        if (std::find(values.begin(), values.end(), read->value) != values.end())
+            fault(value, {"{0} stands twice; two copies would be the same", "{0} compare due volte; due copie sarebbero uguali",
+                          shown(value.text(), 40)});
+        values.push_back(read->value);
+        variation.choices.emplace_back(value.text());
+    }
+    variation.count = variation.choices.size();
+}
+
+void ExerciseReader::read_steps(const Members& form, const Measured* own, Variation& variation) {
+    constexpr int most = 1'000'000;
+    const auto from = value_of_parameter(
+        required(form, "from", {"the first value (or give \"choose\")", "il primo valore (o assegnare \"choose\")"}), own);
+    const auto to = value_of_parameter(required(form, "to", {"the last value", "l’ultimo valore"}), own);
+    const auto step =
+        value_of_parameter(required(form, "step", {"from one value to the next", "da un valore al successivo"}), own);
+    if (!from || !to || !step) return;
+    for (const auto& [key, value] : {std::pair("to", &*to), std::pair("step", &*step)})
+        if (value->is_bare != from->is_bare || !(value->dimension == from->dimension)) {
+            fault(form[key],
+                  {"{0} and {1} do not go together", "{0} e {1} non vanno insieme", described(*from), described(*value)});
+            return;
+        }
+    if (step->value.sign() <= 0) {
+        fault(form["step"], {"{0} must be greater than zero", "{0} deve essere maggiore di zero", quoted("step")});
+        return;
+    }
+    if (to->value < from->value) {
+        fault(form["to"], {"\"to\" lies before \"from\"; exchange them", "\"to\" sta prima di \"from\"; scambiarli"});
+        return;
+    }
+    const Exact steps = (to->value - from->value) / step->value;
+    if (steps >= Exact(most)) {
+        fault(form["step"], {"more than {0} values; take a larger step", "più di {0} valori; prendere un passo più grande",
+                             std::to_string(most)});
+        return;
+    }
+    variation.count = static_cast<std::uint64_t>(mpz_class(steps.rational().get_num() / steps.rational().get_den()).get_ui()) + 1;
+    // Told in the unit of the first value, or in the step's where only that has a decimal for all of them.
+    for (const std::string_view key : {"from", "step"}) {
+        Exact size = 1;
+        if (form[key].is_string()) {
+            const auto written = read_quantity(form[key].text(), QuantityKind::dimensionless);
+            variation.unit = written->unit->symbol;
+            const Exact& base = key == "from" ? from->value : step->value;
+            if (!written->value.is_zero())
+                size = base / written->value;
+            else
+                size = read_measured("1 " + variation.unit, {})->value;
+        }
+        variation.from = from->value / size;
+        variation.step = step->value / size;
+        if (decimal_text(variation.from) && decimal_text(variation.step)) return;
+    }
+}
+
+// ----- require
+
+void ExerciseReader::read_require(JsonValue require, const Mechanism& mechanism, Exercise& exercise) {
+    const Words wanted("an array of conditions, such as \"omega 3 > 0.2\"", "un array di condizioni, come \"omega 3 > 0.2\"");
+    if (!expect(require, Kind::array, wanted)) return;
+    for (const JsonValue value : require) {
+        if (!expect(value, Kind::string, {"a condition, such as \"omega 3 > 0.2\"", "una condizione, come \"omega 3 > 0.2\""}))
+            continue;
+        if (auto read = condition(value, mechanism)) exercise.require.push_back(*std::move(read));
+    }
+}
+
+std::optional<Condition> ExerciseReader::phrase(JsonValue value, std::string_view text, const Mechanism& mechanism) {
+    Condition read;
+    if (text == crank_phrase) {
+        read.kind = Condition::Kind::crank_turns_fully;
+        const auto* spin = mechanism.drivers.empty() ? nullptr : std::get_if<SpinDriver>(&mechanism.drivers.front());
+        if (spin == nullptr && (knows_results_ || stands_for_joints(mechanism))) {
+            fault(value, {"no body is driven that could turn fully", "nessun corpo comandato può compiere un giro"});
+            return std::nullopt;
+        }
+        return read;
+    }
+    for (const auto& [spelt, polygon] : polygon_phrases) {
+        if (text != spelt) continue;
+        read.kind = Condition::Kind::polygon_readable;
+        read.polygon = polygon;
+        if (stands_for_joints(mechanism)) {
+            fault(value, {"this problem has no such polygon", "questo problema non ha un tale poligono"});
+            return std::nullopt;
+        }
+        return read;
+    }
+    std::vector<std::string_view> known{crank_phrase};
+    for (const auto& each : polygon_phrases) known.push_back(each.first);
+    fault(value,
+          {"{0} is no condition{1}; write a comparison (\"omega 3 > 0.2\"), \"… between … and …\", \"crank turns fully\" or "
+           "\"velocity polygon readable\"",
+           "{0} non è una condizione{1}; scrivere un confronto (\"omega 3 > 0.2\"), \"… between … and …\", \"crank turns "
+           "fully\" o \"velocity polygon readable\"",
+           quoted(text), did_you_mean(speller_.nearest(text, known))});
+    return std::nullopt;
+}
+
+std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechanism& mechanism) {
+    constexpr std::string_view between_word = " between ", and_word = " and ";
+    const std::string_view text = trimmed(value.text());
+    for (const std::string_view foreign : foreign_signs) {
+        if (text.find(foreign) == std::string_view::npos) continue;
+        fault(value, {"{0} is not among the comparisons; they are >, >=, <, <=, =, and \"… between … and …\"",
+                      "{0} non è fra i confronti; sono >, >=, <, <=, =, e \"… between … and …\"", std::string(foreign)});
+        return std::nullopt;
+    }
+    const std::size_t between = text.find(between_word);
+    const auto sign = between == std::string_view::npos ? sign_in(text) : std::nullopt;
+    std::optional<Condition> read = Condition{};
+    std::array<std::string_view, 3> sides;
+    if (sign) {
+        sides = {text.substr(0, sign->second), text.substr(sign->second + sign->first.spelt.size()), {}};
+        read->relation = sign->first.relation;
+        if (sign_in(sides[1])) {
+            fault(value, {"one comparison at a time; write \"… between … and …\", or two conditions",
+                          "un confronto per volta; scrivere \"… between … and …\", o due condizioni"});
+            return std::nullopt;
+        }
+    } else if (between != std::string_view::npos) {
+        const std::size_t last = text.rfind(and_word);
+        if (last == std::string_view::npos || last < between + between_word.size()) {
+            fault(value,
+                  {"\"between\" wants two limits: \"… between … and …\"", "\"between\" vuole due limiti: \"… between … and …\""});
+            return std::nullopt;
+        }
+        read->kind = Condition::Kind::lies_between;
+        sides = {text.substr(0, between), text.substr(between + between_word.size(), last - between - between_word.size()),
+                 text.substr(last + and_word.size())};
+    } else {
+        read = phrase(value, text, mechanism);
+    }
+    if (!read) return std::nullopt;
+    read->text = text;
+    read->where = value.pointer();
+    const bool is_problem = stands_for_joints(mechanism);
+    const std::size_t wanted = read->kind == Condition::Kind::compares ? 2 : read->kind == Condition::Kind::lies_between ? 3 : 0;
+    const std::array<Operand*, 3> operands{&read->left, &read->right, &read->upper};
+    bool whole = true;
+    for (std::size_t i = 0; i < wanted; ++i) {
+        auto side = operand(value, trimmed(sides.at(i)), is_problem);
+        whole = whole && side.has_value();
+        if (side) *operands.at(i) = *std::move(side);
+    }
+    if (!whole) return std::nullopt;
+    if (wanted > 0) match_sides(value, *read);
+    return read;
+}
+
+std::optional<Operand> ExerciseReader::operand(JsonValue at, std::string_view text, bool is_problem) {
+    Operand side;
+    side.text = text;
+    if (text.empty()) {
+        fault(at, {"a side of the condition is empty", "un lato della condizione è vuoto"});
+        return std::nullopt;
+    }
+    std::string_view name = text;
+    if (text.size() > 2 && text.starts_with('|') && text.ends_with('|')) name = trimmed(text.substr(1, text.size() - 2));
+    if (text.starts_with("abs(") && text.ends_with(')')) name = trimmed(text.substr(4, text.size() - 5));
+    const bool absolute = name.size() != text.size();
+    if (result_named(name) != nullptr) {
+        side.result = name;
+        side.absolute = absolute;
+        return side;
+    }
+    auto value = evaluate("= " + std::string(text), [this](std::string_view other) { return look_up_parameter(other); });
+    if (value) {
+        side.measured = *std::move(value);
+        return side;
+    }
+    // Told before, as the parameter's own fault; or nothing can be said, since the rest of the file is wrong.
+    if (value.error().empty() || (!knows_results_ && !is_problem)) return std::nullopt;
+    if (is_problem) {  // its solution tells whether there is one
+        side.result = name;
+        side.absolute = absolute;
+        return side;
+    }
+    std::vector<std::string_view> names{transmission_angle_name};
+    for (const Column& each : results_) names.emplace_back(each.name);
+    for (const std::string_view parameter : parameter_names_) names.push_back(parameter);
+    const Words meant = did_you_mean(speller_.nearest(name, names));
+    fault(at, meant.empty() ? Words("{0} is no result, and as a formula: {1}", "{0} non è un risultato, e come formula: {1}",
+                                    quoted(text), value.error())
+                            : Words("{0} is neither a result nor a formula of the parameters{1}",
+                                    "{0} non è né un risultato né una formula dei parametri{1}", quoted(text), meant));
+    return std::nullopt;
+}
+
+std::optional<int> ExerciseReader::compared(JsonValue at, const Operand& left, const Operand& right) {
+    const auto difference = evaluate("= (" + left.text + ") - (" + right.text + ")",
+                                     [this](std::string_view name) { return look_up_parameter(name); });
+    if (!difference) {
+        if (!difference.error().empty()) fault(at, difference.error());
+        return std::nullopt;
+    }
+    // What roots and sines leave open is zero.
+    const Exact size = abs(left.measured->value) + abs(right.measured->value);
+    if (difference->is_approximate && abs(difference->value) <= Exact::power_of_two(-160) * size) return 0;
+    return difference->value.sign();
+}
+
+void ExerciseReader::match_sides(JsonValue at, Condition& condition) {
+    const bool is_between = condition.kind == Condition::Kind::lies_between;
+    const std::size_t before = faults_.size();
+    hold_sides_together(at, condition);
+    if (!is_between || faults_.size() > before || !never_holds(condition)) return;
+    fault(at, {"never holds, for {0} is more than {1}; exchange the limits",
+               "non vale mai, perché {0} è più di {1}; scambiare i limiti", quoted(condition.right.text),
+               quoted(condition.upper.text)});
+}
+
+bool ExerciseReader::never_holds(const Condition& condition) const {
+    const auto without_parameters = [](const Operand& side) {
+        const auto none_is = [](std::string_view) { return tl::expected<Measured, Words>(tl::make_unexpected(Words())); };
+        return side.result.empty() && evaluate("= " + side.text, none_is).has_value();
+    };
+    if (!without_parameters(condition.right) || !without_parameters(condition.upper)) return false;
+    const Measured &lower = *condition.right.measured, &upper = *condition.upper.measured;
+    const Column* column = condition.left.result.empty() ? nullptr : result_named(condition.left.result);
+    if (column != nullptr) {
+        const auto from = as_quantity(lower, column->unit, bare_unit(column->unit));
+        const auto to = as_quantity(upper, column->unit, bare_unit(column->unit));
+        return from && to && from->in_si() > to->in_si();
+    }
+    return lower.is_bare == upper.is_bare && lower.dimension == upper.dimension && lower.value > upper.value;
+}
+
+void ExerciseReader::hold_sides_together(JsonValue at, Condition& condition) {
+    const bool is_between = condition.kind == Condition::Kind::lies_between;
+    std::vector<const Operand*> sides{&condition.left, &condition.right};
+    if (is_between) sides.push_back(&condition.upper);
+    const Operand* result = nullptr;
+    for (const Operand* side : sides)
+        if (result == nullptr && !side->result.empty()) result = side;
+    if (result == nullptr) {
+        const auto first = compared(at, condition.left, condition.right);
+        if (!first) return;
+        if (!is_between) {
+            condition.holds = holds_by(condition.relation, *first);
+            return;
+        }
+        const auto second = compared(at, condition.left, condition.upper);
+        if (second) condition.holds = *first >= 0 && *second <= 0;
+        return;
+    }
+    const Column* column = result_named(result->result);
+    if (column == nullptr) return;  // of a problem: its solution tells
+    for (const Operand* side : sides) {
+        if (side->result.empty()) {
+            const auto read = as_quantity(*side->measured, column->unit, bare_unit(column->unit));
+            if (!read)
+                fault(at, {"{0} is {1}, and {2} is {3}", "{0} è {1}, e {2} è {3}", quoted(result->result),
+                           with_article(column->unit), quoted(side->text), described(*side->measured)});
+        } else if (const Column* other = result_named(side->result); other != nullptr && other->unit != column->unit) {
+            fault(at, {"{0} is {1}, and {2} is {3}", "{0} è {1}, e {2} è {3}", quoted(result->result), with_article(column->unit),
+                       quoted(side->result), with_article(other->unit)});
+        }
+    }
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,172 @@
+// The reader of mechanism files: docs/format.md turned into checks, and a Mechanism made of what passes them. Each fault is
+// reported once, where it stands; what only the drawing can tell (curves that do not meet, a misfit) is left to the pose.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "engine/reading/exercise_reader.hpp"
+#include "engine/file/file_kind.hpp"
+#include "engine/file/json_source.hpp"
+#include "engine/mechanism/mechanism.hpp"
+#include "engine/reading/bodies_section.hpp"
+#include "engine/reading/drivers_section.hpp"
+#include "engine/reading/efforts_section.hpp"
+#include "engine/reading/joints_section.hpp"
+#include "engine/reading/loads_section.hpp"
+#include "engine/reading/motion_section.hpp"
+#include "engine/reading/points_section.hpp"
+#include "engine/reading/problem_section.hpp"
+#include "engine/reading/units_section.hpp"
+#include "engine/reading/wishes_section.hpp"
+#include "engine/mechanism/rounding.hpp"
+
+namespace kinegraph {
+namespace {
+
+/// Section by section.
+class Reader : private ExerciseReader {
+public:
+    Reader(const JsonSource& source, std::string name, std::span<const Setting> set) : source_(source), set_(set) {
+        mechanism_.source = std::move(name);
+    }
+
+    Result<Mechanism> read() {
+        for (const JsonValue& twice : source_.duplicates()) {
+            fault(twice, {"{0} stands twice in this object; rename one or take it out",
+                          "{0} compare due volte in questo oggetto; rinominare o togliere uno dei due", quoted(twice.key())});
+        }
+        if (const JsonValue root = source_.root(); !root.is_object()) {
+            fault(root, {"a mechanism is a JSON object, not {0}", "un meccanismo è un oggetto JSON, non {0}", described(root)});
+        } else {
+            read_file(root);
+        }
+        if (faults_.empty()) return finished();
+        std::stable_sort(faults_.begin(), faults_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        Errors errors;
+        errors.reserve(faults_.size());
+        for (auto& [order, error] : faults_) errors.push_back(std::move(error));
+        return tl::make_unexpected(std::move(errors));
+    }
+
+private:
+    /// Roots and sines are as exact as a compass that the file itself holds: what they leave open, the precision decides.
+    Mechanism finished() {
+        mechanism_.computed = std::move(computed_);
+        std::sort(mechanism_.computed.begin(), mechanism_.computed.end());
+        if (is_approximate_ && !mechanism_.precision && !looks_rounded(mechanism_)) mechanism_.precision = precision_of_roots();
+        return std::move(mechanism_);
+    }
+
+    void read_file(JsonValue root) {
+        if (const auto other = fault_of_kind(root, FileKind::mechanism)) return fault(other->first, other->second);
+        const Members file = members(
+            root, {"$schema", "kinegraph", "title",  "units",   "parameters",     "precision", "frame",  "points", "bodies",
+                   "joints",  "drivers",   "masses", "gravity", "inertia forces", "loads",     "effort", "motion", "find",
+                   "scales",  "hertz",     "reye",   "impact",  "positions",      "ask",       "vary",   "require"},
+            {"a mechanism", "un meccanismo"});
+        const JsonValue version =
+            required(file, "kinegraph",
+                     {"write \"kinegraph\": 1, the version of the format", "scrivere \"kinegraph\": 1, la versione del formato"});
+        if (version) read_version(version);
+        if (file["$schema"]) expect(file["$schema"], Kind::string, {"a text", "un testo"});
+        if (file["title"]) mechanism_.title = words(file["title"]);
+        units_.read_units(file["units"]);
+        read_parameters(file["parameters"], set_);
+        if (file["precision"])
+            mechanism_.precision = not_negative(file["precision"], QuantityKind::length, std::string("\"precision\""));
+        // A problem names its bodies itself, and needs no points.
+        const bool is_problem = ProblemSection::is_in(file);
+        const auto wanted = [&](std::string_view key, const Words& what) {
+            return is_problem ? file[key] : required(file, key, what);
+        };
+        const JsonValue points = wanted("points", {"an object of points by name", "un oggetto con i punti per nome"});
+        const JsonValue bodies = wanted("bodies", {"an object of bodies by name", "un oggetto con i corpi per nome"});
+        if (points && expect(points, Kind::object, {"an object of points by name", "un oggetto con i punti per nome"})) {
+            know_points(true);
+            for (const JsonValue member : points) points_.register_point(member);
+        }
+        if (is_problem && !points) know_points(true);  // there are none
+        const bool bodies_readable =
+            bodies && expect(bodies, Kind::object, {"an object of bodies by name", "un oggetto con i corpi per nome"});
+        know_bodies(bodies_readable);
+        bodies_.register_bodies(file["frame"], bodies_readable ? bodies : JsonValue());
+        if (points && points_known_) points_.read_points(points);
+        if (bodies_readable) bodies_.read_bodies(bodies);
+        if (is_problem) {
+            mechanism_.problem = problem_.read(file);
+            read_exercise(file, mechanism_);
+            return;
+        }
+        joints_.read_joints(file);
+        if (LoadedContacts contacts = joints_.take_contacts(); !contacts.empty())
+            mechanism_.problem = std::make_shared<const Problem>(Problem{std::move(contacts)});
+        each(file["drivers"], {"an array of drivers", "un array di moventi"}, [&](JsonValue v) { drivers_.read_driver(v); });
+        loads_.read_masses(file["masses"]);
+        mechanism_.gravity = vector(file["gravity"], QuantityKind::acceleration, {"a vector [gx, gy]", "un vettore [gx, gy]"});
+        if (const JsonValue inertia = file["inertia forces"];
+            inertia && expect(inertia, Kind::boolean, {"true or false", "true o false"})) {
+            mechanism_.inertia_forces = is_true(inertia);
+        }
+        each(file["loads"], {"an array of loads", "un array di carichi"}, [&](JsonValue v) { loads_.read_load(v); });
+        if (const JsonValue effort = file["effort"]; effort && effort.is_object()) {
+            efforts_.read_effort(effort);
+        } else {
+            each(effort, {"an array of efforts", "un array di azioni equilibranti"},
+                 [&](JsonValue v) { efforts_.read_effort(v); });
+        }
+        if (file["motion"]) motion_.read_motion(file["motion"]);
+        if (file["find"]) mechanism_.find.stated = true;
+        each(file["find"], {"an array of what to find", "un array di ciò che si cerca"},
+             [&](JsonValue v) { wishes_.read_wish(v); });
+        units_.read_scales(file["scales"]);
+        read_exercise(file, mechanism_);
+        if (faults_.empty()) wishes_.read_cuts();
+    }
+
+    void read_version(JsonValue version) {
+        const auto number = version.is_number() ? read_decimal(version.text()) : tl::expected<Exact, Words>(Exact());
+        if (!number || *number != Exact(1)) {
+            fault(version, {"the version of the format is 1, not {0}; a newer program may read this file",
+                            "la versione del formato è 1, non {0}; un programma più recente può forse leggere questo file",
+                            described(version)});
+        }
+    }
+
+    const JsonSource& source_;
+    std::span<const Setting> set_;
+    Mechanism mechanism_;
+    UnitsSection units_{*this, mechanism_};
+    PointsSection points_{*this, mechanism_};
+    BodiesSection bodies_{*this, mechanism_};
+    ProblemSection problem_{*this, mechanism_};
+    JointsSection joints_{*this, mechanism_, bodies_};
+    DriversSection drivers_{*this, mechanism_, *this, joints_};
+    LoadsSection loads_{*this, mechanism_, joints_};
+    EffortsSection efforts_{*this, mechanism_, joints_};
+    MotionSection motion_{*this, mechanism_, bodies_};
+    WishesSection wishes_{*this, mechanism_};
+};
+
+template <class Item>
+std::optional<ListIndex<Item>> named_in(const std::vector<Item>& items, std::string_view name) {
+    const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
+    if (found == items.end()) return std::nullopt;
+    return ListIndex<Item>(found - items.begin());
+}
+
+}  // namespace
+
+std::optional<PointIndex> Mechanism::point_named(std::string_view name) const { return named_in(points, name); }
+std::optional<BodyIndex> Mechanism::body_named(std::string_view name) const { return named_in(bodies, name); }
+
+Result<Mechanism> read_mechanism(std::string_view text, std::string source, std::span<const Setting> set) {
+    const Result<JsonSource> json = JsonSource::read(text);
+    if (!json) return tl::make_unexpected(json.error());
+    return Reader(*json, std::move(source), set).read();
+}
+
+}  // namespace kinegraph

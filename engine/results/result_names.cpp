@@ -1,0 +1,200 @@
+// Names of results: see result_names.hpp.
+#include "engine/results/result_names.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/mechanism/exercise.hpp"
+#include "engine/solution/truss.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Kind = Quantity::Kind;
+
+std::string action_of(const Quantity& q, const Mechanism& mechanism) {
+    const auto body = [&](BodyIndex index) { return index == none ? std::string("pin") : mechanism.body(index).name; };
+    return mechanism.joint(q.joint).name + " " + body(q.other) + " on " + body(q.body);
+}
+
+/// All quantities that a solution may hold, with the names of their subjects.
+class Possible {
+public:
+    explicit Possible(const Mechanism& mechanism) : m_(mechanism) {}
+
+    std::vector<Column> all() && {
+        for (const BodyIndex body : m_.moving_bodies())
+            for (const Kind kind : {Kind::omega, Kind::alpha}) add({.kind = kind, .body = body}, "");
+        for (const PointIndex point : indices<PointIndex>(m_.points.size())) add_point(point);
+        for (const Joint& joint : m_.joints) add_joint(joint);
+        for (std::size_t e = 0; e < m_.efforts.size(); ++e) add({.kind = Kind::effort, .given = static_cast<int>(e)}, "");
+        for (const auto& [quantity, subject] : vectors_) {
+            Column column = modulus_column(quantity, m_, subject);
+            const auto is_taken = [&](const Column& other) { return other.name == column.name; };
+            if (std::none_of(columns_.begin(), columns_.end(), is_taken)) columns_.push_back(std::move(column));
+        }
+        return std::move(columns_);
+    }
+
+private:
+    void add(const Quantity& quantity, const std::string& subject) { add_columns(quantity, m_, subject, columns_); }
+    void add_vector(const Quantity& quantity, const std::string& subject) {
+        add(quantity.along(Quantity::Component::x), subject);
+        add(quantity.along(Quantity::Component::y), subject);
+        vectors_.emplace_back(quantity, subject);
+    }
+    void add_point(PointIndex point) {
+        std::vector<BodyIndex> carriers;
+        for (const BodyIndex body : m_.moving_bodies()) {
+            const auto& listed = m_.body(body).points;
+            const bool joined = std::any_of(m_.joints.begin(), m_.joints.end(),
+                                            [&](const Joint& joint) { return joint.point == point && joint.connects(body); });
+            const bool given = m_.motion && m_.motion->body == body;
+            if (joined || given || std::find(listed.begin(), listed.end(), point) != listed.end()) carriers.push_back(body);
+        }
+        if (carriers.empty()) return;
+        for (const Kind kind : {Kind::velocity, Kind::acceleration}) {
+            add_vector({.kind = kind, .body = carriers.front(), .point = point}, m_.point(point).name);
+            if (carriers.size() == 1) continue;
+            for (const BodyIndex body : carriers)
+                add_vector({.kind = kind, .body = body, .point = point}, m_.point(point).name + " on " + m_.body(body).name);
+        }
+    }
+    void add_joint(const Joint& joint) {
+        const JointIndex index = m_.index_of(joint);
+        if (joint.pair().slides()) {
+            for (const Kind kind : {Kind::sliding_velocity, Kind::sliding_acceleration}) {
+                add({.kind = kind, .joint = index}, joint.name);
+                if (joint.pair().touches())
+                    add({.kind = kind, .joint = index},
+                        joint.name + " (" + m_.body(joint.bodies[0]).name + " on " + m_.body(joint.bodies[1]).name + ")");
+            }
+        }
+        for (const BodyIndex on : joint.bodies) {
+            for (const BodyIndex from : joint.bodies)
+                if (on != from) add_action({.kind = Kind::force, .body = on, .other = from, .joint = index}, joint);
+            if (joint.has_own_node()) add_action({.kind = Kind::force, .body = on, .joint = index}, joint);
+        }
+    }
+    void add_action(Quantity quantity, const Joint& joint) {
+        add_vector(quantity, "");
+        quantity.kind = Kind::couple;
+        if (joint.pair().transmits_couple()) add(quantity, "");
+    }
+
+    const Mechanism& m_;
+    std::vector<Column> columns_;
+    std::vector<std::pair<Quantity, std::string>> vectors_;
+};
+
+}  // namespace
+
+void add_columns(const Quantity& q, const Mechanism& mechanism, const std::string& subject, std::vector<Column>& columns) {
+    const auto add = [&](Column::Kind kind, std::string name, QuantityKind unit) {
+        columns.push_back({kind, q, std::move(name), unit});
+    };
+    const auto body = [&] { return mechanism.body(q.body).name; };
+    const bool is_x = q.component == Quantity::Component::x;
+    const std::string axis = is_x ? "x " : "y ";
+    switch (q.kind) {
+        case Kind::omega:
+            add(Column::Kind::angle, "angle " + body(), QuantityKind::angle);
+            return add(Column::Kind::result, "omega " + body(), QuantityKind::angular_velocity);
+        case Kind::alpha:
+            return add(Column::Kind::result, "alpha " + body(), QuantityKind::angular_acceleration);
+        case Kind::velocity:
+            if (is_x) {
+                add(Column::Kind::place_x, "x " + subject, QuantityKind::length);
+                add(Column::Kind::place_y, "y " + subject, QuantityKind::length);
+            }
+            return add(Column::Kind::result, "v" + axis + subject, QuantityKind::velocity);
+        case Kind::acceleration:
+            return add(Column::Kind::result, "a" + axis + subject, QuantityKind::acceleration);
+        case Kind::sliding_velocity:
+            if (mechanism.joint(q.joint).along) add(Column::Kind::slid, "s " + subject, QuantityKind::length);
+            return add(Column::Kind::along, "v " + subject, QuantityKind::velocity);
+        case Kind::sliding_acceleration:
+            return add(Column::Kind::along, "a " + subject, QuantityKind::acceleration);
+        case Kind::force:
+            return add(Column::Kind::result, "F" + axis + action_of(q, mechanism), QuantityKind::force);
+        case Kind::couple:
+            return add(Column::Kind::result, "C " + action_of(q, mechanism), QuantityKind::moment);
+        default: {
+            const Effort& effort = mechanism.efforts[at_index(q.given)];
+            const auto name = std::visit([](const auto& each) { return each.name; }, effort);
+            add(Column::Kind::result, "effort " + name,
+                std::holds_alternative<CoupleEffort>(effort) ? QuantityKind::moment : QuantityKind::force);
+        }
+    }
+}
+
+Column modulus_column(const Quantity& vector, const Mechanism& mechanism, const std::string& subject) {
+    const Quantity whole = vector.along(Quantity::Component::whole);
+    switch (vector.kind) {
+        case Kind::velocity:
+            return {Column::Kind::result, whole, "v " + subject, QuantityKind::velocity};
+        case Kind::acceleration:
+            return {Column::Kind::result, whole, "a " + subject, QuantityKind::acceleration};
+        default:
+            return {Column::Kind::result, whole, "F " + action_of(vector, mechanism), QuantityKind::force};
+    }
+}
+
+bool is_modulus(const Column& column) {
+    const Kind kind = column.quantity.kind;
+    return column.kind == Column::Kind::result && column.quantity.component == Quantity::Component::whole &&
+           (kind == Kind::velocity || kind == Kind::acceleration || kind == Kind::force);
+}
+
+Symbol symbol_of_action(const Quantity& action, const Mechanism& mechanism) {
+    const Joint& joint = mechanism.joint(action.joint);
+    const std::string& of = action.other == none ? mechanism.point(joint.point).name : mechanism.body(action.other).name;
+    const std::string& on = mechanism.body(action.body).name;
+    Symbol symbol{action.kind == Kind::couple ? Symbol::Letter::M : Symbol::Letter::F, of, ""};
+    symbol.about += (of.size() == 1 && on.size() == 1 ? "" : ",") + on;
+    const auto is_between = [&](const Joint& other) {
+        return !other.has_own_node() && other.connects(action.body) && other.connects(action.other);
+    };
+    if (action.other != none && std::count_if(mechanism.joints.begin(), mechanism.joints.end(), is_between) > 1)
+        symbol.term = joint.name;
+    return symbol;
+}
+
+std::optional<Quantity> bar_of(const Column& column, const Mechanism& mechanism) {
+    const Quantity& q = column.quantity;
+    if (!is_modulus(column) || q.kind != Kind::force || q.other != none) return std::nullopt;
+    const PointIndex pin = mechanism.joint(q.joint).point;
+    for (const Load& load : mechanism.loads)
+        if (const auto* force = std::get_if<ForceLoad>(&load); force != nullptr && force->body == q.body && force->at == pin)
+            return std::nullopt;
+    const auto truss = truss_of(mechanism);
+    if (!truss) return std::nullopt;
+    const auto is_it = [&](const TrussStructure::Bar& bar) { return bar.body == q.body; };
+    if (std::none_of(truss->bars.begin(), truss->bars.end(), is_it)) return std::nullopt;
+    return Quantity{.kind = Kind::bar, .body = q.body};
+}
+
+std::vector<Column> possible_results(const Mechanism& mechanism) { return Possible(mechanism).all(); }
+
+std::vector<Column> asked_columns(const Mechanism& mechanism) {
+    std::vector<Column> columns;
+    if (asked_of(mechanism).empty()) return columns;
+    const std::vector<Column> possible = possible_results(mechanism);
+    for (const AskedResult& each : asked_of(mechanism)) {
+        const auto found =
+            std::find_if(possible.begin(), possible.end(), [&](const Column& other) { return other.name == each.name; });
+        columns.push_back(found != possible.end() ? *found : Column{Column::Kind::named, {}, each.name, QuantityKind::angle});
+        if (const auto bar = bar_of(columns.back(), mechanism)) columns.back().quantity = *bar;
+    }
+    return columns;
+}
+
+std::optional<std::array<PointIndex, 2>> line_of(const Body& body, const Pose& pose) {
+    for (const PointIndex point : body.points) {
+        const Vector along = pose.at(point) - pose.at(body.points[0]);
+        if (along.x.to_double() != 0 || along.y.to_double() != 0) return std::array{body.points[0], point};
+    }
+    return std::nullopt;
+}
+
+}  // namespace kinegraph

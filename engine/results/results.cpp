@@ -1,0 +1,912 @@
+// The results file (docs/format.md, 3): a Solution written as JSON, SI units, keys in the file's order, numbers as the shortest
+// decimals that give the double back. Computes nothing and rounds nothing but to doubles.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/results/quantity_name.hpp"
+#include "engine/number/assert.hpp"
+#include "engine/solution/displacements.hpp"
+#include "engine/equations/equations.hpp"
+#include "engine/file/json_text.hpp"
+#include "engine/solution/problem_solution.hpp"
+#include "engine/solution/solution.hpp"
+
+namespace kinegraph {
+namespace {
+
+/// Keys in order with values that are JSON already.
+using Members = std::vector<std::pair<std::string, std::string>>;
+
+std::string quoted(std::string_view text) { return json_text(text); }
+
+/// JSON has no infinities: what no double holds is null. −0 is 0.
+void append_number(std::string& json, double value) {
+    if (!std::isfinite(value)) {
+        json += "null";
+    } else if (value == 0) {
+        json += '0';
+    } else {
+        char text[32];
+        const auto end = std::to_chars(text, text + sizeof text, value);
+        KG_ASSERT(end.ec == std::errc{}, "a double fits 32 characters");
+        json.append(text, end.ptr);
+    }
+}
+std::string number(double value) {
+    std::string json;
+    append_number(json, value);
+    return json;
+}
+std::string number(const Exact& value) { return number(value.to_double()); }
+
+std::string pair(std::string_view x, std::string_view y) {
+    std::string json;
+    json.reserve(x.size() + y.size() + 4);
+    return json.append("[").append(x).append(", ").append(y).append("]");
+}
+std::string pair(const Vector& v) {
+    std::string json = "[";
+    append_number(json, v.x.to_double());
+    json += ", ";
+    append_number(json, v.y.to_double());
+    return json += ']';
+}
+
+std::string fraction(const Exact& value) { return quoted(value.to_fraction()); }
+std::string fractions(const Vector& v) { return pair(fraction(v.x), fraction(v.y)); }
+
+void append_member(std::string& json, std::string_view key, std::string_view value) {
+    append_json_text(json, key);
+    json.append(": ").append(value);
+}
+std::string object(const Members& members) {
+    constexpr std::size_t marks = 6;  // between a key and its value, and before the next
+    std::size_t size = 2;
+    for (const auto& [key, value] : members) size += key.size() + value.size() + marks;
+    std::string json = "{";
+    json.reserve(size);
+    for (const auto& [key, value] : members) {
+        if (json.size() > 1) json += ", ";
+        append_member(json, key, value);
+    }
+    return json += '}';
+}
+/// An object or array with one entry a line, as a member of the file's object: `append(json, entry)` writes one.
+template <class Entries, class Append>
+std::string lines(char open, const Entries& entries, char close, const Append& append) {
+    if (entries.empty()) return {open, close};
+    std::string json(1, open);
+    for (const auto& entry : entries) {
+        json += json.size() == 1 ? "\n    " : ",\n    ";
+        append(json, entry);
+    }
+    return (json += "\n  ") += close;
+}
+std::string lines(char open, const std::vector<std::string>& entries, char close) {
+    return lines(open, entries, close, [](std::string& json, const std::string& entry) { json += entry; });
+}
+std::string object_of_lines(const Members& members) {
+    return lines('{', members, '}',
+                 [](std::string& json, const auto& member) { append_member(json, member.first, member.second); });
+}
+
+/// A point at infinity has no sense: dx > 0, or (0, 1). The larger component is 1 or −1.
+Vector without_sense(Vector direction, bool pose_is_exact) {
+    const Exact x = abs(direction.x);
+    const Exact y = abs(direction.y);
+    const Exact& largest = x > y ? x : y;
+    KG_ASSERT(!largest.is_zero(), "a point at infinity has a direction");
+    direction = {direction.x / largest, direction.y / largest};
+    if (!pose_is_exact) {
+        // On a pose with a leftover an upright direction is upright within 2^-100 or so; its sense must not hang on that.
+        const Exact noise = Exact::power_of_two(-80);
+        if (abs(direction.x) < noise) direction.x = 0;
+        if (abs(direction.y) < noise) direction.y = 0;
+    }
+    if (direction.x.sign() < 0 || (direction.x.is_zero() && direction.y.sign() < 0)) direction = -direction;
+    return direction;
+}
+std::string unit(const Vector& direction) {
+    const double dx = direction.x.to_double();
+    const double dy = direction.y.to_double();
+    const double length = std::hypot(dx, dy);
+    return pair(number(dx / length), number(dy / length));
+}
+/// The same direction in the smallest whole numbers: its length is 1 only by chance.
+std::string whole(const Vector& direction) {
+    if (direction.x.is_zero()) return fractions({0, 1});
+    const Exact slope = direction.y / direction.x;
+    const Exact run(mpq_class(slope.rational().get_den()));
+    return fractions({run, run * slope});
+}
+
+/// A bound, rounded outwards, so that it remains one.
+std::string bound(const Exact& leftover) {
+    double value = leftover.to_double();
+    if (Exact::from_double(value) < leftover) value = std::nextafter(value, HUGE_VAL);
+    return quoted(number(value));
+}
+
+/// One entry of the file: its values, and beside them the exact ones where they are asked for.
+class Entry {
+public:
+    Entry(const Pose& pose, bool exact) : pose_(pose), exact_(exact) {}
+
+    void add(const std::string& key, std::string json) { members_.emplace_back(key, std::move(json)); }
+    void add(const std::string& key, const Recorded<Exact>& value) {
+        if (!value) return;
+        add(key, number(*value));
+        if (exact_ && certain(*value)) fractions_.emplace_back(key, fraction(*value));
+    }
+    void add(const std::string& key, const Recorded<Vector>& value) {
+        if (!value) return;
+        add(key, pair(*value));
+        if (exact_ && certain(value->x) && certain(value->y)) fractions_.emplace_back(key, fractions(*value));
+    }
+    /// A named point's own place, exact or with the bound on what the compass left over.
+    void add_place(PointIndex point) {
+        const Vector& at = pose_.at(point);
+        add("at", pair(at));
+        const Exact& leftover = pose_.leftover[at_index(point)];
+        if (!leftover.is_zero()) {
+            if (exact_) leftover_ = bound(leftover);
+        } else if (exact_ && certain(at.x) && certain(at.y)) {
+            fractions_.emplace_back("at", fractions(at));
+        }
+    }
+    void add_towards(const Vector& sensed) {
+        const Vector direction = without_sense(sensed, pose_.exact);
+        add("towards", unit(direction));
+        if (exact_ && certain(direction.x) && certain(direction.y)) fractions_.emplace_back("towards", whole(direction));
+    }
+    bool empty() const { return members_.empty(); }
+    std::string json() && {
+        if (!fractions_.empty()) add("exact", object(fractions_));
+        if (!leftover_.empty()) add("leftover", leftover_);
+        return object(members_);
+    }
+
+private:
+    /// On a pose with a leftover what depends on it is a fraction as long as the compass's rounding, and no exact value. A
+    /// short one cannot depend on it.
+    bool certain(const Exact& value) const {
+        return pose_.exact || value.bits() < static_cast<std::size_t>(pose_.bits > 0 ? pose_.bits : 1);
+    }
+
+    const Pose& pose_;
+    bool exact_;
+    Members members_, fractions_;
+    std::string leftover_;
+};
+
+/// All values of a problem that the file has under their names.
+Members values_of(const ProblemSolution& found) {
+    Members members;
+    for (const ProblemValue& each : found.values)
+        if (each.in_file) members.emplace_back(each.name.en, number(each.value));
+    return members;
+}
+
+/// A row of `checks`.
+std::string check_row(std::string_view name, double graphical, double numeric, double difference) {
+    constexpr std::size_t usual = 160;
+    std::string json = R"({"quantity": )";
+    json.reserve(usual);
+    append_json_text(json, name);
+    for (const auto& [key, value] : {std::pair(R"(, "graphical": )", graphical), std::pair(R"(, "numeric": )", numeric),
+                                     std::pair(R"(, "difference": )", difference)}) {
+        json += key;
+        append_number(json, value);
+    }
+    return json += '}';
+}
+/// Of a value that has one.
+std::string check_row(std::string_view name, const ProblemValue& value) {
+    const double numeric = value.numeric.value_or(value.value);
+    return check_row(name, value.value, numeric, value.value - numeric);
+}
+
+/// The same for all sections.
+class Results {
+public:
+    Results(const Solution& solution, bool exact, const Teller& tell)
+        : solution_(solution), mechanism_(solution.mechanism), exact_(exact), tell_(tell) {}
+
+    std::string json() const {
+        Members file;
+        file.emplace_back("mobility", mobility());
+        if (solution_.instant_motion && !solution_.instant_motion->branches.empty()) file.emplace_back("branches", branches());
+        file.emplace_back("points", points());
+        file.emplace_back("bodies", bodies());
+        file.emplace_back("sliding", sliding());
+        file.emplace_back("instant centres", centres());
+        if (solution_.act_of_motion && solution_.act_of_motion->acceleration_centre)
+            file.emplace_back("acceleration centres", acceleration_centres());
+        if (!solution_.relative_motion.empty()) file.emplace_back("relative motion", relative_motion());
+        if (!solution_.curvature.empty()) file.emplace_back("curvature", curvature());
+        if (forces_asked()) {
+            file.emplace_back("forces", forces());
+            file.emplace_back("effort", effort());
+            if (solution_.truss) file.emplace_back("bars", bars());
+            if (solution_.truss && !solution_.truss->cuts.empty()) file.emplace_back("cuts", cuts());
+        }
+        if (!solution_.resultants.empty()) file.emplace_back("resultant", resultants());
+        if (solution_.problem) file.emplace_back("hertz", contacts());
+        if (solution_.equations && solution_.equations->why_not.empty())
+            file.emplace_back("equations", equations_json(*solution_.equations));
+        if (solution_.displacements && solution_.displacements->why_not.empty())
+            file.emplace_back("virtual work", displacements_json(mechanism_, *solution_.displacements));
+        file.emplace_back("checks", checks());
+        file.emplace_back("unsolved", unsolved());
+        if (!solution_.remarks.empty() || (solution_.problem && !solution_.problem->remarks.empty()))
+            file.emplace_back("remarks", remarks());
+        std::string text = "{";
+        for (const auto& [key, value] : file) {
+            text += text.size() == 1 ? "\n  " : ",\n  ";
+            append_member(text, key, value);
+        }
+        return text += "\n}\n";
+    }
+
+private:
+    const std::string& name_of_body(BodyIndex body) const { return mechanism_.body(body).name; }
+    const std::string& name_of_point(PointIndex point) const { return mechanism_.point(point).name; }
+    Entry entry() const { return {solution_.pose, exact_}; }
+
+    std::string mobility() const {
+        const Mobility& found = solution_.mobility;
+        Members members{{"gruebler", std::to_string(found.gruebler)},
+                        {"effective", std::to_string(found.effective)},
+                        {"verdict", quoted(kinegraph::name_of(found.verdict()))}};
+        Members redundant;
+        for (const Mobility::Redundant& each : found.redundant)
+            redundant.emplace_back(mechanism_.joint(each.joint).name, std::to_string(each.rows));
+        if (!redundant.empty()) members.emplace_back("redundant", object(redundant));
+        return object(members);
+    }
+    /// Ratios of angular velocities, by body.
+    std::string branches() const {
+        std::vector<std::string> all;
+        for (const Branch& branch : solution_.instant_motion->branches) {
+            Members ratios, fractions;
+            for (std::size_t body = 1; body < branch.ratios.size(); ++body)
+                ratios.emplace_back(mechanism_.bodies[body].name, number(branch.ratios[body]));
+            for (std::size_t body = 1; body < branch.exact.size(); ++body)
+                fractions.emplace_back(mechanism_.bodies[body].name, quoted(branch.exact[body].to_fraction()));
+            Members members{{"reference", branch.reference == none ? "null" : quoted(name_of_body(branch.reference))},
+                            {"ratios", object(ratios)}};
+            if (exact_ && !fractions.empty()) members.emplace_back("exact", object(fractions));
+            all.push_back(object(members));
+        }
+        return lines('[', all, ']');
+    }
+
+    bool forces_asked() const {
+        if (mechanism_.find.stated) return mechanism_.find.forces;
+        return !mechanism_.loads.empty() || !mechanism_.efforts.empty() || !solution_.resultants.empty();
+    }
+
+    std::string points() const {
+        Members all;
+        for (const PointIndex point : indices_of(mechanism_.points)) {
+            std::vector<const PointMotion*> nodes;
+            for (const PointMotion& motion : solution_.points)
+                if (motion.point == point) nodes.push_back(&motion);
+            Entry here = entry();
+            here.add_place(point);
+            if (nodes.size() == 1) {
+                here.add("velocity", nodes[0]->velocity);
+                here.add("acceleration", nodes[0]->acceleration);
+            } else if (nodes.size() > 1) {
+                Members on;
+                for (const BodyIndex body : indices_of(mechanism_.bodies)) {
+                    for (const PointMotion* node : nodes) {
+                        bool carries = false;
+                        for (const BodyIndex carrier : node->bodies) carries = carries || carrier == body;
+                        Entry there = entry();
+                        there.add("velocity", node->velocity);
+                        there.add("acceleration", node->acceleration);
+                        if (carries && !there.empty()) on.emplace_back(name_of_body(body), std::move(there).json());
+                    }
+                }
+                if (!on.empty()) here.add("on", object(on));
+            }
+            all.emplace_back(name_of_point(point), std::move(here).json());
+        }
+        return object_of_lines(all);
+    }
+
+    std::string bodies() const {
+        Members all;
+        for (std::size_t body = 1; body < solution_.bodies.size(); ++body) {
+            Entry motion = entry();
+            motion.add("omega", solution_.bodies[body].omega);
+            motion.add("alpha", solution_.bodies[body].alpha);
+            if (!motion.empty()) all.emplace_back(mechanism_.bodies[body].name, std::move(motion).json());
+        }
+        return object_of_lines(all);
+    }
+
+    std::string sliding() const {
+        Members all;
+        for (const Sliding& slide : solution_.sliding) {
+            Entry motion = entry();
+            motion.add("velocity", slide.velocity);
+            motion.add("acceleration", slide.acceleration);
+            motion.add("coriolis", slide.coriolis);
+            if (!motion.empty()) all.emplace_back(sliding_key(slide), std::move(motion).json());
+        }
+        return object_of_lines(all);
+    }
+
+    /// The joint's name; a contact that shares it with another joint that slides also says of whom on whom.
+    std::string sliding_key(const Sliding& slide) const {
+        const Joint& joint = mechanism_.joint(slide.joint);
+        const auto shares = [&](const Sliding& other) {
+            return other.joint != slide.joint && mechanism_.joint(other.joint).name == joint.name;
+        };
+        if (!joint.pair().touches() || std::none_of(solution_.sliding.begin(), solution_.sliding.end(), shares))
+            return joint.name;
+        return joint.name + " (" + name_of_body(joint.bodies[0]) + " on " + name_of_body(joint.bodies[1]) + ")";
+    }
+
+    std::string centres() const {
+        Members all;
+        for (const InstantCentre& centre : solution_.centres) {
+            Entry where = entry();
+            if (centre.everywhere) where.add("everywhere", std::string("true"));
+            if (centre.at && !centre.at->at_infinity())
+                where.add("at", centre.at->place());
+            else if (centre.at)
+                where.add_towards(centre.at->place());
+            if (where.empty()) continue;
+            if (centre.depends_on_drivers) where.add("depends on drivers", std::string("true"));
+            all.emplace_back(name_of_body(centre.first) + "," + name_of_body(centre.second), std::move(where).json());
+        }
+        return object_of_lines(all);
+    }
+
+    /// The place of a body whose acceleration vanishes.
+    std::string acceleration_centres() const {
+        Entry where = entry();
+        where.add("at", solution_.act_of_motion->acceleration_centre);
+        return object_of_lines({{name_of_body(solution_.act_of_motion->body), std::move(where).json()}});
+    }
+
+    std::string curvature() const {
+        Members all;
+        for (const Curvature& found : solution_.curvature) all.emplace_back(name_of_body(found.body), curvature_of(found));
+        return object_of_lines(all);
+    }
+    std::string curvature_of(const Curvature& found) const {
+        Entry body = entry();
+        if (found.kind == Curvature::Kind::translation) {
+            body.add("translation", std::string("true"));
+            body.add("reason", reason({Sentence::body_translates, {}}));
+        }
+        if (found.kind == Curvature::Kind::turning) body.add("reason", reason({Sentence::pole_at_rest, {}}));
+        if (found.kind == Curvature::Kind::rest) body.add("reason", reason({Sentence::body_at_rest, {}}));
+        if (found.pole && !found.pole->at_infinity()) body.add("pole", Recorded<Vector>(found.pole->place()));
+        if (found.tangent) body.add("pole tangent", unit(without_sense(*found.tangent, solution_.pose.exact)));
+        if (found.inflection_centre) {
+            const double diameter = found.inflection_pole ? length(*found.inflection_pole - found.pole->place()) : 0;
+            Entry circle = entry();
+            circle.add("centre", found.inflection_centre);
+            circle.add("diameter", number(diameter));
+            body.add("inflection circle", std::move(circle).json());
+        }
+        if (found.tangential_pole) body.add("tangential circle", tangential_circle(found));
+        body.add("acceleration pole", found.acceleration_pole);
+        body.add("points", path_centres(found));
+        if (!found.envelopes.empty()) body.add("envelopes", envelopes(found));
+        return std::move(body).json();
+    }
+    /// Bresse's second: of the points without tangential acceleration.
+    std::string tangential_circle(const Curvature& found) const {
+        const Vector pole = found.pole->place(), half = Exact(1) / Exact(2) * (*found.tangential_pole - pole);
+        return object({{"centre", pair(pole + half)}, {"diameter", number(2 * length(half))}});
+    }
+    std::string path_centres(const Curvature& found) const {
+        Members points;
+        for (const PathCentre& path : found.points) {
+            Entry each = entry();
+            if (path.centre && !path.centre->at_infinity()) {
+                const Vector centre = path.centre->place();
+                each.add("centre", Recorded<Vector>(centre));
+                each.add("radius", number(length(centre - solution_.pose.at(path.point))));
+            } else {
+                each.add("radius", std::string("null"));
+                each.add("reason", reason({path.centre ? Sentence::path_straight : Sentence::point_at_rest, {}}));
+            }
+            points.emplace_back(name_of_point(path.point), std::move(each).json());
+        }
+        return object(points);
+    }
+    std::string envelopes(const Curvature& found) const {
+        Members all;
+        for (const EnvelopeCentre& envelope : found.envelopes)
+            all.emplace_back(mechanism_.joint(envelope.joint).name,
+                             object({{"touches", pair(*envelope.touches)},
+                                     {"centre", pair(*envelope.centre)},
+                                     {"radius", number(length(*envelope.centre - *envelope.touches))}}));
+        return object(all);
+    }
+    std::string reason(const Message& why) const { return quoted(tell_(why)); }
+
+    /// Components along the moving axes are signed.
+    std::string apart(const RelativeMotion::Apart& found) const {
+        const Vector axis =
+            found.towards == none ? Vector{1, 0} : solution_.pose.at(found.towards) - solution_.pose.at(found.origin);
+        const auto components = [&](const Recorded<Vector>& along, const Recorded<Vector>& across) {
+            return pair(number(std::copysign(length(*along), dot(*along, axis).to_double())),
+                        number(std::copysign(length(*across), cross(axis, *across).to_double())));
+        };
+        Entry entry = this->entry();
+        entry.add("origin", quoted(name_of_point(found.origin)));
+        entry.add("x axis", unit(axis));
+        entry.add("omega", found.omega);
+        entry.add("alpha", found.alpha);
+        entry.add("velocity of the origin", found.origin_velocity);
+        entry.add("velocity of turning", found.turning_velocity);
+        entry.add("acceleration of the origin", found.origin_acceleration);
+        entry.add("tangential acceleration", found.tangential);
+        entry.add("normal acceleration", found.normal);
+        entry.add("relative velocity in the axes", components(found.velocity_along, found.velocity_across));
+        entry.add("relative acceleration in the axes", components(found.acceleration_along, found.acceleration_across));
+        return std::move(entry).json();
+    }
+
+    std::string relative_motion() const {
+        std::vector<std::string> all;
+        for (const RelativeMotion& motion : solution_.relative_motion) {
+            Entry seen = entry();
+            seen.add("point", quoted(name_of_point(motion.query.point)));
+            if (motion.query.translating_with != none)
+                seen.add("observer", object({{"translating with", quoted(name_of_point(motion.query.translating_with))}}));
+            else
+                seen.add("observer", quoted(name_of_body(motion.query.observer)));
+            seen.add("velocity", motion.velocity);
+            seen.add("transport velocity", motion.transport_velocity);
+            seen.add("relative velocity", motion.relative_velocity);
+            seen.add("acceleration", motion.acceleration);
+            seen.add("transport acceleration", motion.transport_acceleration);
+            seen.add("relative acceleration", motion.relative_acceleration);
+            seen.add("coriolis", motion.coriolis);
+            if (motion.apart) seen.add("apart", apart(*motion.apart));
+            all.push_back(std::move(seen).json());
+        }
+        return lines('[', all, ']');
+    }
+
+    /// One member for each joint's name, in the file's order; within it the actions, of each body on each.
+    std::string forces() const {
+        std::vector<std::pair<std::string, Members>> by_joint;
+        for (const JointForce& action : solution_.forces) {
+            if (!action.force && !action.component && !action.couple) continue;
+            const Joint& joint = mechanism_.joint(action.joint);
+            if (by_joint.empty() || by_joint.back().first != joint.name) {
+                const auto same =
+                    std::find_if(by_joint.begin(), by_joint.end(), [&](const auto& entry) { return entry.first == joint.name; });
+                if (same != by_joint.end()) {
+                    std::rotate(same, same + 1, by_joint.end());
+                } else {
+                    by_joint.emplace_back(joint.name, Members{});
+                }
+            }
+            Entry here = entry();
+            here.add("force", action.force);
+            if (action.component)
+                here.add("component",
+                         object({{"along", pair(unit_of_component(action))}, {"value", number(component_of(action))}}));
+            here.add_place(joint.point);
+            here.add("couple", action.couple);
+            if (action.force && action.couple) add_through(action, solution_.pose.at(joint.point), here);
+            const std::string from = action.from == none ? "pin" : name_of_body(action.from);
+            by_joint.back().second.emplace_back(from + " on " + name_of_body(action.on), std::move(here).json());
+        }
+        Members all;
+        for (const auto& [name, actions] : by_joint) all.emplace_back(name, object(actions));
+        return object_of_lines(all);
+    }
+
+    /// The foot of the perpendicular from the joint's point on the line of the resultant: arm M/F.
+    static void add_through(const JointForce& action, const Vector& at, Entry& here) {
+        const Vector& force = *action.force;
+        if (force.is_zero())
+            here.add("through", std::string("null"));
+        else
+            here.add("through", Recorded<Vector>(at - (*action.couple / squared_length(force)) * quarter_turn(force)));
+    }
+
+    std::string effort() const {
+        Members all;
+        for (const EffortValue& found : solution_.efforts) {
+            if (found.value) all.emplace_back(found.name, number(*found.value));
+        }
+        return object_of_lines(all);
+    }
+
+    /// N, tension positive.
+    std::string bars() const {
+        const Truss& truss = *solution_.truss;
+        Members all;
+        for (std::size_t bar = 0; bar < truss.bars.size(); ++bar)
+            if (truss.bars[bar].force)
+                all.emplace_back(truss.structure.bars[bar].name, number(truss.tension(bar, solution_.pose.points)));
+        return object_of_lines(all);
+    }
+    /// Of each bar found by a cut: the moment of what acts on one side, and its arm; across parallel bars the component.
+    std::string cuts() const {
+        std::vector<std::string> all;
+        for (const Truss::Cut& cut : solution_.truss->cuts) {
+            const Truss& truss = *solution_.truss;
+            std::string names;
+            for (const int bar : cut.bars)
+                names += (names.empty() ? "" : ", ") + quoted(truss.structure.bars[at_index(bar)].name);
+            Members members{{"cut", "[" + names + "]"}, {"bar", quoted(truss.structure.bars[at_index(cut.found)].name)}};
+            const Truss::CutNumbers numbers = truss.numbers_of(cut, solution_.pose.points);
+            if (cut.pivot) {
+                members.emplace_back("about", pair(*cut.pivot));
+                members.emplace_back("moment", number(numbers.known));
+                members.emplace_back("arm", number(numbers.arm));
+            } else {
+                members.emplace_back("across", number(numbers.known));
+                members.emplace_back("sine", number(numbers.arm));
+            }
+            all.push_back(object(members));
+        }
+        return lines('[', all, ']');
+    }
+
+    /// By the bodies that hang together: "2", "2,3".
+    std::string resultants() const {
+        Members all;
+        for (const Resultant& found : solution_.resultants) {
+            std::string name;
+            for (const BodyIndex body : found.bodies) name += (name.empty() ? "" : ",") + name_of_body(body);
+            Entry here = entry();
+            here.add("force", found.force);
+            here.add("couple", found.couple);
+            if (found.through)
+                here.add("through", found.through);
+            else
+                here.add("through", std::string("null"));
+            all.emplace_back(name, std::move(here).json());
+        }
+        return object_of_lines(all);
+    }
+
+    std::string checks() const {
+        std::vector<std::string> all;
+        all.reserve(solution_.checks.size());
+        for (const CheckRow& row : solution_.checks)
+            all.push_back(check_row(name_of(row.quantity, solution_), row.graphical, row.numeric, row.difference));
+        if (solution_.problem) add_checks_of_contacts(all);
+        return lines('[', all, ']');
+    }
+    /// "hertz P half width".
+    void add_checks_of_contacts(std::vector<std::string>& all) const {
+        for (const SolvedContact& contact : std::get<SolvedContacts>(solution_.problem->of))
+            for (const ProblemValue& each : contact.found->values)
+                all.push_back(check_row("hertz " + mechanism_.joint(contact.joint).name + " " + each.name.en, each));
+    }
+
+    std::string unsolved() const {
+        std::vector<std::string> all;
+        for (const Unsolved& what : solution_.unsolved)
+            all.push_back(object({{"what", quoted(tell_(what.what))}, {"why", quoted(tell_(what.why))}}));
+        return lines('[', all, ']');
+    }
+
+    /// By the joint's name: the load, and what comes of it.
+    std::string contacts() const {
+        Members joints;
+        for (const SolvedContact& contact : std::get<SolvedContacts>(solution_.problem->of)) {
+            Members members{{"force", number(std::get<HertzProblem>(contact.stated->of).force)}};
+            for (auto& each : values_of(*contact.found)) members.push_back(std::move(each));
+            joints.emplace_back(mechanism_.joint(contact.joint).name, object(members));
+        }
+        return object_of_lines(joints);
+    }
+    std::string remarks() const {
+        std::vector<std::string> all;
+        for (const Message& remark : solution_.remarks) all.push_back(quoted(tell_(remark)));
+        if (solution_.problem)
+            for (const Words& remark : solution_.problem->remarks) all.push_back(quoted(remark.en));
+        return lines('[', all, ']');
+    }
+
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+    bool exact_;
+    const Teller& tell_;
+};
+
+/// What was found of a problem in place of joints: its own section, and the checks of its values.
+class ProblemResults {
+public:
+    ProblemResults(const Solution& solution, bool exact)
+        : found_(*solution.problem), mechanism_(solution.mechanism), exact_(exact) {}
+
+    std::string json() const {
+        Members file;
+        std::visit([&](const auto& of) { add(of, file); }, found_.of);
+        file.emplace_back("checks", checks());
+        file.emplace_back("unsolved", "[]");
+        if (!found_.remarks.empty()) {
+            std::vector<std::string> all;
+            for (const Words& each : found_.remarks) all.push_back(quoted(each.en));
+            file.emplace_back("remarks", lines('[', all, ']'));
+        }
+        std::string text = "{";
+        for (std::size_t i = 0; i < file.size(); ++i)
+            text += (i == 0 ? "\n  " : ",\n  ") + quoted(file[i].first) + ": " + file[i].second;
+        return text + "\n}\n";
+    }
+
+    /// The value of "motion".
+    std::string json_of(const PointMotionSolution& found) const {
+        const auto& problem = std::get<PointProblem>(mechanism_.problem->of);
+        const auto if_defined = [](bool defined, const std::string& value) { return defined ? value : std::string("null"); };
+        Members members{{"point", quoted(problem.point)},
+                        {"at", number(problem.at)},
+                        {"position", pair(found.place)},
+                        {"velocity", pair(found.velocity)},
+                        {"acceleration", pair(found.acceleration)},
+                        {"way", number(found.way)},
+                        {"speed", number(found.speed)},
+                        {"tangential acceleration", if_defined(!found.rests, number(found.along))},
+                        {"normal acceleration", if_defined(!found.rests, number(found.across))},
+                        {"radius of curvature", if_defined(found.centre.has_value(), number(found.radius))},
+                        {"centre of curvature", found.centre ? pair(*found.centre) : "null"}};
+        const auto two = [](const std::array<double, 2>& of) { return pair(number(of[0]), number(of[1])); };
+        members.emplace_back("polar", if_defined(!found.at_pole, object({{"position", pair(number(found.r), number(found.theta))},
+                                                                         {"velocity", two(found.polar_velocity)},
+                                                                         {"acceleration", two(found.polar_acceleration)}})));
+        Members derivatives;
+        const auto add_law = [&](const StatedLaw& law, const Derived& derived, std::string_view variable) {
+            std::vector<std::string> orders;
+            for (const Expression& each : derived.by_order)
+                orders.push_back((orders.empty() ? "" : ", ") + quoted(written(each, problem.constants, variable)));
+            derivatives.emplace_back(law.symbol == "θ" ? "theta" : law.symbol, "[" + orders[0] + orders[1] + orders[2] + "]");
+        };
+        for (std::size_t i = 0; i < found.laws.size(); ++i) add_law(problem.laws[i], found.laws[i], "t");
+        if (found.of_path) add_law(std::get<GraphPath>(*problem.path).f, *found.of_path, "x");
+        members.emplace_back("derivatives", object(derivatives));
+        return object_of_lines(members);
+    }
+
+private:
+    void add(const ImpactSolution& found, Members& file) const {
+        Members members{{"kind", "[" + quoted(found.central ? "central" : "eccentric") + ", " +
+                                     quoted(found.direct ? "direct" : "oblique") + "]"},
+                        {"angle", number(found.obliquity)},
+                        {"impulse", pair(found.impulse)}};
+        Members bodies;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const ImpactSolution::Body& body = found.bodies.at(i);
+            Members of{{"velocity", pair(body.after)}, {"omega", number(body.omega_after)}};
+            if (body.reaction) of.emplace_back("pivot", pair(*body.reaction));
+            if (body.percussion) of.emplace_back("centre of percussion", pair(*body.percussion));
+            bodies.emplace_back(mechanism_.body(std::get<ImpactProblem>(mechanism_.problem->of).bodies.at(i).body).name,
+                                object(of));
+        }
+        members.emplace_back("bodies", object(bodies));
+        members.emplace_back("energy lost", number(found.energy_lost));
+        members.emplace_back("normal restitution", number(found.kinematic_restitution));
+        if (exact_)
+            members.emplace_back("exact",
+                                 object({{"impulse", fractions(found.impulse)}, {"energy lost", fraction(found.energy_lost)}}));
+        file.emplace_back("impact", object_of_lines(members));
+    }
+    void add(const ReyeSolution& found, Members& file) const {
+        Members members{{"pressures", pair(number(found.first), number(found.second))}};
+        for (auto& each : values_of(found_)) members.push_back(std::move(each));
+        if (found.worn) members.emplace_back("worn", pair(number((*found.worn)[0]), number((*found.worn)[1])));
+        file.emplace_back("reye", object_of_lines(members));
+    }
+    void add(const HertzSolution&, Members& file) const { file.emplace_back("hertz", object_of_lines(values_of(found_))); }
+    void add(const PointMotionSolution& found, Members& file) const { file.emplace_back("motion", json_of(found)); }
+    void add(const PositionsSolution& found, Members& file) const {
+        const auto& problem = std::get<PositionsProblem>(mechanism_.problem->of);
+        Members displacements, pivots;
+        for (const Displacement& each : found.displacements) {
+            static constexpr std::array kinds{"rest", "translation", "rotation", "general"};
+            Members members{{"kind", quoted(kinds.at(static_cast<std::size_t>(each.kind)))}};
+            if (each.kind == Displacement::Kind::translation) members.emplace_back("translation", pair(each.way));
+            members.emplace_back("pole", each.pole ? pair(*each.pole) : "null");
+            members.emplace_back("angle", number(each.angle));
+            if (exact_ && each.pole) members.emplace_back("exact", object({{"pole", fractions(*each.pole)}}));
+            displacements.emplace_back(std::to_string(each.from + 1) + "," + std::to_string(each.to + 1), object(members));
+        }
+        for (std::size_t i = 0; i < found.pivots.size(); ++i) {
+            static constexpr std::array kinds{"pivot", "straight line", "free", "fixed"};
+            const FixedPivot& pivot = found.pivots[i];
+            Members members{{"kind", quoted(kinds.at(static_cast<std::size_t>(pivot.kind)))},
+                            {"pivot", pivot.centre ? pair(*pivot.centre) : "null"}};
+            if (pivot.centre) members.emplace_back("crank", number(pivot.radius));
+            if (exact_ && pivot.centre) members.emplace_back("exact", object({{"pivot", fractions(*pivot.centre)}}));
+            pivots.emplace_back(problem.points.at(i), object(members));
+        }
+        Members members{{"displacements", object(displacements)}};
+        if (!pivots.empty()) members.emplace_back("fixed pivots", object(pivots));
+        file.emplace_back("positions", object_of_lines(members));
+    }
+    static void add(const SolvedContacts&, Members&) {}  // they go with the mechanism's own results
+    std::string checks() const {
+        std::vector<std::string> all;
+        for (const ProblemValue& each : found_.values)
+            if (each.numeric) all.push_back(check_row(each.name.en, each));
+        return lines('[', all, ']');
+    }
+
+    const ProblemSolution& found_;
+    const Mechanism& mechanism_;
+    bool exact_;
+};
+
+std::string number(const std::optional<double>& value) { return value ? number(*value) : "null"; }
+
+std::string list(const std::vector<std::string>& entries) {
+    std::string json = "[";
+    for (const std::string& entry : entries) json += (json.size() > 1 ? ", " : "") + entry;
+    return json + "]";
+}
+
+/// The equations by name: what varies is called by body or joint, what the loops are written in by letters.
+class EquationResults {
+public:
+    explicit EquationResults(const Equations& equations) : e_(equations) {}
+
+    std::string json() const {
+        std::vector<std::string> loops, laws;
+        for (const Equations::Loop& loop : e_.loops) loops.push_back(quoted(spelt(e_, loop)));
+        for (const Equations::Law& law : e_.laws) laws.push_back(quoted(spelt(e_, law)));
+        Members members{{"unknowns", names(e_.unknowns)},
+                        {"free", names(e_.free)},
+                        {"jacobian", matrix(e_.jacobian)},
+                        {"drive", matrix(e_.drive)},
+                        {"rank", std::to_string(e_.rank)},
+                        {"determinant", number(e_.determinant)},
+                        {"velocity ratios", ratios([&](std::size_t j, std::size_t k) { return number(e_.ratios[j][k]); })}};
+        if (!e_.second_ratios.empty()) members.emplace_back("second ratios", second_ratios());
+        if (!e_.cannot_be_driven.empty()) members.emplace_back("cannot be driven", names(e_.cannot_be_driven));
+        members.emplace_back("loops", list(loops));
+        if (!laws.empty()) members.emplace_back("laws", list(laws));
+        members.emplace_back("letters", letters());
+        return object_of_lines(members);
+    }
+
+private:
+    std::string names(const std::vector<Equations::LetterIndex>& which) const {
+        std::vector<std::string> all;
+        for (const auto index : which) all.push_back(quoted(e_.letter(index).name));
+        return list(all);
+    }
+    static std::string matrix(const std::vector<std::vector<double>>& rows) {
+        std::vector<std::string> all;
+        for (const auto& row : rows) {
+            std::vector<std::string> entries;
+            for (const double entry : row) entries.push_back(number(entry));
+            all.push_back(list(entries));
+        }
+        return list(all);
+    }
+    template <class Value>
+    std::string ratios(Value value) const {
+        Members all;
+        for (std::size_t j = 0; j < e_.unknowns.size(); ++j) {
+            Members own;
+            for (std::size_t k = 0; k < e_.free.size(); ++k) own.emplace_back(e_.letter(e_.free[k]).name, value(j, k));
+            all.emplace_back(e_.letter(e_.unknowns[j]).name, object(own));
+        }
+        return object(all);
+    }
+    /// By the drivers' names; of two, joined with a comma.
+    std::string second_ratios() const {
+        Members all;
+        for (std::size_t j = 0; j < e_.unknowns.size(); ++j) {
+            Members own;
+            for (std::size_t k = 0; k < e_.free.size(); ++k)
+                for (std::size_t l = k; l < e_.free.size(); ++l) {
+                    const std::string& first = e_.letter(e_.free[k]).name;
+                    own.emplace_back(l == k ? first : first + ", " + e_.letter(e_.free[l]).name,
+                                     number(e_.second_ratios[j][k][l]));
+                }
+            all.emplace_back(e_.letter(e_.unknowns[j]).name, object(own));
+        }
+        return object(all);
+    }
+    std::string letters() const {
+        Members all;
+        for (const Equations::Letter& letter : e_.letters) {
+            Members own{{"value", number(letter.value)}};
+            if (!letter.name.empty()) own.insert(own.begin(), {"of", quoted(letter.name)});
+            if (letter.role != Equations::Letter::Role::given) {
+                own.emplace_back("rate", number(letter.rate));
+                own.emplace_back("second rate", number(letter.acceleration));
+            }
+            all.emplace_back(spelt(letter), object(own));
+        }
+        return object(all);
+    }
+
+    const Equations& e_;
+};
+
+/// Virtual work: what is displaced, how far and by which work for each unit of it, and the efforts.
+class DisplacementResults {
+public:
+    DisplacementResults(const Mechanism& mechanism, const Displacements& found) : mechanism_(mechanism), found_(found) {}
+
+    std::string json() const {
+        std::vector<std::string> freedoms;
+        for (const Displacements::Freedom& freedom : found_.freedoms) freedoms.push_back(of(freedom));
+        return object_of_lines(
+            {{"freedoms", list(freedoms)},
+             {"effort", efforts([](const auto& effort) { return effort.value ? number(*effort.value) : std::string("null"); })},
+             {"effort by velocity ratios", efforts([](const auto& effort) { return number(effort.ratio); })},
+             {"balanced", found_.balanced ? "true" : "false"}});
+    }
+
+private:
+    template <class Value>
+    std::string efforts(Value value) const {
+        Members members;
+        for (const Displacements::Effort& effort : found_.efforts) members.emplace_back(name(effort.given), value(effort));
+        return object(members);
+    }
+    std::string name(int effort) const {
+        return std::visit([](const auto& given) { return given.name; }, mechanism_.efforts[at_index(effort)]);
+    }
+    std::string of(const Displacements::Freedom& freedom) const {
+        const VirtualWork& work = *freedom.moved->virtual_work;
+        Members points, turns, shares;
+        for (const PointMotion& point : freedom.moved->points)
+            if (point.bodies.front() != frame && point.velocity) points.emplace_back(point.label, pair(*point.velocity));
+        for (const BodyIndex body : mechanism_.moving_bodies())
+            if (const auto& turn = freedom.moved->bodies[at_index(body)].omega)
+                turns.emplace_back(mechanism_.body(body).name, number(*turn));
+        std::vector<std::string> works;
+        for (const VirtualWork::Entry& entry : work.entries)
+            works.push_back(object({{"of", quoted(name_of(entry.symbol))},
+                                    {"on", quoted(mechanism_.body(entry.body).name)},
+                                    {"work", number(entry.power)},
+                                    {"by velocity ratios", number(work_by_ratios(*freedom.equations, entry))}}));
+        for (const VirtualWork::Share& share : work.shares) shares.emplace_back(name(share.effort), number(*share.power));
+        return object({{"displaced", quoted(coordinate_name(mechanism_, freedom.driver))},
+                       {"chosen", freedom.chosen ? "true" : "false"},
+                       {"points", object(points)},
+                       {"turns", object(turns)},
+                       {"works", list(works)},
+                       {"given", number(work.total)},
+                       {"unit efforts", object(shares)}});
+    }
+
+    const Mechanism& mechanism_;
+    const Displacements& found_;
+};
+
+}  // namespace
+
+std::string displacements_json(const Mechanism& mechanism, const Displacements& displacements) {
+    return DisplacementResults(mechanism, displacements).json();
+}
+
+std::string equations_json(const Equations& equations) { return EquationResults(equations).json(); }
+
+std::string motion_json(const Solution& solution) {
+    return ProblemResults(solution, false).json_of(std::get<PointMotionSolution>(solution.problem->of));
+}
+
+std::string results_json(const Solution& solution, bool exact, const Teller& tell) {
+    if (stands_for_joints(solution.mechanism)) return ProblemResults(solution, exact).json();
+    return Results(solution, exact, tell).json();
+}
+
+}  // namespace kinegraph

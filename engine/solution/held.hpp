@@ -1,0 +1,37 @@
+// Held: the names by which marks of figures of forces, curvature and Joukowsky's lever say what they hang on, and by which each
+// plan of a moving mechanism tells the elements that are it there. A name says of what it is (a load on a body, the reaction of a
+// joint, a point of concurrency), never where it lies. Knows no figure and no plan.
+#pragma once
+
+#include <string>
+
+#include "engine/solution/solution.hpp"
+
+namespace kinegraph {
+
+/// `load`: whose loads act alone (the name of a body or a pin); empty: all do.
+std::string held_force(const std::string& load, const FreeBody& body, const AppliedForce& applied);
+/// Of what was added up on a body, or on bodies taken together (`of`: their place among those).
+std::string held_sum(const std::string& load, const FreeBody& body, const AppliedForce& sum);
+std::string held_sum(const std::string& load, std::size_t of, const AppliedForce& sum);
+/// The couple of any of these: where a body has force and couple apart, two places go with them.
+std::string couple_of(const std::string& held);
+/// A point of concurrency.
+std::string held_meet(const std::string& load, const std::string& name);
+/// An arm's end: the place about which, or the foot.
+std::string held_arm(const std::string& load, const FreeBody& body, std::size_t arm, bool is_foot);
+/// Force and couple of a joint at its own point.
+std::string held_pair(const JointForce& pair);
+/// A vertex of a funicular polygon, by the reactions that it finds; the one past the last is where the outer strings meet.
+std::string held_string(const std::string& load, const FreeBody::Funicular& funicular, std::size_t vertex);
+/// A place of a body's curvature: "pole", "axis", "J", …
+std::string held_curvature(BodyIndex body, const std::string& what);
+/// A force on Joukowsky's lever and the velocity of its place.
+std::string held_work(const VirtualWork::Entry& entry);
+/// A point of the mechanism, which the position alone gives.
+std::string held_point(PointIndex point);
+/// The pole of the lever, and the foot of the perpendicular from it on the line of a force.
+std::string held_pole();
+std::string held_foot(const VirtualWork::Entry& entry);
+
+}  // namespace kinegraph

@@ -1,0 +1,86 @@
+// What was found of the motion of a point, and of motions in the large, between positions of a body. Values in SI units, angles in
+// radians. Methods: constructions/problems/point_motion.hpp and finite_displacements.hpp; numeric checks: engine/check/check_point_motion.hpp.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/board/board.hpp"
+#include "engine/file/expression.hpp"
+
+namespace kinegraph {
+
+struct Solution;
+
+// ----- the motion of a point
+
+/// A law and its derivatives in symbols.
+struct Derived {
+    std::array<Expression, 3> by_order;
+};
+
+/// What was found of the motion of a point at the instant. Of components that are undefined there the flags tell.
+struct PointMotionSolution {
+    std::vector<Derived> laws;             ///< of PointProblem::laws
+    std::optional<Derived> of_path;        ///< f, f′, f″
+    Vector place, velocity, acceleration;  ///< the doubles that the laws give, as the board takes them
+    double way = 0;                        ///< s from `from` on; of a path as its law counts it
+    bool rests = false;                    ///< v = 0: no tangent, no normal, no curvature
+    bool straight = false;                 ///< a_n = 0: the centre of curvature at infinity
+    bool at_pole = false;                  ///< of coordinates: r = 0, no direction of the radius
+    /// By the construction; none where `rests`.
+    std::optional<Vector> tangential, normal;                                      ///< components of the acceleration
+    std::optional<Vector> centre;                                                  ///< of curvature; none where `straight`
+    double speed = 0, acceleration_length = 0, along = 0, across = 0, radius = 0;  ///< v, |a|, a_t, a_n, ρ
+    double r = 0, theta = 0;
+    std::array<double, 2> polar_velocity{}, polar_acceleration{};  ///< radial, transverse
+    struct At {
+        double time = 0, way = 0, speed = 0, along = 0, across = 0;
+        VectorOf<double> place, velocity;
+        bool rests = false;
+    };
+    std::vector<At> course;  ///< from `from` to `to`
+    Protocol record;         ///< the board of the components and of the centre of curvature
+    /// Elements of the record: points of the drawing in which a metre per second and a metre per second² are a metre each.
+    struct Elements {
+        ElementIndex tip_of_velocity = none, tip_of_acceleration = none, foot = none, reversed = none, centre = none;
+    } elements;
+};
+
+/// The value of "motion" in the results file (docs/format.md), of a solution whose problem is the motion of a point.
+std::string motion_json(const Solution& solution);
+
+// ----- motions in the large
+
+/// What takes a body from one position to another.
+struct Displacement {
+    std::size_t from = 0, to = 1;
+    enum class Kind {
+        rest,         ///< both are the same
+        translation,  ///< all points go the same way
+        rotation,     ///< about one of the two points, which keeps its place
+        general       ///< about the pole, where neither is
+    } kind = Kind::general;
+    std::optional<Vector> pole;  ///< none of a translation or of rest
+    Vector way;                  ///< of a translation
+    double angle = 0;            ///< −π … π, counter-clockwise positive
+    /// How the pole was found: the bisectors' meet; where they coincide, the meet of both joins, or the common middle; a point
+    /// that stays.
+    enum class By { bisectors, joins, middle, point } by = By::bisectors;
+};
+/// The fixed pivot of a crank that carries one of the points through three positions: centre of the circle through them.
+struct FixedPivot {
+    enum class Kind { pivot, straight, free, fixed } kind = Kind::pivot;  ///< free: two places coincide; fixed: all three do
+    std::optional<Vector> centre;
+    Vector direction;   ///< of the straight line
+    double radius = 0;  ///< length of the crank
+};
+struct PositionsSolution {
+    std::vector<Displacement> displacements;  ///< 1→2; of three positions also 2→3, 1→3
+    std::vector<FixedPivot> pivots;           ///< of three positions: of the first and of the second point
+    Protocol record;
+};
+
+}  // namespace kinegraph

@@ -1,0 +1,32 @@
+#include "engine/solution/shifts.hpp"
+
+namespace kinegraph {
+namespace {
+
+/// Of a load or a reaction, as it counts on one of these bodies.
+std::optional<Exact> couple_on(const Solution& solution, const std::vector<BodyIndex>& bodies, const Symbol& symbol) {
+    for (const FreeBody& body : solution.free_bodies)
+        for (const BodyIndex each : bodies)
+            if (body.body == each)
+                for (const AppliedForce& applied : body.forces) {
+                    Symbol of = applied.symbol;
+                    of.letter = Symbol::Letter::M;
+                    if (of == symbol && !applied.couple.is_zero()) return applied.couple;
+                }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Vector> shift_of(const Solution& solution, StatementIndex statement, const AppliedForce& sum) {
+    const Statement& said = solution.protocol.statements[at_index(statement)];
+    if (said.message.sentence != Sentence::inertia_moved || sum.force.is_zero()) return std::nullopt;
+    if (std::get<Symbol>(said.message.arguments[1]) != sum.symbol) return std::nullopt;
+    const auto couple = couple_on(solution, said.bodies, std::get<Symbol>(said.message.arguments[2]));
+    if (!couple) return std::nullopt;
+    // The moment of F at r is M: r = −(z ∧ F) M/F².
+    const Exact share = *couple / dot(sum.force, sum.force);
+    return Vector{share * sum.force.y, -(share * sum.force.x)};
+}
+
+}  // namespace kinegraph

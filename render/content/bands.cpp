@@ -1,0 +1,799 @@
+// The bands of a solution: given and centres, polygons of motion, lines of action, a row for each body, the closed polygon; and
+// their text, row by row.
+#include "render/content/bands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "engine/number/assert.hpp"
+#include "engine/solution/problem_solution.hpp"
+#include "render/page/shapes.hpp"
+#include "render/scene/loads_alone.hpp"
+#include "render/scene/sentences.hpp"
+#include "render/tables/answers.hpp"
+#include "render/equations/apart_text.hpp"
+#include "render/tables/force_tables.hpp"
+#include "render/equations/prose.hpp"
+#include "render/tables/truss_table.hpp"
+#include "render/equations/work_text.hpp"
+#include "render/text/formula.hpp"
+#include "render/text/numbered_lines.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using Kind = Band::Part::Kind;
+
+/// The text of one band, set to a width.
+class BandText {
+public:
+    using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
+    BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
+             const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations,
+             const std::vector<LineNumbers>& lines, MadeOnce& made, const WantedFigures& wanted, const std::string& figures_stand)
+        : context_(context),
+          solution_(context.solution),
+          measure_(measure),
+          equations_apart_(equations_apart),
+          steps_(steps),
+          likewise_(likewise),
+          with_centres_(with_centres),
+          equations_(equations),
+          lines_(lines),
+          made_(made),
+          wanted_(wanted),
+          figures_stand_(figures_stand) {}
+
+    /// Of all but the results.
+    Passage passage_of(const Band::Part& part, const std::map<std::string, RichText>& on_figures) const {
+        switch (part.kind) {
+            case Kind::bodies:
+                if (!made_.bodies) made_.bodies.emplace(context_);
+                return under("bodies", made_.bodies->lines(measure_));
+            case Kind::mobility:
+                // Of a body alone there is nothing to count.
+                return under(solution_.act_of_motion ? "conventions" : "mobility", conventions());
+            case Kind::centres:
+                if (!made_.centres) made_.centres.emplace(context_);
+                return under("instant centres", made_.centres->lines(measure_),
+                             one_piece(solution_.mechanism.units.length.symbol));
+            case Kind::steps: {
+                const Topic section = solution_.protocol.statements[part.which.front()].section;
+                return under("steps " + std::string(name_of(section)), steps(part.which));
+            }
+            case Kind::reactions:
+                return table_under("forces", reaction_lines(context_, measure_));
+            case Kind::bars:
+                return table_under("bars", bar_lines(context_, measure_));
+            case Kind::lever:
+                return under("lever", std::vector<Block>{joukowsky_block(context_, measure_)});
+            case Kind::equations:
+                return equations(part.which);
+            case Kind::answers:
+                return answers();
+            case Kind::unsolved:
+                return under("unsolved", unsolved());
+            case Kind::remarks:
+                return under("remarks", remarks(on_figures));
+            case Kind::results:
+                break;
+        }
+        KG_ASSERT(false, "a part has words of its own");
+    }
+
+private:
+    Passage under(const std::string& title, std::vector<SharedBlock> rows, const RichText& note = {}) const {
+        const std::string words = word(title, context_.language);
+        return {heading_block(context_, measure_, words, note), continued(words, note), {}, std::move(rows)};
+    }
+    Passage under(const std::string& title, std::vector<Block> rows) const {
+        Passage passage = under(title, std::vector<SharedBlock>{});
+        passage.take_rows(std::move(rows));
+        return passage;
+    }
+    /// Its head, the first line, stands again where it goes on.
+    Passage table_under(const std::string& title, std::vector<Block> lines) const {
+        Passage passage = under(title, std::vector<SharedBlock>{});
+        passage.take_table(std::move(lines));
+        return passage;
+    }
+    /// The heading again where a passage goes on, which few do, and where the figures are that it speaks of.
+    SharedBlock continued(const std::string& words, const RichText& note = {}) const {
+        return {measure_, heading_height, [&context = context_, &stand = figures_stand_, measure = measure_, words, note] {
+                    RichText all = note;
+                    if (!stand.empty()) append(all, one_piece((note.empty() ? "" : "  ") + stand));
+                    return heading_block(context, measure, words + ", " + word("continued", context.language), all).marks;
+                }};
+    }
+    Block paragraph(const RichText& text) const { return paragraph_block(context_, measure_, text); }
+
+    std::vector<SharedBlock> steps(const std::vector<std::size_t>& statements) const {
+        std::vector<SharedBlock> rows;
+        for (const std::size_t i : statements) {
+            const Statement& statement = solution_.protocol.statements[i];
+            auto known = made_.said.find(i);
+            if (known == made_.said.end())
+                known = made_.said.emplace(i, Said{Paragraph(context_, said(i), indent, std::to_string(steps_.at(i)))}).first;
+            std::vector<SharedBlock> equations;
+            if (statement.equation && !equations_apart_)
+                equations.push_back(equation(known->second, *statement.equation, measure_ - indent));
+            const DrawingContext& context = wanted_.context_at(StatementIndex(i));
+            for (const FreeBody* body : closed_by(context.solution, StatementIndex(i)))
+                if (Block block = force_equation_block(context, *body, true); block.width > 0 && block.width <= measure_ - indent)
+                    equations.emplace_back(std::move(block));
+            const Paragraph& sentence = known->second.sentence;
+            double height = sentence.height(measure_);
+            for (const SharedBlock& equation : equations) height += equation.height() + under_equation;
+            // What would be a page by itself may be divided before its equations.
+            constexpr double too_high = 90;
+            if (height > too_high) {
+                rows.emplace_back(measure_, sentence.height(measure_), [&sentence, measure = measure_, i] {
+                    return step(sentence.set(measure), {}, StatementIndex(i));
+                });
+                for (const SharedBlock& equation : equations)
+                    rows.emplace_back(measure_, equation.height() + under_equation,
+                                      [equation, i] { return step({}, {equation}, StatementIndex(i)); });
+                continue;
+            }
+            rows.emplace_back(measure_, height, [&sentence, measure = measure_, equations = std::move(equations), i] {
+                return step(sentence.set(measure), equations, StatementIndex(i));
+            });
+        }
+        return rows;
+    }
+    /// A sentence and its equations, one under the other.
+    static std::vector<Mark> step(Block sentence, const std::vector<SharedBlock>& equations, StatementIndex statement) {
+        for (const SharedBlock& equation : equations) {
+            set(sentence.marks, equation.set(), {indent, sentence.height + 0.5});
+            sentence.height += equation.height() + under_equation;
+        }
+        belong(sentence.marks, 0, statement);
+        return std::move(sentence.marks);
+    }
+
+    /// The same at all widths that hold it in one row.
+    SharedBlock equation(Said& said, const Equation& equation, double most) const {
+        if (!said.equation) said.equation = equation_block(context_, equation, std::numeric_limits<double>::infinity());
+        return said.equation->width() <= most ? *said.equation : SharedBlock(equation_block(context_, equation, most));
+    }
+
+    /// A sentence, and of whom it holds likewise.
+    RichText said(std::size_t statement) const {
+        const auto& statements = solution_.protocol.statements;
+        RichText text = say(statements[statement].message, context_.language, [&](const LineReason& reason) {
+            std::string number;
+            for (const LineNumbers& each : lines_)
+                if (number.empty()) number = each.before(StatementIndex(statement), reason);
+            return number;
+        });
+        const auto others = likewise_.find(statement);
+        if (others == likewise_.end()) return text;
+        std::vector<const Message*> messages;
+        for (const std::size_t i : others->second) messages.push_back(&statements[i].message);
+        append(text, one_piece(" "));
+        append(text, say_likewise(messages, context_.language));
+        return text;
+    }
+
+    Passage answers() const {
+        return table_under("answers", answer_lines(context_, answers_of(context_, {}, with_centres_), measure_));
+    }
+
+    /// A section of the equations: its heading, and what stands under it.
+    Passage equations(const std::vector<std::size_t>& which) const {
+        const auto first = equations_.begin() + static_cast<std::ptrdiff_t>(which.front());
+        const auto end = equations_.begin() + static_cast<std::ptrdiff_t>(which.back());
+        const std::string& words = first->words;
+        Passage passage{heading_block(context_, measure_, words), continued(words), {}};
+        passage.take_rows(equation_blocks(context_, {first + 1, end}, measure_, made_.natural));
+        return passage;
+    }
+
+    std::vector<Block> unsolved() const {
+        std::vector<Block> rows;
+        for (const Unsolved& each : solution_.unsolved) {
+            RichText text = say(each.what, context_.language);
+            append(text, one_piece(": "));
+            append(text, say(each.why, context_.language));
+            rows.push_back(paragraph(text));
+        }
+        return rows;
+    }
+    std::vector<Block> remarks(const std::map<std::string, RichText>& on_figures) const {
+        std::vector<Block> rows;
+        for (const auto& [figure, text] : on_figures) rows.push_back(paragraph(text));
+        for (const Message& each : solution_.remarks) rows.push_back(paragraph(say(each, context_.language)));
+        if (solution_.problem)
+            for (const Words& each : solution_.problem->remarks) rows.push_back(paragraph(formula(in(each, context_.language))));
+        return rows;
+    }
+
+    /// Paragraphs that no column parts.
+    std::vector<SharedBlock> conventions() const {
+        std::vector<Paragraph>& all = made_.conventions;
+        if (all.empty()) {
+            if (!solution_.act_of_motion) all.emplace_back(context_, mobility_words());
+            all.emplace_back(context_, axes_words());
+            const Mechanism& mechanism = solution_.mechanism;
+            if (solution_.protocol.polygons.empty() && mechanism.drivers.empty() && !mechanism.motion)
+                all.emplace_back(context_, one_piece(word("nothing driven", context_.language)));
+        }
+        double height = 0;
+        for (const Paragraph& each : all) height += each.height(measure_);
+        std::vector<SharedBlock> rows;
+        rows.emplace_back(measure_, height, [&all, measure = measure_] {
+            std::vector<Mark> marks;
+            double y = 0;
+            for (const Paragraph& each : all) {
+                Block paragraph = each.set(measure);
+                const double own = paragraph.height;
+                set(marks, std::move(paragraph), {0, y});
+                y += own;
+            }
+            return marks;
+        });
+        return rows;
+    }
+    RichText mobility_words() const {
+        const Mobility& m = solution_.mobility;
+        const auto n = [](int value) { return std::to_string(value); };
+        RichText text;
+        const auto italic = [&](const char* letter, const char* sub = "") {
+            Piece piece = one_piece(letter, Face::italic).front();
+            piece.sub = sub;
+            piece.sub_face = Face::regular;
+            text.push_back(piece);
+        };
+        italic("n");
+        append(text, one_piece(" = 3("));
+        italic("m");
+        append(text, one_piece(" − 1) − 2"));
+        italic("c", "1");
+        append(text, one_piece(" − "));
+        italic("c", "2");
+        if (m.welds > 0) {
+            append(text, one_piece(" − 3"));
+            italic("w");
+        }
+        const auto signed_number = [&](int value) { return (value < 0 ? "−" : "") + n(std::abs(value)); };
+        append(text, one_piece(" = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2) +
+                               (m.welds > 0 ? " − 3·" + n(m.welds) : "") + " = " + signed_number(m.gruebler) + " " +
+                               word("by Grübler", context_.language)));
+        append(text,
+               one_piece("; " +
+                         (m.effective != m.gruebler
+                              ? n(m.effective) + " " + word(m.effective == 1 ? "effective one" : "effective", context_.language)
+                              : word("at this pose", context_.language)) +
+                         ": " + verdict_words(m, context_.language) + "."));
+        return text;
+    }
+    RichText axes_words() const {
+        RichText text;
+        const std::string words =
+            word(has_forces(solution_) && !has_motion(solution_) ? "axes forces" : "axes", context_.language);
+        std::string plain_part;
+        for (std::size_t i = 0; i < words.size();) {
+            const std::string_view rest = std::string_view(words).substr(i);
+            const bool omega = rest.starts_with("ω"), alpha = rest.starts_with("α");
+            if (omega || alpha) {
+                append(text, one_piece(plain_part));
+                plain_part.clear();
+                append(text, typeset(Symbol{omega ? Symbol::Letter::omega : Symbol::Letter::alpha, "", ""}, context_.language));
+                i += 2;
+            } else {
+                plain_part += words[i++];
+            }
+        }
+        append(text, one_piece(plain_part));
+        return text;
+    }
+
+    static constexpr double indent = 6;            // of a sentence behind its number
+    static constexpr double under_equation = 2.5;  // with what is over it
+
+    const DrawingContext& context_;
+    const Solution& solution_;
+    double measure_;
+    bool equations_apart_;
+    const std::map<std::size_t, int>& steps_;
+    const Likewise& likewise_;
+    bool with_centres_;
+    const std::vector<EquationItem>& equations_;
+    const std::vector<LineNumbers>& lines_;
+    MadeOnce& made_;
+    const WantedFigures& wanted_;
+    const std::string& figures_stand_;  // told late, once all is planned
+};
+
+/// Whether "likewise" can be said of it: its number says the rest, or the body that it names.
+bool may_be_merged(const Message& message) {
+    switch (message.sentence) {
+        case Sentence::omega_from_pair:
+        case Sentence::alpha_from_pair:
+            return !message.workings.empty() && message.arguments.size() <= 4;  // else it draws a vector first
+        case Sentence::inertia_force:
+        case Sentence::inertia_couple:
+        case Sentence::second_way:
+            return !message.workings.empty();
+        case Sentence::two_force_body:
+        case Sentence::two_force_guide:
+        case Sentence::zero_forces:
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// Whether a polygon is closed with a force that the body's own sentence finds, or that follows from one it finds.
+bool leads_to_polygon(const Solution& solution, const FreeBody& body) {
+    if (body.statement == none || body.in_parts) return false;
+    return std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& other) {
+        const bool reads = body.statement < other.statement &&
+                           std::any_of(other.forces.begin(), other.forces.end(),
+                                       [&](const AppliedForce& applied) { return applied.force_statement == body.statement; });
+        return reads && (has_force_polygon(solution, other) || leads_to_polygon(solution, other));
+    });
+}
+
+/// What is between two polygons of relative motion of one point as one observer sees it.
+bool of_one_motion(const Polygon& a, const Polygon& b) {
+    return a.point == b.point && a.observer == b.observer && a.translating == b.translating;
+}
+
+}  // namespace
+
+Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail)
+    : context_(context), solution_(context.solution), wanted_(wanted), detail_(detail) {
+    for (const PolygonScene& scene : wanted_.scenes()) lines_.emplace_back(scene);
+    const bool motion = has_motion(solution_) || !has_forces(solution_);
+    if (motion) collect_motion();
+    if (detail_ == SolutionDetail::full) collect_apart();
+    if (solution_.equations) collect_equations();
+    if (solution_.truss && solution_.free_bodies.empty())
+        collect_truss();
+    else if (has_forces(solution_))
+        collect_forces();
+    if (solution_.displacements) collect_virtual_work();
+    Band& given = list.front();
+    const bool tells_bodies = !solution_.truss || !solution_.free_bodies.empty();  // bars have a table of their own
+    if (detail_ == SolutionDetail::full) given.parts.insert(given.parts.begin(), {Kind::mobility});
+    if (detail_ == SolutionDetail::full && tells_bodies) given.parts.insert(given.parts.begin(), {Kind::bodies});
+    number_steps();
+    if (detail_ == SolutionDetail::full)
+        deal_out_results();
+    else
+        add("answers", {}).parts.push_back({Kind::answers});
+    const bool contact_remarks = solution_.problem && !solution_.problem->remarks.empty();
+    if (!solution_.unsolved.empty() || !solution_.remarks.empty() || contact_remarks) add_remarks();
+}
+
+void Bands::add_remarks() {
+    Band& last = add("remarks", {});
+    if (!solution_.unsolved.empty()) last.parts.push_back({Kind::unsolved});
+    last.parts.push_back({Kind::remarks});
+}
+
+bool Bands::remark(const std::string& figure, const RichText& text) {
+    if (!remarks_.emplace(figure, text).second) return false;
+    if (list.back().question != "remarks") add_remarks();
+    return true;
+}
+
+Band& Bands::add(const std::string& question, const std::vector<std::string>& figures) {
+    Band& band = list.emplace_back();
+    band.question = question;
+    for (const std::string& name : figures)
+        if (const auto index = wanted_.named(name)) band.figures.push_back(*index);
+    return band;
+}
+
+/// That which says the same of another, unless what is told here reads a vector that was drawn since.
+std::optional<std::size_t> Bands::same_before(const Band& band, const Statement& added) const {
+    if (!may_be_merged(added.message)) return std::nullopt;
+    const auto reads_of = [&](std::size_t drawn_by) {
+        const std::vector<DrawnVector>& vectors = solution_.protocol.vectors;
+        return std::any_of(vectors.begin(), vectors.end(), [&](const DrawnVector& vector) {
+            return vector.statement == StatementIndex(drawn_by) &&
+                   std::any_of(added.message.arguments.begin(), added.message.arguments.end(), [&](const Argument& argument) {
+                       const auto* symbol = std::get_if<Symbol>(&argument);
+                       return symbol != nullptr && *symbol == vector.symbol;
+                   });
+        });
+    };
+    std::vector<std::size_t> told;
+    for (const Band::Part& part : band.parts)
+        if (part.kind == Kind::steps) told.insert(told.end(), part.which.begin(), part.which.end());
+    for (; !told.empty(); told.pop_back()) {
+        if (solution_.protocol.statements[told.back()].message.sentence == added.message.sentence) return told.back();
+        if (reads_of(told.back())) return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+void Bands::add_step(Band& band, std::size_t statement) {
+    const Statement& added = solution_.protocol.statements[statement];
+    if (told_by_list(added.message.sentence)) return;
+    if (!added.equation) {
+        if (detail_ == SolutionDetail::brief && is_incidental(solution_.protocol.statements, statement)) return;
+        // A sentence that repeats another of its band is told with it, as long as a column holds what it says.
+        constexpr std::size_t most_likewise = 16;
+        if (const auto other = same_before(band, added); other && likewise_[*other].size() < most_likewise) {
+            likewise_[*other].push_back(statement);
+            return;
+        }
+    }
+    if (band.parts.empty() || band.parts.back().kind != Kind::steps) band.parts.push_back({Kind::steps});
+    band.parts.back().which.push_back(statement);
+}
+
+void Bands::collect_motion() {
+    const Protocol& protocol = solution_.protocol;
+    Band& given = add("given", {wanted_.list.front().name, "circle-diagram"});
+    if (wanted_.shows_centres()) given.parts.push_back({Kind::centres});
+    // A polygon has a band of its own; of a relative motion both polygons share one.
+    std::map<int, std::size_t> band_of;  // by polygon
+    std::map<Topic, std::size_t> last_of{{Topic::centres, 0}};
+    for (const auto kind : {Polygon::Kind::motion, Polygon::Kind::relative_motion})
+        for (std::size_t p = 0; p < protocol.polygons.size(); ++p) {
+            const Polygon& polygon = protocol.polygons[p];
+            if (polygon.plane == Plane::force || polygon.kind != kind) continue;
+            const bool relative = kind == Polygon::Kind::relative_motion;
+            const bool again = relative && p > 0 && of_one_motion(protocol.polygons[p - 1], polygon) &&
+                               band_of.contains(static_cast<int>(p) - 1);
+            // An act of motion shows what both polygons find in its own figure.
+            if (again || solution_.act_of_motion)
+                list.back().figures.push_back(*wanted_.named(polygon.id));
+            else
+                add(polygon.id, {polygon.id});
+            band_of[static_cast<int>(p)] = list.size() - 1;
+            const Topic topic = relative                               ? Topic::relative_motion
+                                : polygon.plane == Plane::acceleration ? Topic::acceleration
+                                                                       : Topic::velocity;
+            last_of.emplace(topic, list.size() - 1);
+        }
+    std::map<StatementIndex, int> polygon_of;
+    for (const DrawnVector& vector : protocol.vectors) polygon_of.emplace(vector.statement, vector.polygon);
+    for (const DrawnLine& drawn : protocol.lines)
+        if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
+    for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
+        const Topic topic = protocol.statements[i].section;
+        if (topic == Topic::forces || topic == Topic::curvature) continue;
+        const auto polygon = polygon_of.find(StatementIndex(i));
+        const auto band = polygon == polygon_of.end() ? band_of.end() : band_of.find(polygon->second);
+        // What draws nothing stands with what was drawn before it.
+        if (band != band_of.end() && topic != Topic::centres) last_of[topic] = band->second;
+        add_step(list[last_of[topic]], i);
+    }
+    collect_curvature();
+}
+
+/// A band for each body whose pole moves; what is said of simpler ones stands in the band before, or the next.
+void Bands::collect_curvature() {
+    if (solution_.curvature.empty()) return;
+    std::map<BodyIndex, std::size_t> band_of;
+    std::size_t first = list.size();
+    for (const Curvature& found : solution_.curvature)
+        if (wanted_.named(render::name_of(solution_, found))) {
+            const std::string name = render::name_of(solution_, found);
+            add(name, {name});
+            band_of[found.body] = list.size() - 1;
+        }
+    if (band_of.empty()) add("curvature", {});
+    first = std::min(first, list.size() - 1);
+    const std::vector<Statement>& statements = solution_.protocol.statements;
+    for (std::size_t i = 0; i < statements.size(); ++i) {
+        if (statements[i].section != Topic::curvature) continue;
+        const auto home = band_of.find(statements[i].bodies.front());
+        add_step(list[home == band_of.end() ? first : home->second], i);
+    }
+}
+
+void Bands::collect_forces() {
+    // In brief the mechanism is drawn once, and the bodies cut free have their lines of action, as far as these are their own.
+    const bool has_strings = std::any_of(solution_.taken_together.begin(), solution_.taken_together.end(),
+                                         [](const TakenTogether& together) { return together.funicular.has_value(); });
+    const bool drawn_already = detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty() &&
+                               !has_strings && !has_meets(solution_, true);
+    // What is said of its lines stands with the first body then.
+    const std::size_t at_lines = list.size();
+    if (!drawn_already) add("lines-of-action", {"lines-of-action"});
+    const std::vector<std::size_t> parts = collect_superposition();
+    collect_bodies();
+    if (solution_.truss) add("truss", {"truss", "cremona"}).parts.push_back({Kind::bars});
+    for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
+        if (solution_.protocol.statements[i].section != Topic::forces) continue;
+        if (const auto part = part_of(solution_, StatementIndex(i))) {
+            add_step(list[parts[*part]], i);
+            continue;
+        }
+        if (solution_.superposition && solution_.superposition->statement == StatementIndex(i)) {
+            add_step(list[parts.back()], i);
+            continue;
+        }
+        add_step(list[home_of_forces(StatementIndex(i), at_lines)], i);
+    }
+    if (detail_ == SolutionDetail::full) list[at_lines].parts.push_back({Kind::reactions});
+    for (const int p : detail_ == SolutionDetail::full ? closed_polygons(solution_) : std::vector<int>{}) {
+        const std::string& id = solution_.protocol.polygons[static_cast<std::size_t>(p)].id;
+        add(id, {id});
+    }
+    if (wanted_.named("joukowsky")) add("joukowsky", {"joukowsky"}).parts.push_back({Kind::lever});
+}
+
+/// A sentence that closes a body's polygon stands beside it, and what adds forces on it up; all else, with the lines of action:
+/// there the resultant stands, too, of bodies that are taken together.
+std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines) const {
+    const auto adds = [&](const FreeBody& body) {
+        return std::any_of(body.sums.begin(), body.sums.end(),
+                           [&](const AppliedForce& sum) { return sum.force_statement == statement; }) ||
+               std::any_of(body.arms.begin(), body.arms.end(),
+                           [&](const FreeBody::Arm& arm) { return arm.is_shift && arm.statement == statement; });
+    };
+    const auto band_with = [&](const std::string& figure) {
+        for (std::size_t b = at_lines; b < list.size(); ++b)
+            for (const std::size_t each : list[b].figures)
+                if (wanted_.list[each].name == figure) return b;
+        return at_lines;
+    };
+    if (const auto closed = closed_by(solution_, statement); !closed.empty())
+        return band_with(render::name_of(solution_, *closed.front()));
+    for (const TakenTogether& together : solution_.taken_together)
+        if (together.statement == statement) return band_with(render::name_of(solution_, together));
+    for (const FreeBody& body : solution_.free_bodies)
+        if (adds(body)) return band_with(render::name_of(solution_, body));
+    return at_lines;
+}
+
+/// Loads alone, one after the other, and at last their sums: indices of these bands.
+std::vector<std::size_t> Bands::collect_superposition() {
+    std::vector<std::size_t> bands;
+    if (!solution_.superposition) return bands;
+    for (const Superposition::Part& part : solution_.superposition->parts) {
+        const std::string load = "load-" + render::name_of(solution_.mechanism, part);
+        bands.push_back(list.size());
+        std::vector<std::string> figures{"lines-" + load};
+        for (const FreeBody& body : part.bodies) figures.push_back(render::name_of(solution_, body) + "-" + load);
+        figures.push_back("forces-" + load);
+        add(load, figures);
+    }
+    bands.push_back(list.size());
+    add("sums", {"sums"});
+    return bands;
+}
+
+/// The truss, its plan and what is said of both in one; then the bars.
+void Bands::collect_truss() {
+    std::vector<std::string> figures{"truss"};
+    for (const TakenTogether& together : solution_.taken_together) figures.push_back(render::name_of(solution_, together));
+    figures.emplace_back("cremona");
+    add("truss", figures);
+    const std::size_t home = list.size() - 1;
+    for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i)
+        if (solution_.protocol.statements[i].section == Topic::forces) add_step(list[home], i);
+    list[home].parts.push_back({Kind::bars});
+}
+
+/// The loops drawn, and their sections under or beside them.
+void Bands::collect_equations() {
+    add("equations", {"loops"});
+    add_items(equation_items(solution_, context_.language), "equations-");
+}
+
+/// Sections into the last band; one that stands apart begins a band of its own but where the items begin with it.
+void Bands::add_items(std::vector<EquationItem> items, const std::string& pages) {
+    int page = 1;
+    const std::size_t before = equations_.size();
+    for (EquationItem& item : items) {
+        const std::size_t i = equations_.size();
+        if (item.is_apart && i > before) add(pages + std::to_string(++page), {});
+        std::vector<Band::Part>& parts = list.back().parts;
+        if (item.kind == EquationItem::Kind::heading) parts.push_back({Kind::equations, {i, i}});
+        parts.back().which.back() = i + 1;
+        equations_.push_back(std::move(item));
+    }
+}
+
+/// Relative motions taken apart, each with its moving axes.
+void Bands::collect_apart() {
+    for (std::size_t i = 0; i < solution_.relative_motion.size(); ++i) {
+        if (!has_moving_axes(solution_.relative_motion[i])) continue;
+        const std::string name = moving_axes_name(solution_, i);
+        add(name, {name});
+        add_items(apart_items(solution_, i, context_.language), name + "-");
+    }
+}
+
+/// Displacements, and the work done in them.
+void Bands::collect_virtual_work() {
+    std::vector<std::string> figures;
+    for (std::size_t i = 0; i < displacement_figures(solution_); ++i) figures.push_back(displacement_figure_name(i));
+    add("virtual-work", figures);
+    add_items(virtual_work_items(solution_, context_.language), "virtual-work-");
+}
+
+/// In the order of solving: free body and polygon; those that carry two forces share a row.
+void Bands::collect_bodies() {
+    constexpr std::size_t most_in_a_row = 4;
+    for (const TakenTogether& together : solution_.taken_together) {
+        const std::string name = render::name_of(solution_, together);
+        add(name, {name});
+    }
+    std::vector<const FreeBody*> order;
+    for (const FreeBody& body : solution_.free_bodies) order.push_back(&body);
+    std::stable_sort(order.begin(), order.end(), [](const FreeBody* a, const FreeBody* b) {
+        const auto rank = [](const FreeBody& body) {
+            return body.statement == none || body.in_parts ? 1 << 30 : body.statement.number();
+        };
+        return rank(*a) < rank(*b);
+    });
+    // Bars in one row, once it is known what they carry; one whose sentence finds what a polygon needs stands before that.
+    if (detail_ == SolutionDetail::brief)
+        std::stable_partition(order.begin(), order.end(), [&](const FreeBody* body) {
+            return has_force_polygon(solution_, *body) || leads_to_polygon(solution_, *body);
+        });
+    bool of_two_forces = false;
+    for (const FreeBody* body : order) {
+        const std::string name = render::name_of(solution_, *body);
+        const bool has_polygon = has_force_polygon(solution_, *body);
+        if (!has_polygon && of_two_forces && list.back().figures.size() < most_in_a_row)
+            list.back().figures.push_back(*wanted_.named(name));
+        else
+            add(name, {name, "forces-" + name.substr(name.find('-') + 1)});
+        of_two_forces = !has_polygon;
+    }
+}
+
+void Bands::number_steps() {
+    for (const Band& band : list)
+        for (const Band::Part& part : band.parts)
+            if (part.kind == Kind::steps)
+                for (const std::size_t statement : part.which) step_.emplace(statement, static_cast<int>(step_.size()) + 1);
+}
+
+std::vector<ResultRow> Bands::results_on(const std::vector<Figure>& drawn) const {
+    std::vector<ResultRow> rows = result_rows(context_, drawn);
+    for (ResultRow& row : force_rows(context_, drawn, detail_ == SolutionDetail::full)) rows.push_back(std::move(row));
+    return rows;
+}
+
+/// Every row stands under the figure that it is measured on; what no figure shows, under the last of its kind.
+void Bands::deal_out_results() {
+    const std::vector<ResultRow>& rows = results_ = results_on({});
+    const auto draws = [&](const Band& band, const std::string& name) {
+        return std::any_of(band.figures.begin(), band.figures.end(), [&](std::size_t f) { return wanted_.list[f].name == name; });
+    };
+    const auto home_of = [&](const ResultRow& row) {
+        std::size_t home = list.size() - 1;
+        for (std::size_t b = list.size(); b-- > 0;) {
+            const Band& band = list[b];
+            for (const Polygon& polygon : solution_.protocol.polygons) {
+                if (polygon.plane == Plane::force || !draws(band, polygon.id)) continue;
+                const bool acceleration = polygon.plane == Plane::acceleration;
+                const auto index = static_cast<int>(&polygon - solution_.protocol.polygons.data());
+                if (row.group.polygon >= 0 ? row.group.polygon == index
+                                           : polygon.kind == Polygon::Kind::motion &&
+                                                 row.group.section == (acceleration ? Topic::acceleration : Topic::velocity))
+                    return b;
+            }
+            if (row.group.section == Topic::curvature && band.question.starts_with("curvature")) {
+                if (home == list.size() - 1 || draws(band, "curvature-" + solution_.mechanism.body(row.quantity.body).name))
+                    home = b;
+                continue;
+            }
+            if (row.group.section != Topic::forces) continue;
+            for (const FreeBody& body : solution_.free_bodies)
+                if (draws(band, render::name_of(solution_, body)) && has_force_polygon(solution_, body))
+                    for (const AppliedForce& applied : body.forces) {
+                        Quantity own = quantity_of(body, applied), turned = row.quantity;
+                        std::swap(turned.body, turned.other);
+                        // The couple that a pair transmits goes with its force.
+                        const auto of_a_joint = [](Quantity::Kind kind) {
+                            return kind == Quantity::Kind::force || kind == Quantity::Kind::couple;
+                        };
+                        if (of_a_joint(own.kind) && of_a_joint(row.quantity.kind)) own.kind = row.quantity.kind;
+                        if (own == row.quantity || own == turned) home = b;
+                    }
+        }
+        return home;
+    };
+    std::map<std::size_t, std::vector<std::size_t>> rows_of;  // by band
+    for (std::size_t i = 0; i < rows.size(); ++i) rows_of[home_of(rows[i])].push_back(i);
+    for (auto& [band, which] : rows_of) list[band].parts.push_back({Kind::results, std::move(which)});
+}
+
+Block Bands::equations(const Band& band, double most) const {
+    constexpr std::size_t most_equations = 2;
+    constexpr double between = 4;
+    Block all;
+    std::size_t count = 0;
+    for (const Band::Part& part : band.parts)
+        for (const std::size_t i : part.kind == Kind::steps ? part.which : std::vector<std::size_t>{}) {
+            const Statement& statement = solution_.protocol.statements[i];
+            if (!statement.equation) continue;
+            if (++count > most_equations) return {};
+            Block block = equation_block(context_, *statement.equation, most);
+            belong(block.marks, 0, StatementIndex(i));
+            if (all.height > 0) all.height += between;
+            set(all.marks, block, {0, all.height});
+            all.width = std::max(all.width, block.width);
+            all.height += block.height;
+        }
+    return all;
+}
+
+void Bands::tell_figures(const std::string& question, int first, int last, std::size_t page) {
+    std::string& words = figures_stand_[question];
+    words = word("figure", context_.language) + " " + std::to_string(first);
+    if (last > first) words += "–" + std::to_string(last);
+    words += ", " + word("on sheet", context_.language) + " " + std::to_string(page + 1);
+}
+
+/// Of the first band that says it; what goes on is a part of it.
+const std::string& Bands::question_of(const Band::Part& part) const {
+    const auto is_said = [&](const Band& band) {
+        return std::any_of(band.parts.begin(), band.parts.end(),
+                           [&](const Band::Part& own) { return own.kind == part.kind && own.which == part.which; });
+    };
+    const auto found = std::find_if(list.begin(), list.end(), is_said);
+    KG_ASSERT(found != list.end(), "a part is some band's");
+    return found->question;
+}
+
+Passage Bands::text(const Band::Part& part, double measure, bool equations_apart, const std::vector<ResultRow>& results) const {
+    if (part.kind == Kind::results) return table(part.which, results, measure);
+    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, lines_,
+                          made_, wanted_, figures_stand_[question_of(part)]);
+    return writer.passage_of(part, remarks_);
+}
+
+/// Their columns are as wide at every width.
+Passage Bands::table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results, double measure) const {
+    const auto made = [&] {
+        std::vector<ResultRow> rows;
+        for (const std::size_t i : which) rows.push_back(results[i]);
+        return ResultsTable(context_, rows);
+    };
+    Passage passage;
+    if (&results != &results_) {
+        passage.take_table(made().lines(measure));
+        return passage;
+    }
+    auto known = tables_.find(which.front());
+    if (known == tables_.end()) known = tables_.emplace(which.front(), made()).first;
+    passage.take_table(known->second.lines(measure));
+    return passage;
+}
+
+void Passage::take_rows(std::vector<Block> blocks) {
+    rows.assign(std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end()));
+}
+void Passage::take_table(std::vector<Block> lines) {
+    take_table(std::vector<SharedBlock>(std::make_move_iterator(lines.begin()), std::make_move_iterator(lines.end())));
+}
+void Passage::take_table(std::vector<SharedBlock> lines) {
+    if (lines.empty()) return;
+    head = std::move(lines.front());
+    rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
+}
+
+std::vector<Passage> own_rows(const std::vector<Passage>& text, const Band& band) {
+    std::vector<Passage> own;
+    std::size_t before = 0;
+    for (const Passage& passage : text) {
+        const std::size_t count = passage.rows.size();
+        const std::size_t first = std::clamp(band.first_row, before, before + count) - before;
+        const std::size_t end = std::clamp(band.end_row, before, before + count) - before;
+        before += count;
+        if (first >= end) continue;
+        const auto rows = passage.rows.begin();
+        own.push_back({first > 0 ? passage.heading_again : passage.heading,
+                       passage.heading_again,
+                       passage.head,
+                       {rows + static_cast<std::ptrdiff_t>(first), rows + static_cast<std::ptrdiff_t>(end)}});
+    }
+    return own;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,578 @@
+// Wanted figures: the mechanism, the polygons of motion, those of forces, the bodies cut free, the lever.
+#include "render/content/wanted_figures.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "render/figures/truss_figures.hpp"
+#include "render/page/shapes.hpp"
+#include "render/scene/loads_alone.hpp"
+#include "render/tables/truss_table.hpp"
+
+namespace kinegraph::render {
+
+bool has_forces(const Solution& solution) { return !solution.free_bodies.empty() || solution.truss; }
+bool has_motion(const Solution& solution) {
+    return !solution.centres.empty() ||
+           std::any_of(solution.protocol.polygons.begin(), solution.protocol.polygons.end(),
+                       [](const Polygon& p) { return p.plane == Plane::velocity || p.plane == Plane::acceleration; });
+}
+bool is_mixed(const Solution& solution) { return has_forces(solution) && has_motion(solution); }
+
+std::string name_of(const Solution& solution, const FreeBody& body) {
+    const Mechanism& mechanism = solution.mechanism;
+    return body.body != none ? "body-" + mechanism.bodies[at_index(body.body)].name
+                             : "pin-" + mechanism.points[at_index(body.pin)].name;
+}
+
+std::string name_of(const Solution& solution, const Curvature& found) {
+    return "curvature-" + solution.mechanism.body(found.body).name;
+}
+
+std::string name_of(const Solution& solution, const TakenTogether& together) {
+    return solution.protocol.polygons[at_index(together.polygon)].id;
+}
+
+namespace {
+
+/// The circle counts what Kennedy's theorem leads to: worth looking at where it led to more than can be seen at once, and as long
+/// as one chord can be told from the next.
+bool has_circle(const Solution& solution) {
+    constexpr std::size_t most = 16;
+    const std::size_t bodies = solution.mechanism.bodies.size();
+    return bodies >= 3 && bodies <= most && !solution.centres.empty();
+}
+bool has_some(const Solution& solution, Recorded<Vector> PointMotion::*vector) {
+    // An act of motion has them in its own figure.
+    return !solution.act_of_motion && std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& m) {
+        return m.point != none && m.*vector && !(m.*vector)->is_zero();
+    });
+}
+
+/// Those of three forces and more: two equal and opposite ones make none, the steps say so.
+std::size_t polygons_of(const Solution& solution) {
+    const auto& polygons = solution.protocol.polygons;
+    const auto count = std::count_if(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& body) {
+        return body.polygon >= 0 && polygons[at_index(body.polygon)].vectors.size() > 2;
+    });
+    return static_cast<std::size_t>(count) + solution.taken_together.size();
+}
+
+double size_of(const Wanted& wanted) { return std::max(wanted.extent_x, wanted.extent_y); }
+
+/// Whether an effort was found by virtual work: then the lever is its construction.
+bool found_by_works(const Solution& solution) {
+    return std::any_of(solution.virtual_motions.begin(), solution.virtual_motions.end(), [&](const VirtualMotion& motion) {
+        const Statement& said = solution.protocol.statements[at_index(motion.statement)];
+        return said.message.sentence == Sentence::virtual_work_alone &&
+               std::any_of(said.finds.begin(), said.finds.end(),
+                           [](const Quantity& found) { return found.kind == Quantity::Kind::effort; });
+    });
+}
+
+}  // namespace
+
+WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, SolutionDetail detail)
+    : context_(context), detail_(detail) {
+    if (has_motion(context.solution) || !has_forces(context.solution)) collect_motion();
+    if (has_forces(context.solution)) collect_forces(joukowsky);
+    if (has_loops_figure(context.solution)) add_loops();
+    add_moving_axes();
+    add_displacements();
+    add_small();
+    // Who is brief wants fewer pages rather than larger figures.
+    constexpr double smaller = 0.8;
+    if (detail_ == SolutionDetail::brief)
+        for (Wanted& each : list) each.least *= smaller;
+}
+
+bool WantedFigures::shows_centres() const {
+    const Find& find = context_.solution.mechanism.find;
+    const bool asked =
+        detail_ == SolutionDetail::full || (find.stated && find.instant_centres) || context_.solution.act_of_motion;
+    return asked && !context_.solution.centres.empty();
+}
+
+bool WantedFigures::are_crowded() const {
+    constexpr std::size_t many_names = 48;
+    return std::any_of(list.begin(), list.end(), [](const Wanted& each) { return each.letters > many_names; });
+}
+
+std::optional<std::size_t> WantedFigures::named(const std::string& name) const {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const Wanted& each) { return each.name == name; });
+    if (found == list.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - list.begin());
+}
+
+Wanted& WantedFigures::add(Wanted wanted) {
+    wanted.extent_x = std::max(wanted.extent_x, 1e-30);
+    wanted.extent_y = std::max(wanted.extent_y, 1e-30);
+    return list.emplace_back(std::move(wanted));
+}
+
+/// Its symbols and letters do not shrink with the mechanism: drawn small, it is crowded.
+Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) const {
+    const Box extent = extent_of_mechanism(context_.solution, with_centres);
+    Wanted mechanism;
+    mechanism.name = name;
+    mechanism.extent_x = extent.width();
+    mechanism.extent_y = extent.height();
+    mechanism.asked = asked("mechanism", 1);
+    // Far centres may take most of the figure: the links must be seen.
+    constexpr double least_of_links = 20;
+    const Box links = with_centres ? extent_of_mechanism(context_.solution, false) : extent;
+    const double size = std::max(links.width(), links.height());
+    mechanism.least = size > 0 ? least_of_links * std::max(extent.width(), extent.height()) / size : least_of_links;
+    mechanism.weight = context_.solution.act_of_motion ? 2 : 1.2;
+    return mechanism;
+}
+
+void WantedFigures::collect_forces(bool joukowsky) {
+    const Solution& s = context_.solution;
+    if (s.truss) add_truss();
+    if (s.free_bodies.empty()) {
+        add_polygons_of_bodies(context_);
+        return keep_larger_to_small_ones();
+    }
+    add_lines_of_action();
+    if (has_force_polygons(s))
+        add_force_polygons("forces", "forces", extent_of_forces(s),
+                           [this](double x, double y, std::optional<double> scale, bool fixed) {
+                               return force_polygons_figure(context_, x, y, scale, fixed);
+                           });
+    add_polygons_of_bodies(context_);
+    if (s.superposition) add_superposition();
+    for (const int p : closed_polygons(s)) {
+        const PolygonScene scene = polygon_scene(s, p);
+        add_force_polygons("closure", scene.id, rectangle(0, 0, scene.width(), scene.height()),
+                           [this, p](double x, double y, std::optional<double> scale, bool fixed) {
+                               return closed_polygon_figure(context_, p, x, y, scale, fixed);
+                           });
+        know_strokes(list.back(), [this, p](double scale) { return strokes_of_force_polygon(context_, p, true, scale); });
+        list.back().rim_x = 16;
+        list.back().rim_y = 12;
+    }
+    keep_forces_readable();
+    keep_larger_to_small_ones();
+    add_free_bodies();
+    if (!(joukowsky || found_by_works(s)) || no_lever(s) != NoLever::drawn) return;
+    Wanted lever;
+    lever.name = "joukowsky";
+    lever.extent_x = extent_of_lever(s).width();
+    lever.extent_y = extent_of_lever(s).height();
+    lever.rim_x = lever.rim_y = 40;  // forces on either side
+    lever.least = 20;
+    lever.draw = [this](double x, double y) { return joukowsky_figure(context_, x, y); };
+    add(std::move(lever));
+}
+
+/// Its letters alone are a guess then.
+void WantedFigures::know_strokes(Wanted& wanted, std::function<Spot(double scale)> strokes) {
+    wanted.strokes = [strokes = std::move(strokes), known = std::map<double, Spot>{}](double scale) mutable {
+        const auto [found, fresh] = known.try_emplace(scale);
+        if (fresh) found->second = strokes(scale);
+        return found->second;
+    };
+    wanted.rim_x = 6;
+    wanted.rim_y = wanted.to_force_scale ? 9 : 3;
+}
+
+/// One by one, then of those taken together.
+void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
+    const Solution& s = context.solution;
+    const auto add_polygon = [&](const std::string& name, int polygon) {
+        const PolygonScene scene = polygon_scene(s, polygon);
+        const DrawForces draw = [&context, polygon](double x, double y, std::optional<double> scale, bool fixed) {
+            return force_polygons_figure(context, x, y, scale, fixed, false, polygon);
+        };
+        add_force_polygons("forces", name, rectangle(0, 0, scene.width(), scene.height()), draw);
+        know_strokes(list.back(),
+                     [&context, polygon](double scale) { return strokes_of_force_polygon(context, polygon, false, scale); });
+        list.back().larger = at_own_scale(draw);
+    };
+    for (const FreeBody& body : s.free_bodies) {
+        if (!has_force_polygon(s, body)) continue;
+        add_polygon("forces-" + name_of(s, body).substr(name_of(s, body).find('-') + 1), body.polygon);
+        // The pole of the rays stands as far aside as the forces are long.
+        if (body.funicular) list.back().extent_x += std::max(list.back().extent_x, list.back().extent_y);
+    }
+    for (const TakenTogether& together : s.taken_together) {
+        add_polygon(name_of(s, together), together.polygon);
+        if (together.funicular) list.back().extent_x += std::max(list.back().extent_x, list.back().extent_y);
+    }
+}
+
+/// The loads of each body alone, its lines and its polygons; then the sums.
+void WantedFigures::add_superposition() {
+    const Solution& s = context_.solution;
+    for (std::size_t i = 0; i < s.superposition->parts.size(); ++i) {
+        alone_.push_back(under_loads_alone(s, i));
+        const DrawingContext& alone = alone_contexts_.emplace_back(
+            DrawingContext{alone_.back(), context_.theme, context_.fonts, context_.language, context_.dimensions});
+        const std::string load = name_of(s.mechanism, s.superposition->parts[i]);
+        if (detail_ == SolutionDetail::full || has_meets(alone.solution, false)) {
+            Wanted lines = mechanism("lines-load-" + load, false);
+            lines.asked.reset();
+            lines.rim_x = 34;
+            lines.rim_y = 40;
+            lines.draw = [&alone, load](double x, double y) { return mechanism_with_forces(alone, x, y, load); };
+            add(std::move(lines));
+        }
+        if (detail_ == SolutionDetail::full)
+            for (std::size_t b = 0; b < alone.solution.free_bodies.size(); ++b)
+                if (has_force_polygon(alone.solution, alone.solution.free_bodies[b])) add_free_body(alone, b, load);
+        const std::size_t count = polygons_of(alone.solution);
+        if (count == 0) continue;
+        const DrawForces draw = [&alone, load](double x, double y, std::optional<double> scale, bool fixed) {
+            Figure figure = force_polygons_figure(alone, x, y, scale, fixed);
+            figure.id = "forces-load-" + load;
+            return figure;
+        };
+        add_force_polygons("forces", "forces-load-" + load, extent_of_forces(alone.solution), draw);
+        list.back().larger = at_own_scale(draw);
+        leave_room_for(count);
+    }
+    if (s.superposition->sums.empty()) return;
+    add_force_polygons("forces", "sums", extent_of_partial_sums(s),
+                       [this](double x, double y, std::optional<double> scale, bool fixed) {
+                           return partial_sums_figure(context_, x, y, scale, fixed);
+                       });
+    leave_room_for(s.superposition->sums.size());
+}
+/// Polygons beside one another in one figure: each has its name and its letters.
+void WantedFigures::leave_room_for(std::size_t polygons) {
+    constexpr double each_x = 24, each_y = 38;
+    list.back().rim_x = each_x * static_cast<double>(polygons);
+    list.back().rim_y = each_y;
+    list.back().least = 36;  // or all force polygons would follow it into a room too small
+}
+
+const DrawingContext& WantedFigures::context_at(StatementIndex statement) const {
+    const auto part = part_of(context_.solution, statement);
+    return part && *part < alone_contexts_.size() ? alone_contexts_[*part] : context_;
+}
+
+void WantedFigures::add_truss() {
+    Wanted wanted = mechanism("truss", false);
+    const Box extent = extent_of_truss(context_.solution);
+    const double bars = std::max(wanted.extent_x, wanted.extent_y);
+    wanted.extent_x = extent.width();
+    wanted.extent_y = extent.height();
+    wanted.rim_x = wanted.rim_y = 44;
+    // The bars, between whose letters strings run, too.
+    constexpr double least_of_bars = 48;
+    wanted.least = least_of_bars * std::max(extent.width(), extent.height()) / std::max(bars, 1e-30);
+    wanted.weight = 1.5;
+    wanted.draw = [this](double x, double y) { return truss_figure(context_, x, y); };
+    add(std::move(wanted));
+    if (!has_plan(context_.solution)) return;
+    add_force_polygons("closure", "cremona", extent_of_plan(context_.solution),
+                       [this](double x, double y, std::optional<double> scale, bool fixed) {
+                           return cremona_figure(context_, x, y, scale, fixed);
+                       });
+    // It needs room for its letters, whatever the other polygons have.
+    list.back().to_force_scale = false;
+    list.back().draw = [this, scale = list.back().asked](double x, double y) {
+        return cremona_figure(context_, x, y, scale, scale.has_value());
+    };
+    list.back().least = 40;
+    list.back().weight = 1.2;
+}
+
+void WantedFigures::add_lines_of_action() {
+    Wanted wanted = mechanism("lines-of-action", false);
+    wanted.rim_x = 34;
+    wanted.rim_y = 40;
+    wanted.draw = [this](double x, double y) {
+        Figure figure = mechanism_with_forces(context_, x, y);
+        if (!asked("mechanism", 1) || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
+        return mechanism_with_forces(unscaled(), x, y);
+    };
+    add(std::move(wanted));
+}
+
+/// `kind`: by which the file asks for a scale; where it does not, that of the others holds.
+void WantedFigures::add_force_polygons(const std::string& kind, const std::string& name, const Box& extent, DrawForces draw) {
+    const double si = context_.solution.mechanism.units.force.si.to_double();
+    Wanted wanted;
+    wanted.name = name;
+    wanted.extent_x = extent.width();
+    wanted.extent_y = extent.height();
+    wanted.rim_x = 20;
+    wanted.rim_y = 30;
+    wanted.least = 0;
+    wanted.enough = 110;
+    for (const std::string& figure : {kind, std::string("forces"), std::string("closure")})
+        if (!wanted.asked) wanted.asked = asked(figure, si);
+    wanted.to_force_scale = true;
+    wanted.draw = [this, draw = std::move(draw), scale = wanted.asked](double x, double y) {
+        const bool fixed = scale && !force_scale;
+        return draw(x, y, fixed ? scale : force_scale, fixed);
+    };
+    add(std::move(wanted));
+}
+
+std::function<Figure(Spot room)> WantedFigures::at_own_scale(DrawForces draw) {
+    return [draw = std::move(draw)](Spot room) {
+        constexpr double enough = 60;
+        return draw(std::min(room.x, enough), std::min(room.y, enough), std::nullopt, false);
+    };
+}
+
+/// All have one scale, so that the sides of the closed polygon are taken over with the compass: at it the largest must be
+/// readable.
+void WantedFigures::keep_forces_readable() {
+    constexpr double least = 18;
+    if (Wanted* largest = largest_of_forces(); largest != nullptr) largest->least = std::max(largest->least, least);
+}
+
+/// A body's polygon that is a small part of the largest may have a finer scale of its own, no other.
+void WantedFigures::keep_larger_to_small_ones() {
+    constexpr double small_part = 0.35;
+    const Wanted* largest = largest_of_forces();
+    for (Wanted& each : list)
+        if (each.larger && (each.asked || size_of(each) > small_part * size_of(*largest))) each.larger = nullptr;
+}
+
+Wanted* WantedFigures::largest_of_forces() {
+    Wanted* largest = nullptr;
+    for (Wanted& each : list)
+        if (each.to_force_scale && each.name != "forces" && (largest == nullptr || size_of(each) > size_of(*largest)))
+            largest = &each;
+    return largest;
+}
+
+/// In the order of the bodies, pins after them.
+void WantedFigures::add_free_bodies() {
+    const Solution& s = context_.solution;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < s.free_bodies.size(); ++i) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const auto rank = [&](std::size_t i) { return s.free_bodies[i].body == none ? 1 << 20 : s.free_bodies[i].body.number(); };
+        return rank(a) < rank(b);
+    });
+    for (const std::size_t i : order) add_free_body(context_, i, "");
+}
+
+/// `load`: of what acts alone in the context; empty: all loads.
+void WantedFigures::add_free_body(const DrawingContext& context, std::size_t index, const std::string& load) {
+    const Solution& s = context.solution;
+    Wanted body;
+    body.name = name_of(s, s.free_bodies[index]) + (load.empty() ? "" : "-load-" + load);
+    const Box box = extent_of_free_body(s, index);
+    body.extent_x = std::max(box.width(), 0.3 * box.height());
+    body.extent_y = std::max(box.height(), 0.3 * box.width());
+    // The least that letters take: what they do take is known once they are drawn.
+    body.rim_x = 16;
+    body.rim_y = 26;
+    body.fills = true;
+    body.least = 10;
+    body.enough = 70;
+    body.weight = 0.6;
+    // Two forces on one line say no more the longer the link is: it leaves the paper to polygons.
+    constexpr double enough_for_two_forces = 50;
+    Spot most{1e300, 1e300};
+    if (const double longest = std::max(body.extent_x, body.extent_y);
+        longest > 0 && !has_force_polygon(s, s.free_bodies[index])) {
+        body.enough = enough_for_two_forces;
+        const double at = body.enough / longest;
+        most = Spot{at * body.extent_x + body.rim_x, at * body.extent_y + body.rim_y};
+    }
+    body.draw = [this, &context, index, load, most, own = list.size()](double x, double y) {
+        return free_body_figure(context, index, std::min(x, most.x), std::min(y, most.y), detail_ == SolutionDetail::full, load,
+                                list[own].shrinks);
+    };
+    add(std::move(body));
+}
+
+void WantedFigures::add_small() {
+    const auto add_on_mechanism = [&](const std::string& name, Figure (*draw)(const DrawingContext&, double, double)) -> Wanted& {
+        Wanted wanted = mechanism(name, false);
+        wanted.draw = [this, draw](double x, double y) { return draw(context_, x, y); };
+        return add(std::move(wanted));
+    };
+    if (has_some(context_.solution, &PointMotion::velocity)) add_on_mechanism("velocities", velocities_on_mechanism);
+    if (has_some(context_.solution, &PointMotion::acceleration))
+        add_on_mechanism("accelerations", accelerations_on_mechanism).spare = true;
+    if (!has_circle(context_.solution) || detail_ == SolutionDetail::brief) return;
+    Wanted circle;
+    circle.name = "circle-diagram";
+    circle.extent_x = circle.extent_y =
+        std::clamp(8.4 * static_cast<double>(context_.solution.mechanism.bodies.size()), 24.0, 56.0);
+    circle.rim_x = circle.rim_y = 13;
+    circle.asked = 1;
+    circle.spare = true;
+    circle.weight = 0.03;
+    circle.draw = [this](double x, double y) { return circle_diagram(context_, x, y); };
+    add(std::move(circle));
+}
+
+const DrawingContext& WantedFigures::unscaled() {
+    std::call_once(unscaled_once_, [this] {
+        unscaled_ = context_.solution;
+        unscaled_->mechanism.scales.clear();
+        unscaled_context_.emplace(
+            DrawingContext{*unscaled_, context_.theme, context_.fonts, context_.language, context_.dimensions});
+    });
+    return *unscaled_context_;
+}
+
+void WantedFigures::collect_motion() {
+    add_mechanism();
+    const std::vector<Polygon>& polygons = context_.solution.protocol.polygons;
+    for (std::size_t p = 0; p < polygons.size(); ++p)
+        if (polygons[p].plane != Plane::force) add_polygon(static_cast<int>(p));
+    add_curvature();
+}
+
+void WantedFigures::add_curvature() {
+    const Solution& s = context_.solution;
+    for (std::size_t i = 0; i < s.curvature.size(); ++i) {
+        if (!has_curvature_figure(s.curvature[i])) continue;
+        const Box extent = extent_of_curvature(s, i);
+        Wanted wanted;
+        wanted.name = name_of(s, s.curvature[i]);
+        wanted.extent_x = extent.width();
+        wanted.extent_y = extent.height();
+        wanted.rim_x = 26;
+        wanted.rim_y = 34;
+        wanted.least = 48;
+        wanted.weight = 1.5;
+        wanted.draw = [this, i](double x, double y) { return curvature_figure(context_, i, x, y); };
+        add(std::move(wanted));
+    }
+}
+
+void WantedFigures::add_loops() {
+    const Box extent = extent_of_loops(context_.solution);
+    Wanted wanted;
+    wanted.name = "loops";
+    wanted.extent_x = extent.width();
+    wanted.extent_y = extent.height();
+    wanted.rim_x = 22;
+    wanted.rim_y = 28;
+    wanted.least = 64;
+    wanted.weight = 1.5;
+    wanted.draw = [this](double x, double y) { return loops_figure(context_, x, y); };
+    add(std::move(wanted));
+}
+
+void WantedFigures::add_displacements() {
+    for (std::size_t i = 0; i < displacement_figures(context_.solution); ++i) {
+        Wanted wanted = mechanism(displacement_figure_name(i), false);
+        wanted.asked.reset();
+        wanted.rim_x = 30;
+        wanted.rim_y = 36;
+        wanted.least = 48;
+        wanted.tells_vectors = true;
+        wanted.draw = [this, i](double x, double y) { return displacement_figure(context_, i, x, y); };
+        add(std::move(wanted));
+    }
+}
+
+void WantedFigures::add_moving_axes() {
+    const Solution& s = context_.solution;
+    if (detail_ == SolutionDetail::brief) return;
+    for (std::size_t i = 0; i < s.relative_motion.size(); ++i) {
+        if (!has_moving_axes(s.relative_motion[i])) continue;
+        Wanted wanted = mechanism(moving_axes_name(s, i), false);
+        wanted.asked.reset();
+        wanted.rim_x = 30;
+        wanted.rim_y = 36;
+        wanted.least = 32;
+        wanted.tells_vectors = true;
+        wanted.draw = [this, i](double x, double y) { return moving_axes_figure(context_, i, x, y); };
+        add(std::move(wanted));
+    }
+}
+
+void WantedFigures::add_mechanism() {
+    const Solution& s = context_.solution;
+    const bool centres = shows_centres();
+    Wanted wanted = mechanism(!centres || s.act_of_motion ? "mechanism" : "centres", centres);
+    wanted.rim_x = 20;
+    wanted.rim_y = 33;
+    const auto draw = [centres](const DrawingContext& context, double x, double y) {
+        if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
+        return mechanism_figure(context, x, y, centres);
+    };
+    wanted.draw = [this, draw](double x, double y) {
+        Figure figure = draw(context_, x, y);
+        if (!list.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
+        // The scale that the file asks for is too large for the paper: ours, then.
+        return draw(unscaled(), x, y);
+    };
+    if (!s.act_of_motion && !wanted.asked)
+        wanted.draw_or_refuse = [this, centres](Spot room, double coarsest) {
+            return mechanism_figure(context_, room.x, room.y, centres, coarsest);
+        };
+    if (!s.act_of_motion && detail_ == SolutionDetail::full)
+        wanted.enrich = [this, centres](const Figure& plain, Spot room) {
+            return mechanism_with_found_turnings(context_, plain, room, centres);
+        };
+    add(std::move(wanted));
+}
+
+namespace {
+
+/// By how much a polygon's box must be wider for a block to stand in one of its corners, clear of its strokes and their letters.
+double wider_for(const PolygonScene& scene, double scale, Spot block) {
+    constexpr double letters = 6, beyond = 10;  // round a stroke; of a construction line past its meet
+    const double width = scene.width() / scale;
+    double least = 1e300;
+    for (const bool top : {true, false}) {
+        // How near the strokes beside the block come to either side of the box.
+        double left = width, right = width;
+        const auto look = [&](Place from, Place to, double reach) {
+            const auto at = [&](Place p) {
+                return Spot{(p.x - scene.least.x) / scale, (top ? scene.most.y - p.y : p.y - scene.least.y) / scale};
+            };
+            const Spot start = at(from), whole = at(to) - start, end = start + whole + reach * unit(whole);
+            constexpr int pieces = 16;
+            for (int i = 0; i <= pieces; ++i) {
+                const Spot spot = start + (static_cast<double>(i) / pieces) * (end - start);
+                if (spot.y > block.y + letters) continue;
+                left = std::min(left, spot.x);
+                right = std::min(right, width - spot.x);
+            }
+        };
+        for (const SceneVector& vector : scene.vectors) look(vector.tail, vector.tip, 0);
+        for (const SceneLine& line : scene.lines) look(line.support, line.meet, beyond);
+        least = std::min(least, block.x + letters - std::max(left, right));
+    }
+    return std::max(least, 0.0);
+}
+
+}  // namespace
+
+void WantedFigures::add_polygon(int polygon) {
+    const PolygonScene& scene = scenes_.emplace_back(polygon_scene(context_.solution, polygon));
+    Wanted wanted;
+    wanted.name = scene.id;
+    wanted.empty = scene.empty();
+    wanted.extent_x = scene.width();
+    wanted.extent_y = scene.height();
+    wanted.least = 16;
+    wanted.letters = scene.vectors.size() + scene.images.size();
+    wanted.weight = 1.5;
+    const double si = scene.unit.si.to_double();
+    wanted.asked = asked(scene.id, si);
+    if (!wanted.asked) wanted.asked = asked(scene.kind == PolygonScene::Kind::acceleration ? "acceleration" : "velocity", si);
+    wanted.draw = [this, &scene](double x, double y) { return polygon_figure(context_, scene, x, y); };
+    if (!wanted.empty && !wanted.asked)
+        wanted.draw_or_refuse = [this, &scene](Spot room, double coarsest) {
+            return polygon_figure(context_, scene, room.x, room.y, coarsest);
+        };
+    if (!wanted.empty) know_strokes(wanted, [this, &scene](double scale) { return strokes_of_polygon(context_, scene, scale); });
+    wanted.wider_for = [&scene](double scale, Spot block) { return wider_for(scene, scale, block); };
+    add(std::move(wanted));
+}
+
+std::optional<double> WantedFigures::asked(const std::string& figure, double si) const {
+    for (const AskedScale& scale : context_.solution.mechanism.scales)
+        if (scale.figure == figure) return scale.per_millimetre.to_double() / si;
+    return std::nullopt;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,182 @@
+#include "render/equations/apart_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/text/formula.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using Kind = EquationItem::Kind;
+using Apart = RelativeMotion::Apart;
+
+class Text {
+public:
+    Text(const Solution& solution, const RelativeMotion& motion, Language language)
+        : mechanism_(solution.mechanism), pose_(solution.pose), motion_(motion), apart_(*motion.apart), language_(language) {}
+
+    std::vector<EquationItem> items() {
+        write_axes();
+        write_transport();
+        write_seen();
+        write_coriolis();
+        return std::move(items_);
+    }
+
+private:
+    std::string in(const Words& words) const { return render::in(words, language_); }
+    void say(const Words& words) { items_.push_back({Kind::words, in(words), {}, {}}); }
+    void set(Formula formula) { items_.push_back({Kind::formula, {}, std::move(formula), {}}); }
+    const std::string& body() const { return mechanism_.body(motion_.query.observer).name; }
+    const std::string& point() const { return mechanism_.point(motion_.query.point).name; }
+    const std::string& origin() const { return mechanism_.point(apart_.origin).name; }
+    std::string wedge() const { return std::string(" ") + notation(language_).cross_product + " "; }
+    /// "AB", "O_2 A" as a vector from the one to the other.
+    Formula reach() const { return Formula::fenced(named(point()) + Formula::sign("−") + named(origin())); }
+    static Formula named(const std::string& name) {
+        std::size_t stem = name.size();
+        while (stem > 1 && name[stem - 1] >= '0' && name[stem - 1] <= '9') --stem;
+        return Formula::letter(name.substr(0, stem), name.substr(stem));
+    }
+    Formula omega() const { return Formula::letter("omega", body()); }
+    Formula alpha() const {
+        return Formula::letter(letter_spelt(notation(language_).alpha), body(), notation(language_).alpha_dots);
+    }
+    static Formula upright(const std::string& text) { return Formula::upright(text); }
+    std::string amount_of(double si, QuantityKind kind) const { return amount(si, kind, mechanism_.units, language_); }
+    static Formula equal(Formula left, Formula right) { return std::move(left) + Formula::sign("=") + std::move(right); }
+
+    void write_axes() {
+        items_.push_back({Kind::heading, in(Words("Seen from body {0}", "Visto dal corpo {0}", body())), {}, {}});
+        if (apart_.towards == none)
+            say(Words("Moving axes on body {0}: origin {1}, x′ along x at this instant.",
+                      "Terna mobile sul corpo {0}: origine {1}, x′ lungo x in questo istante.", body(), origin()));
+        else
+            say(Words("Moving axes on body {0}: origin {1}, x′ towards {2}, y′ a quarter turn counter-clockwise from it.",
+                      "Terna mobile sul corpo {0}: origine {1}, x′ verso {2}, y′ ruotato di 90° in senso antiorario.", body(),
+                      origin(), mechanism_.point(apart_.towards).name));
+        set(equal(omega(), upright(amount_of(apart_.omega->to_double(), QuantityKind::angular_velocity))) + upright(",  ") +
+            equal(alpha(), upright(number(apart_.alpha->to_double(), 4, language_) + " rad/s²")));
+        say({"Their unit vectors change by Poisson’s formulae:", "I versori variano secondo le formule di Poisson:"});
+        const auto rate = [](const char* of) {
+            return Formula::fraction(upright("d") + Formula::letter(of) + upright("′"), upright("d") + Formula::letter("t"));
+        };
+        const auto turned = [&](const char* of) { return omega() + upright(wedge()) + Formula::letter(of) + upright("′"); };
+        set(equal(equal(rate("i"), turned("i")), omega() + Formula::letter("j") + upright("′")) + upright(",   ") +
+            equal(equal(rate("j"), turned("j")), upright("−") + omega() + Formula::letter("i") + upright("′")));
+    }
+
+    struct Term {
+        Formula name, rule;
+        Vector value;
+    };
+    void add_rows(std::vector<std::vector<Formula>>& rows, std::vector<Term> terms, QuantityKind kind) const {
+        double largest = 0;
+        for (const Term& each : terms) largest = std::max(largest, length(each.value));
+        const auto clean = [&](double value) { return std::abs(value) <= 1e-14 * largest ? 0 : value; };
+        const Unit unit = suitable_unit(largest, kind, mechanism_.units);
+        const double si = unit.si.to_double();
+        const auto written = [&](double value) { return number(clean(value) / si, 4, language_); };
+        for (Term& each : terms)
+            rows.push_back({std::move(each.name), std::move(each.rule),
+                            upright(pair_of(written(each.value.x.to_double()), written(each.value.y.to_double()), language_)),
+                            upright(written(length(each.value)) + " " + unit.symbol)});
+    }
+    void write_transport() {
+        say(Words("The transport of {0}, the motion of the place of body {1} that it passes, parted about {2}:",
+                  "Il trascinamento di {0}, cioè il moto del punto del corpo {1} su cui si trova, scomposto rispetto a {2}:",
+                  point(), body(), origin()));
+        std::vector<std::vector<Formula>> rows{
+            {upright(in({"term", "termine"})), upright(""), upright("(x; y)"), upright(in({"magnitude", "modulo"}))}};
+        const auto v = [&](const std::string& sub) { return Formula::letter("v", sub); };
+        const auto a = [&](const std::string& sub) { return Formula::letter("a", sub); };
+        const Formula square = Formula::power(Formula::letter("omega", body()), upright("2"));
+        const std::string tr = "tr", rel = "rel", cor = "Cor";
+        add_rows(rows,
+                 {{v(origin()), upright(in({"of the origin", "dell’origine"})), *apart_.origin_velocity},
+                  {Formula::letter("v", "r"), omega() + upright(wedge()) + reach(), *apart_.turning_velocity},
+                  {v(tr), v(origin()) + Formula::sign("+") + v("r"), *motion_.transport_velocity},
+                  {v(rel), upright(in({"seen by the observer", "vista dall’osservatore"})), *motion_.relative_velocity},
+                  {v(point()), v(tr) + Formula::sign("+") + v(rel), *motion_.velocity}},
+                 QuantityKind::velocity);
+        add_rows(
+            rows,
+            {{a(origin()), upright(in({"of the origin", "dell’origine"})), *apart_.origin_acceleration},
+             {a("t"), alpha() + upright(wedge()) + reach(), *apart_.tangential},
+             {a("n"), upright("−") + square + reach(), *apart_.normal},
+             {a(tr), a(origin()) + Formula::sign("+") + a("t") + Formula::sign("+") + a("n"), *motion_.transport_acceleration},
+             {a(cor), upright("2 ") + omega() + upright(wedge()) + v(rel), *motion_.coriolis},
+             {a(rel), upright(in({"seen by the observer", "vista dall’osservatore"})), *motion_.relative_acceleration},
+             {a(point()), a(tr) + Formula::sign("+") + a(cor) + Formula::sign("+") + a(rel), *motion_.acceleration}},
+            QuantityKind::acceleration);
+        items_.push_back({Kind::table, {}, {}, std::move(rows)});
+    }
+
+    Vector axis() const { return apart_.towards == none ? Vector{1, 0} : pose_.at(apart_.towards) - pose_.at(apart_.origin); }
+    /// "ẋ′ = 0.64 m/s".
+    Formula component(const char* letter, int dots, double size, const Exact& sense, QuantityKind kind) const {
+        return equal(Formula::letter(letter, "", dots) + upright("′"),
+                     upright(amount_of(std::copysign(size, sense.to_double()), kind)));
+    }
+    void write_seen() {
+        say({"In the moving axes, whose unit vectors rest for the observer:",
+             "Nella terna mobile, i cui versori sono fissi per l’osservatore:"});
+        const Vector x = axis();
+        const auto line = [&](int dots, const Recorded<Vector>& along, const Recorded<Vector>& across, QuantityKind kind) {
+            set(component("x", dots, length(*along), dot(*along, x), kind) + upright(",   ") +
+                component("y", dots, length(*across), cross(x, *across), kind));
+        };
+        line(1, apart_.velocity_along, apart_.velocity_across, QuantityKind::velocity);
+        line(2, apart_.acceleration_along, apart_.acceleration_across, QuantityKind::acceleration);
+    }
+    void write_coriolis() {
+        switch (apart_.no_coriolis) {
+            case Apart::NoCoriolis::there_is:
+                return say(
+                    apart_.omega->sign() > 0
+                        ? Words("Coriolis’ acceleration is {v_rel} turned by a quarter in the sense of {ω_{0}}, "
+                                "counter-clockwise, and 2{ω_{0}} times as long.",
+                                "L’accelerazione di Coriolis è {v_rel} ruotata di 90° nel verso di {ω_{0}}, antiorario, e "
+                                "moltiplicata per 2{ω_{0}}.",
+                                body())
+                        : Words("Coriolis’ acceleration is {v_rel} turned by a quarter in the sense of {ω_{0}}, clockwise, "
+                                "and 2|{ω_{0}}| times as long.",
+                                "L’accelerazione di Coriolis è {v_rel} ruotata di 90° nel verso di {ω_{0}}, orario, e "
+                                "moltiplicata per 2|{ω_{0}}|.",
+                                body()));
+            case Apart::NoCoriolis::observer_does_not_turn:
+                return say(apart_.alpha->is_zero()
+                               ? Words("Coriolis’ acceleration vanishes because body {0} does not turn: {ω_{0}} = 0.",
+                                       "L’accelerazione di Coriolis è nulla perché il corpo {0} non ruota: {ω_{0}} = 0.", body())
+                               : Words("Coriolis’ acceleration vanishes because {ω_{0}} = 0: body {0} translates, but at this "
+                                       "instant only, for its angular acceleration does not vanish.",
+                                       "L’accelerazione di Coriolis è nulla perché {ω_{0}} = 0: il corpo {0} trasla, ma solo in "
+                                       "questo istante, poiché la sua accelerazione angolare non è nulla.",
+                                       body()));
+            case Apart::NoCoriolis::rests_for_observer:
+                return say(
+                    Words("Coriolis’ acceleration vanishes because {0} rests for the observer: {v_rel} = 0, and Rivals’ theorem "
+                          "is left.",
+                          "L’accelerazione di Coriolis è nulla perché {0} è fermo per l’osservatore: {v_rel} = 0, e resta il "
+                          "teorema di Rivals.",
+                          point()));
+        }
+    }
+
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+    const RelativeMotion& motion_;
+    const Apart& apart_;
+    Language language_;
+    std::vector<EquationItem> items_;
+};
+
+}  // namespace
+
+std::vector<EquationItem> apart_items(const Solution& solution, std::size_t index, Language language) {
+    return Text(solution, solution.relative_motion[index], language).items();
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,146 @@
+#include "render/equations/equation_text.hpp"
+
+#include <algorithm>
+
+#include "render/equations/equation_beside_polygons.hpp"
+#include "render/equations/equation_dead_points.hpp"
+#include "render/equations/equation_letters.hpp"
+#include "render/equations/equation_list.hpp"
+#include "render/equations/equation_pen.hpp"
+#include "render/equations/equation_positions.hpp"
+#include "render/equations/equation_rates.hpp"
+#include "render/equations/equation_ratios.hpp"
+#include "render/equations/equation_reaches.hpp"
+#include "render/text/formula.hpp"
+#include "render/text/utf8.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using Kind = EquationItem::Kind;
+
+/// Everything, in the order in which it is worked by hand.
+std::vector<EquationItem> worked_out(const Solution& solution, Language language) {
+    const Equations& equations = *solution.equations;
+    const closure::EquationPen pen(equations, solution.mechanism, language);
+    closure::EquationList list(language);
+    closure::LettersTable(solution, pen, list).write_letters();
+    closure::PositionText(solution, pen, list).write_positions();
+    if (!equations.unknowns.empty() && !equations.free.empty()) {
+        closure::RateText rates(solution, pen, list);
+        closure::RatioText ratios(solution, pen, list);
+        rates.write_velocities();
+        ratios.write_ratios();
+        if (equations.by_tangent.empty() && equations.is_regular()) {
+            rates.write_accelerations();
+            ratios.write_second_ratios();
+        }
+    }
+    closure::ReachText(solution, pen, list).write_reaches();
+    if (!equations.free.empty()) closure::DrawnRates(solution, pen, list).write_values();
+    closure::DeadPointText(solution, pen, list).write_dead_points();
+    return list.taken();
+}
+
+/// Without what leads there.
+std::vector<EquationItem> answered(const Solution& solution, Language language) {
+    const Equations& equations = *solution.equations;
+    const closure::EquationPen pen(equations, solution.mechanism, language);
+    closure::EquationList list(language);
+    if (!equations.unknowns.empty() && !equations.free.empty()) {
+        closure::RatioText ratios(solution, pen, list);
+        ratios.write_ratios();
+        if (equations.by_tangent.empty() && equations.is_regular()) ratios.write_second_ratios();
+    }
+    closure::DeadPointText(solution, pen, list).write_dead_points();
+    return list.taken();
+}
+
+}  // namespace
+
+std::vector<EquationItem> equation_items(const Solution& solution, Language language) {
+    if (!solution.equations) return {};
+    if (!solution.equations->why_not.empty())
+        return {{EquationItem::Kind::heading, in(Words("Closure equations", "Equazioni di chiusura"), language), {}, {}},
+                {EquationItem::Kind::words,
+                 in(Words("There are none: {0}.", "Non ce ne sono: {0}.", solution.equations->why_not), language),
+                 {},
+                 {}}};
+    return worked_out(solution, language);
+}
+
+std::vector<EquationItem> equation_answers(const Solution& solution, Language language) {
+    if (!solution.equations || !solution.equations->why_not.empty()) return {};
+    return answered(solution, language);
+}
+
+namespace {
+
+/// For a terminal: "m/s²".
+std::string as_words(const RichText& text) {
+    std::string words;
+    for (const Piece& piece : text) {
+        const bool squared = piece.sup == "2";
+        Piece own = piece;
+        if (squared) own.sup.clear();
+        words += plain({own}) + (squared ? "²" : "");
+    }
+    return words;
+}
+
+}  // namespace
+
+std::string as_text(std::span<const EquationItem> items) {
+    std::string text;
+    for (const EquationItem& item : items) {
+        if (item.kind == Kind::heading) text += (text.empty() ? "" : "\n") + item.words + "\n";
+        if (item.kind == Kind::words) text += as_words(formula(item.words)) + "\n";
+        if (item.kind == Kind::formula) text += "  " + item.formula.plain() + "\n";
+        std::vector<std::size_t> wide;
+        for (const auto& row : item.rows)
+            for (std::size_t c = 0; c < row.size(); ++c) {
+                if (wide.size() <= c) wide.push_back(0);
+                wide[c] = std::max(wide[c], character_count(row[c].plain()));
+            }
+        for (const auto& row : item.rows) {
+            std::string line = " ";
+            for (std::size_t c = 0; c < row.size(); ++c) {
+                const std::string cell = row[c].plain();
+                line += " " + cell + (c + 1 < row.size() ? std::string(wide[c] - character_count(cell) + 1, ' ') : "");
+            }
+            text += line + "\n";
+        }
+    }
+    return text;
+}
+
+std::string as_latex(std::span<const EquationItem> items) {
+    const auto safe = [](const std::string& words) {
+        std::string text;
+        for (const char c : words) {
+            if (c == '_' || c == '%' || c == '&' || c == '#' || c == '$' || c == '{' || c == '}') text += '\\';
+            text += c;
+        }
+        return text;
+    };
+    std::string text = "\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n";
+    for (const EquationItem& item : items) {
+        if (item.kind == Kind::heading) text += "\\section*{" + safe(item.words) + "}\n";
+        if (item.kind == Kind::words) {
+            for (const Piece& piece : formula(item.words))
+                text += piece.face == Face::italic ? "$" + Formula::letter(letter_spelt(piece.text), piece.sub).latex() + "$"
+                                                   : safe(piece.text) + (piece.sup.empty() ? "" : "$^{" + piece.sup + "}$");
+            text += "\n\n";
+        }
+        if (item.kind == Kind::formula) text += "\\[" + item.formula.latex() + "\\]\n";
+        if (item.kind != Kind::table) continue;
+        std::string array = "\\begin{array}{" + std::string(item.rows.front().size(), 'l') + "}";
+        for (std::size_t r = 0; r < item.rows.size(); ++r)
+            for (std::size_t c = 0; c < item.rows[r].size(); ++c)
+                array += (c > 0 ? " & " : r > 0 ? " \\\\ " : "") + item.rows[r][c].latex();
+        text += "\\[" + array + "\\end{array}\\]\n";
+    }
+    return text + "\\end{document}\n";
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,420 @@
+// What a figure is worth at each of its scales, and how the room of a band is divided among figures and text.
+#include "render/layout/band_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "engine/number/assert.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double least_beside = 25;
+constexpr double price_of_columns = 0.05, worth_of_corner = 0.01;
+constexpr int most_beside = 3;          // columns of text
+constexpr int most_columns_more = 2;    // of a page of short lines, than the format has
+constexpr double room_of_a_name = 100;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
+
+/// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything. What is so long can be read
+/// to a hundredth or better: to be longer gains little.
+double use_of(double size) {
+    constexpr double long_enough = 80, of_more = 0.3;
+    const double read = std::min(size, long_enough);
+    return std::log(read) - 40 / read + of_more * std::log(size / read);
+}
+
+std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format, const WantedFigures& all, bool crowded) {
+    std::vector<FigureSize> sizes;
+    // What stands round a figure may fill a page by itself (a hundred terms under each other): half a page is left to the figure.
+    const Spot most_round{0.5 * format.content.width(), 0.5 * format.content.height()};
+    const double rim_x = std::min(wanted.rim_x, most_round.x), rim_y = std::min(wanted.rim_y, most_round.y);
+    const double extent = std::max(wanted.extent_x, wanted.extent_y);
+    const auto at = [&](double scale) {
+        const double size = std::min(extent / scale, wanted.enough);
+        const auto taken = wanted.taken.find(scale);
+        const Spot strokes = wanted.strokes_at(scale), round{rim_x, rim_y};
+        const Spot own = taken != wanted.taken.end() ? taken->second : strokes + round;
+        return FigureSize{std::min(std::max(own.x, wanted.least_room.x), strokes.x + most_round.x),
+                          std::min(std::max(own.y, wanted.least_room.y), strokes.y + most_round.y) + caption_line,
+                          wanted.weight * use_of(size), scale};
+    };
+    constexpr double nothing = 1e-20;
+    if (wanted.empty)
+        sizes.push_back({60, 30, 0, 1});
+    else if (extent < nothing)
+        sizes.push_back({rim_x + 12, rim_y + 12 + caption_line, 0, 1});
+    else {
+        constexpr double as_asked = 6;
+        if (wanted.asked) {
+            sizes.push_back(at(*wanted.asked));
+            if (!wanted.spare) sizes.back().worth += as_asked;
+            // It may cost a page, as long as there is a page that holds it.
+            const bool holds = sizes.back().x <= format.content.width() && sizes.back().y <= format.content.height();
+            if (holds && !crowded && !wanted.spare) return sizes;
+        }
+        double scale = choose_scale(wanted.extent_x, wanted.extent_y, format.content.width() - rim_x,
+                                    format.content.height() - rim_y - caption_line, std::nullopt);
+        scale = std::max(scale, wanted.to_force_scale ? all.force_scale.value_or(0) : wanted.finest);
+        const bool at_this_alone = wanted.to_force_scale && all.force_scale && all.keeps_force_scale;
+        const double least = crowded ? std::min(wanted.least, hardly_readable) : wanted.least;
+        const auto has_room = [&](const FigureSize& size) {
+            return extent / size.scale >= std::max(least, hardly_readable) &&
+                   (crowded || size.x * size.y >= room_of_a_name * static_cast<double>(wanted.letters));
+        };
+        for (FigureSize size = at(scale); !wanted.spare && (sizes.empty() || (!at_this_alone && has_room(size)));
+             size = at(scale = next_scale(scale)))
+            sizes.push_back(size);
+    }
+    if (wanted.spare) sizes.push_back({});
+    return sizes;
+}
+
+}  // namespace
+
+const ColumnText& BandTexts::of(const Band& band, int divided, bool cornered) {
+    const Rows key{{band.question, divided, cornered}, band.first_row, band.end_row};
+    const auto found = texts_.find(key);
+    if (found != texts_.end()) return found->second;
+    std::vector<Passage> own = own_rows(whole(band, divided, cornered), band);
+    return texts_.emplace(key, ColumnText(std::move(own), format_.span(1, divided), format_.text_size)).first->second;
+}
+
+BandTexts::Whole& BandTexts::begun(const Band& band, int divided, bool cornered) {
+    const auto [found, fresh] = wholes_.try_emplace({band.question, divided, cornered});
+    Whole& whole = found->second;
+    if (fresh) whole = {std::vector<Passage>(band.parts.size()), std::vector<bool>(band.parts.size())};
+    return whole;
+}
+
+const Passage& BandTexts::passage(const Band& band, std::size_t part, int divided, bool cornered) {
+    Whole& text = begun(band, divided, cornered);
+    if (text.is_set[part]) return text.passages[part];
+    // Only what is another text here is set anew.
+    const Band::Part::Kind kind = band.parts[part].kind;
+    if (cornered && kind != Band::Part::Kind::steps)
+        text.passages[part] = passage(band, part, divided, false);
+    else if (!cornered && planned_ != nullptr && kind != Band::Part::Kind::results)
+        text.passages[part] = planned_->passage(band, part, divided, false);
+    else
+        text.passages[part] = bands_.text(band.parts[part], format_.span(1, divided) / format_.text_size, cornered, results_);
+    text.is_set[part] = true;
+    return text.passages[part];
+}
+
+const std::vector<Passage>& BandTexts::whole(const Band& band, int divided, bool cornered) {
+    for (std::size_t part = 0; part < band.parts.size(); ++part) passage(band, part, divided, cornered);
+    return begun(band, divided, cornered).passages;
+}
+
+bool BandTexts::has_too_wide(const Band& band, int divided, bool cornered) {
+    if (band.first_row > 0 || band.end_row < Band{}.end_row) return false;
+    const double measure = format_.span(1, divided);
+    for (std::size_t part = 0; part < band.parts.size(); ++part) {
+        // Sentences are as wide as they are let be.
+        if (band.parts[part].kind == Band::Part::Kind::steps) continue;
+        const Passage& set = passage(band, part, divided, cornered);
+        if (!set.rows.empty() && is_wider(set, format_.text_size, measure)) return true;
+    }
+    return false;
+}
+
+std::size_t BandTexts::rows(const Band& band) {
+    const std::vector<std::size_t> rows = rows_by_passage(band);
+    return std::accumulate(rows.begin(), rows.end(), std::size_t{0});
+}
+
+std::vector<std::size_t> BandTexts::rows_by_passage(const Band& band) {
+    std::vector<std::size_t> rows;
+    for (const Passage& passage : own_rows(whole(band, format_.columns, false), band)) rows.push_back(passage.rows.size());
+    return rows;
+}
+
+const Block& BandTexts::equations(const Band& band) {
+    const auto [found, fresh] = equations_.try_emplace(band.question);
+    constexpr double of_measure = 1.25;
+    if (fresh)
+        found->second = scaled(bands_.equations(band, of_measure * format_.measure / format_.text_size), format_.text_size);
+    return found->second;
+}
+
+void BandTexts::forget(const std::string& question) {
+    ++forgotten_[question];
+    std::erase_if(wholes_, [&](const auto& each) { return std::get<0>(each.first) == question; });
+    std::erase_if(texts_, [&](const auto& each) { return std::get<0>(std::get<0>(each.first)) == question; });
+}
+
+BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
+                         bool cornered, bool narrow)
+    : all_texts_(texts), band_(band), format_(format), narrow_(narrow), times_forgotten_(texts.times_forgotten(band.question)) {
+    std::vector<std::vector<FigureSize>> sizes;
+    for (const std::size_t figure : band.figures) sizes.push_back(sizes_of(wanted.list[figure], format, wanted, crowded));
+    if (cornered && sizes.size() == 1) {
+        const Wanted& polygon = wanted.list[band.figures.front()];
+        if (polygon.wider_for && !polygon.empty)
+            if (const Block& set = texts.equations(band); set.width > 0) equations_ = &set;
+        if (equations_ != nullptr)
+            for (FigureSize& size : sizes.front())
+                size.wider = polygon.wider_for(size.scale, {equations_->width, equations_->height});
+    }
+    figures_ = FigureShares(std::move(sizes));
+}
+
+const ColumnText& BandLayouts::text(int divided, bool cornered) const {
+    const std::size_t index = 2 * static_cast<std::size_t>(divided) + (cornered ? 1 : 0);
+    if (texts_.size() <= index) texts_.resize(index + 1);
+    if (texts_[index] == nullptr) texts_[index] = &all_texts_.of(band_, divided, cornered);
+    return *texts_[index];
+}
+
+bool BandLayouts::may_be_narrow(int divided, bool cornered) const {
+    const std::size_t index = 2 * static_cast<std::size_t>(divided) + (cornered ? 1 : 0);
+    if (may_be_narrow_.size() <= index) may_be_narrow_.resize(index + 1);
+    std::optional<bool>& known = may_be_narrow_[index];
+    if (!known) known = narrow_ && !all_texts_.has_too_wide(band_, divided, cornered) && !text(divided, cornered).is_too_wide();
+    return *known;
+}
+
+double BandLayouts::taken_in(Width width, double height, Notch notch) const {
+    constexpr double of_text = 0.7;     // lines end before their columns do, tables have white between theirs
+    constexpr double of_figures = 0.5;  // much of a figure is white: two small ones fill a page better than one large
+    const BandLayout layout = in(width, height, notch);
+    double sum = 0;
+    if (layout.divided > 0) {
+        const ColumnText& own = text(layout.divided, layout.cornered);
+        sum += of_text * own.whole_height() * own.measure();
+    }
+    for (std::size_t f = 0; f < layout.rooms.size(); ++f) {
+        if (!(layout.rooms[f].x > 0)) continue;
+        const FigureSize size = size_in(f, layout.rooms[f], layout.cornered);
+        sum += of_figures * (size.x + (layout.cornered ? size.wider : 0)) * size.y;
+    }
+    return sum;
+}
+
+const FigureSize& BandLayouts::size_in(std::size_t figure, Spot room, bool cornered) const {
+    const std::vector<FigureSize>& sizes = figures_.sizes()[figure];
+    const auto found = std::find_if(sizes.begin(), sizes.end(), [&](const FigureSize& size) {
+        return size.x + (cornered ? size.wider : 0) <= room.x + 0.01 && size.y <= room.y + 0.01;
+    });
+    return found == sizes.end() ? sizes.back() : *found;
+}
+
+double BandLayouts::wider_in(Spot room) const {
+    for (const FigureSize& size : figures_.sizes().front())
+        if (size.x + size.wider <= room.x + 0.01 && size.y <= room.y + 0.01) return size.wider;
+    return 0;
+}
+
+double BandLayouts::scale_in(std::size_t figure, Spot room) const { return size_in(figure, room, false).scale; }
+
+bool BandLayouts::may_improve(const Best& best, const Arrangement& layout) const {
+    return layout.worth + best.most_of_figures > best.layout.worth;
+}
+
+bool BandLayouts::improves(const Best& best, const Arrangement& layout, Spot room) const {
+    if (!may_improve(best, layout)) return false;
+    for (const bool stacked : {false, true}) {
+        if (stacked && figures_.sizes().size() < 2) break;
+        const auto share = figures_.in(room, {stacked, layout.cornered});
+        if (share && layout.worth + share->worth > best.layout.worth) return true;
+    }
+    return false;
+}
+
+void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, double spare, double share_of_height) const {
+    if (!may_improve(best, layout)) return;
+    for (const bool stacked : {false, true}) {
+        if (stacked && figures_.sizes().size() < 2) break;
+        const auto share = figures_.in(room, {stacked, layout.cornered});
+        if (!share || !(layout.worth + share->worth > best.layout.worth)) continue;
+        best.layout = layout;
+        best.room = room;
+        best.layout.stacked = stacked;
+        best.layout.worth = layout.worth + share->worth;
+        best.spare = std::min(spare, share_of_height * (room.y - (stacked ? share->length : share->across)));
+        // Several figures may share out a lower room otherwise; how text goes on under a figure is searched for.
+        best.lasts = figures_.sizes().size() == 1 && share_of_height == 1;
+    }
+}
+
+std::vector<Spot> BandLayouts::rooms_of(const Best& best) const {
+    std::vector<Spot> rooms;
+    if (best.layout.worth < BandLayout::possible || figures_.sizes().empty()) return rooms;
+    const FigureShares::Order order{best.layout.stacked, best.layout.cornered};
+    const auto share = figures_.in(best.room, order);
+    KG_ASSERT(share, "what was tried has room");
+    const std::vector<std::size_t> taken = figures_.taken_in(best.room, order);
+    const double whole = order.stacked ? best.room.y : best.room.x, wide = order.stacked ? best.room.x : best.room.y;
+    // What is left is everybody's.
+    const double left = (whole - share->length) / std::max(share->shown, 1);
+    for (std::size_t f = 0; f < figures_.sizes().size(); ++f) {
+        const double needed = FigureShares::along(figures_.sizes()[f][taken[f]], order);
+        const double own = needed > 0 ? needed + left : 0;
+        rooms.push_back(own > 0 ? (order.stacked ? Spot{wide, own} : Spot{own, wide}) : Spot{0, 0});
+    }
+    return rooms;
+}
+
+const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double step, int most) const {
+    const auto [found, fresh] = worth_.try_emplace(std::tuple(width, notch.left, notch.high));
+    if (!fresh) return found->second;
+    WorthByHeight& worth = found->second;
+    worth.assign(static_cast<std::size_t>(most) + 1, BandLayout::impossible);
+    struct Asked {
+        std::size_t least;  ///< height, about, at which it is still worth as much
+        bool is_certain;    ///< … what is between them then, too, and is known
+    };
+    const auto ask = [&](std::size_t height) -> Asked {
+        const Best best = best_in(width, static_cast<double>(height) * step, notch);
+        worth[height] = best.layout.worth;
+        constexpr double rounding = 1e-6;
+        const auto lower = static_cast<std::size_t>(std::max(0.0, best.spare / step + (best.lasts ? -rounding : rounding)));
+        const std::size_t least = std::max<std::size_t>(height - std::min(lower, height), 1);
+        if (best.lasts && least < height)
+            std::fill(worth.begin() + static_cast<std::ptrdiff_t>(least), worth.begin() + static_cast<std::ptrdiff_t>(height),
+                      worth[height]);
+        return {least, best.lasts};
+    };
+    // Between two heights that are known.
+    const std::function<void(std::size_t, std::size_t)> fill = [&](std::size_t low, std::size_t high) {
+        if (worth[low] == worth[high])
+            std::fill(worth.begin() + static_cast<std::ptrdiff_t>(low), worth.begin() + static_cast<std::ptrdiff_t>(high),
+                      worth[low]);
+        if (worth[low] == worth[high] || high - low < 2) return;
+        const std::size_t middle = (low + high) / 2;
+        const Asked asked = ask(middle);
+        fill(low, asked.is_certain ? std::max(asked.least, low) : middle);
+        fill(middle, high);
+    };
+    // From the top down, each time to where it is about to be worth less.
+    std::size_t high = worth.size() - 1, stride = 1;
+    Asked asked = ask(high);
+    while (high > 1 && worth[high] > BandLayout::possible) {
+        if (asked.is_certain && asked.least < high) {
+            high = asked.least;
+            stride = 1;
+            if (high == 1) break;
+        }
+        const bool knows_where = asked.least < high;
+        const std::size_t next = knows_where ? asked.least : high - std::min(stride, high - 1);
+        asked = ask(next);
+        fill(next, high);
+        if (!knows_where) stride = worth[next] == worth[high] ? 2 * stride : 1;
+        high = next;
+    }
+    fill(0, high);
+    return worth;
+}
+
+bool BandLayouts::is_like(const BandLayouts& other) const {
+    return &band_ == &other.band_ && narrow_ == other.narrow_ && times_forgotten_ == other.times_forgotten_ &&
+           figures_.sizes() == other.figures_.sizes() && (equations_ != nullptr) == (other.equations_ != nullptr);
+}
+
+BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
+    const Best best = best_in(width, height, notch);
+    return {best.layout, rooms_of(best)};
+}
+
+BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) const {
+    const double whole = format_.span(width.columns, width.of);
+    Best best;
+    if (height <= notch.high) return best;
+    best.most_of_figures = figures_.most_worth_in({whole, height});
+    if (best.most_of_figures < BandLayout::possible) return best;
+    for (const bool cornered : {false, true}) {
+        if (cornered && equations_ == nullptr) break;
+        Arrangement base;
+        base.cornered = cornered;
+        base.worth = cornered ? worth_of_corner : 0;
+        for (base.divided = format_.columns; base.divided <= format_.columns + most_columns_more; ++base.divided)
+            try_all(best, base, whole, height, notch);
+    }
+    return best;
+}
+
+void BandLayouts::try_all(Best& best, const Arrangement& base, double whole, double height, Notch notch) const {
+    constexpr double worth_of_beside = 0.02;
+    static_assert(worth_of_beside <= price_of_columns, "no layout of this text is worth more than the base of all");
+    if (!may_improve(best, base)) return;
+    const double above = height - notch.high;
+    if (base.divided > format_.columns && !may_be_narrow(base.divided, base.cornered)) return;
+    const ColumnText& words = text(base.divided, base.cornered);
+    Arrangement layout = base;
+    if (words.empty()) {
+        layout.divided = 0;
+        return try_figures(best, layout, {whole, above}, above);
+    }
+    layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
+    if (layout.columns > 0 && words.height(layout.columns) <= above) {
+        if (figures_.sizes().empty()) {
+            layout.worth -= price_of_columns * layout.columns;
+            if (!(layout.worth > best.layout.worth)) return;
+            best.layout = layout;
+            best.spare = above - words.height(layout.columns);
+            best.lasts = true;
+            return;
+        }
+        const double left = above - words.height(layout.columns) - text_gap;
+        if (left > least_beside) try_figures(best, layout, {whole, left}, left - least_beside);
+    }
+    layout.beside = true;
+    for (layout.columns = 1; layout.columns <= most_beside && !figures_.sizes().empty(); ++layout.columns) {
+        // Each column more costs more.
+        layout.worth = base.worth + worth_of_beside - price_of_columns * layout.columns;
+        if (!may_improve(best, layout)) break;
+        const double left = whole - layout.columns * (words.measure() + gap);
+        if (left < least_beside || words.height(layout.columns) > above) continue;
+        const double spare = above - words.height(layout.columns);
+        try_figures(best, layout, {left, above}, spare);
+        // Figures stand left of the title block, the text above it.
+        if (notch.high > 0 && std::min(left, notch.left) > least_beside)
+            try_figures(best, layout, {std::min(left, notch.left), height}, spare);
+    }
+    if (!figures_.sizes().empty()) try_round(best, layout, whole, height, notch);
+}
+
+TextColumns Arrangement::text_columns(double whole, double measure, double figures, const Notch& notch) const {
+    TextColumns all;
+    for (int i = 0; i < columns; ++i) {
+        const bool below = !beside || i < under;
+        // Those beside the figures keep to the right edge.
+        const double x = below ? i * (measure + gap) : whole - (columns - i) * (measure + gap) + gap;
+        const bool over_block = notch.high > 0 && x + measure > notch.left + 0.05;
+        all.push_back({x, below && figures > 0 ? figures + text_gap : 0, over_block ? notch.high : 0});
+    }
+    return all;
+}
+
+/// Figures in the upper left corner, text under them and then beside: as high as the text lets them be.
+void BandLayouts::try_round(Best& best, Arrangement layout, double whole, double height, Notch notch) const {
+    const ColumnText& words = text(layout.divided, layout.cornered);
+    layout.beside = true;
+    layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
+    layout.worth = (layout.cornered ? worth_of_corner : 0) - price_of_columns * layout.columns;
+    if (!may_improve(best, layout) || layout.columns * height - least_beside < words.whole_height()) return;
+    for (layout.under = 1; layout.under < layout.columns; ++layout.under) {
+        const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);
+        double low = least_beside, high = left <= notch.left || notch.high == 0 ? height : height - notch.high;
+        // Not worth a search where even all of the height makes nothing better, or all that the text leaves of it.
+        const double most = (layout.columns * height - words.least_height(layout.columns)) / layout.under - text_gap;
+        if (left < least_beside || !improves(best, layout, {left, std::min(high, most)})) continue;
+        TextColumns columns = layout.text_columns(whole, words.measure(), least_beside, notch);
+        const auto holds = [&](double figures) {
+            for (int i = 0; i < layout.under; ++i) columns[static_cast<std::size_t>(i)].top = figures + text_gap;
+            return words.fits(columns, height);
+        };
+        if (!holds(least_beside)) continue;
+        constexpr double fine = 2;
+        while (high - low > fine) {
+            const double middle = 0.5 * (low + high);
+            (holds(middle) ? low : high) = middle;
+        }
+        // What the figures lose in height, the text gains in all of its columns.
+        try_figures(best, layout, {left, low}, height, static_cast<double>(layout.under) / layout.columns);
+    }
+}
+
+}  // namespace kinegraph::render

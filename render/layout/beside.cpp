@@ -1,0 +1,46 @@
+// Beside a figure: see beside.hpp.
+#include "render/layout/beside.hpp"
+
+#include <algorithm>
+
+#include "render/page/free_room.hpp"
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+bool is_free(const std::vector<Spot>& spots, Spot moved, const Box& box, double margin) {
+    const Box wide = rectangle(box.min.x - margin - moved.x, box.min.y - margin - moved.y, box.max.x + margin - moved.x,
+                               box.max.y + margin - moved.y);
+    return std::none_of(spots.begin(), spots.end(),
+                        [&](Spot s) { return s.x > wide.min.x && s.x < wide.max.x && s.y > wide.min.y && s.y < wide.max.y; });
+}
+
+}  // namespace
+
+bool set_beside(std::vector<Mark>& marks, Figure& figure, const Block& block, const Box& room) {
+    const std::vector<Spot> spots = covered(figure.marks);
+    const double spare_x = room.width() - figure.box.width(), spare_y = room.height() - figure.box.height();
+    if (spare_x < 0 || spare_y < 0 || block.width > room.width() || block.height > room.height()) return false;
+    // The figure stays in the middle and under its caption as far as the block lets it.
+    for (const double down : {0.0, 0.5, 1.0})
+        for (const double aside : {0.5, 0.75, 1.0})
+            for (const bool bottom : {false, true})
+                for (const bool right : {false, true}) {
+                    const double across = right ? 1 - aside : aside;
+                    const Spot corner{right ? room.max.x - block.width : room.min.x,
+                                      bottom
+                                          ? std::min(room.max.y, room.min.y + down * spare_y + figure.box.height()) - block.height
+                                          : room.min.y};
+                    const Spot moved{room.min.x - figure.box.min.x + across * spare_x,
+                                     room.min.y - figure.box.min.y + down * spare_y};
+                    const Box box = rectangle(corner.x, corner.y, corner.x + block.width, corner.y + block.height);
+                    if (corner.y < room.min.y || !is_free(spots, moved, box, clear)) continue;
+                    figure.move(moved.x, moved.y);
+                    set(marks, block, corner);
+                    return true;
+                }
+    return false;
+}
+
+}  // namespace kinegraph::render

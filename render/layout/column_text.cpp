@@ -1,0 +1,133 @@
+// Column text: a heading never parts from the lines below it, no line stands alone in a column, and a table that goes on has its
+// head again.
+#include "render/layout/column_text.hpp"
+
+#include <algorithm>
+
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double passage_gap = 3.5, grace = 1e-6;
+constexpr double two_lines = 7.5;  // mm; rows lower than this do not stand alone in a column
+
+/// Where the rows from one on that stay together end: the first ones of a passage stay with its heading, no line by itself, and
+/// none by itself in the end.
+std::size_t end_of_group(const std::vector<SharedBlock>& rows, double scale, std::size_t first) {
+    std::size_t end = first + 1;
+    double height = rows[first].height() * scale;
+    while (first == 0 && end < rows.size() && height < two_lines) height += rows[end++].height() * scale;
+    double left = 0;
+    for (std::size_t i = end; i < rows.size() && left < two_lines; ++i) left += rows[i].height() * scale;
+    return left < two_lines ? rows.size() : end;
+}
+
+}  // namespace
+
+bool is_wider(const Passage& passage, double scale, double measure) {
+    constexpr double ink = 0.2;
+    return scale * passage.heading.right() > measure + ink ||
+           std::any_of(passage.rows.begin(), passage.rows.end(),
+                       [&](const SharedBlock& row) { return scale * row.width() > measure + ink; });
+}
+
+ColumnText::ColumnText(std::vector<Passage> passages, double measure, double scale)
+    : passages_(std::move(passages)), scale_(scale), measure_(measure) {
+    for (std::size_t p = 0; p < passages_.size(); ++p) {
+        const Passage& passage = passages_[p];
+        too_wide_ = too_wide_ || is_wider(passage, scale_, measure_);
+        for (std::size_t first = 0, end = 0; first < passage.rows.size(); first = end) {
+            end = end_of_group(passage.rows, scale_, first);
+            double rows = 0;
+            for (std::size_t i = first; i < end; ++i) rows += height_of(passage.rows[i]);
+            const double heading = first == 0 ? height_of(passage.heading) : 0, head = height_of(passage.head);
+            groups_.push_back({p, first, end, heading + (first == 0 ? head : 0) + rows, heading + head + rows});
+        }
+    }
+}
+
+template <class Place>
+bool ColumnText::flow(const TextColumns& columns, double height, Place place) const {
+    std::size_t column = 0;
+    double y = 0;
+    const auto room_in = [&](std::size_t c) { return height - columns[c].lift - columns[c].top + grace; };
+    double room = room_in(0);
+    for (const Group& group : groups_) {
+        const bool first = group.first == 0;
+        const double before = first && y > 0 ? passage_gap : 0;
+        const bool turns = y + before + group.on > room;
+        if (turns) {
+            do {
+                if (++column == columns.size()) return false;
+                room = room_in(column);
+            } while (group.anew > room);
+        }
+        y = turns ? 0 : y + before;
+        place(group, turns, column, y);
+        y += turns ? group.anew : group.on;
+    }
+    return true;
+}
+
+bool ColumnText::fits(const TextColumns& columns, double height) const {
+    return flow(columns, height, [](const Group&, bool, std::size_t, double) {});
+}
+
+double ColumnText::whole_height() const {
+    if (whole_ >= 0) return whole_;
+    whole_ = 0;
+    for (const Passage& passage : passages_) {
+        whole_ += (whole_ > 0 ? passage_gap : 0) + height_of(passage.heading) + height_of(passage.head);
+        for (const SharedBlock& row : passage.rows) whole_ += height_of(row);
+    }
+    return whole_;
+}
+
+double ColumnText::least_height(int columns) const { return whole_height() - (columns - 1) * passage_gap - columns * grace; }
+
+double ColumnText::height(const TextColumns& columns) const {
+    double taken = 0, first = 1e300;
+    for (const TextColumn& each : columns) taken += each.top + each.lift, first = std::min(first, each.top + each.lift);
+    double least = std::max(first, (whole_height() + taken) / static_cast<double>(columns.size()) - taken);
+    double most = columns.size() == 1 ? whole_height() + taken : 1.2 * least + 1;
+    while (!fits(columns, most)) least = most, most *= 1.2;
+    constexpr double fine = 0.5;
+    while (columns.size() > 1 && most - least > fine) {
+        const double middle = 0.5 * (least + most);
+        (fits(columns, middle) ? most : least) = middle;
+    }
+    return most;
+}
+
+double ColumnText::height_found(std::size_t columns) const {
+    if (heights_.size() <= columns) heights_.resize(columns + 1, -1);
+    return heights_[columns] = height(TextColumns(columns));
+}
+
+void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose) const {
+    constexpr double most_air = 1.5;  // mm, under a long sentence
+    double air = 0;                   // above a row, of all those over it in its column
+    flow(columns, height(columns), [&](const Group& group, bool turns, std::size_t column, double y) {
+        const Passage& passage = passages_[group.passage];
+        if (turns) air = 0;
+        Spot corner{at.x + columns[column].x, at.y + columns[column].top + y + air};
+        const auto put = [&](const SharedBlock& block) {
+            const double under = std::min(loose * height_of(block), most_air);
+            render::set(marks, scaled(block.set(), scale_), corner);
+            corner.y += height_of(block) + under;
+            air += under;
+        };
+        if (group.first == 0) put(passage.heading);
+        if (group.first == 0 || turns) put(passage.head);
+        for (std::size_t i = group.first; i < group.end; ++i) put(passage.rows[i]);
+    });
+}
+
+void ColumnText::set(std::vector<Mark>& marks, Spot at, int columns, double between, double loose) const {
+    TextColumns all;
+    for (int i = 0; i < columns; ++i) all.push_back({i * (measure_ + between), 0, 0});
+    set(marks, at, all, loose);
+}
+
+}  // namespace kinegraph::render

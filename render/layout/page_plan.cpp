@@ -1,0 +1,391 @@
+// Page plan: rows of bands by dynamic programming over their heights, pages by dynamic programming over the rows.
+#include "render/layout/page_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "engine/number/index.hpp"
+#include "render/content/title_block.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double step = 3;       // mm: heights are multiples of it
+constexpr int least_height = 5;  // steps, of a band
+constexpr int gap_steps = 2;     // at least row_gap
+static_assert(gap_steps * step >= row_gap);
+constexpr std::size_t most_cells = 3, most_in_a_cell = 2, most_in_a_row = 4, most_on_a_page = 8;
+constexpr double impossible = BandLayout::impossible, possible = BandLayout::possible;
+constexpr double above_block = 4;
+
+/// All ways to share `of` columns among so many bands, each at least one.
+void shares(int of, std::size_t bands, std::vector<int>& now, std::vector<std::vector<int>>& all) {
+    if (bands == 1) {
+        all.push_back(now);
+        all.back().push_back(of);
+        return;
+    }
+    for (int k = 1; k < of; ++k) {
+        now.push_back(k);
+        shares(of - k, bands - 1, now, all);
+        now.pop_back();
+    }
+}
+
+int steps_of(const SheetFormat& format, bool first_page) {
+    return static_cast<int>(content_of(format, first_page).height() / step);
+}
+double taken_by_block(const SheetFormat& format) { return content_of(format, true).max.y - format.block.min.y + above_block; }
+/// What the title block takes of a cell of the lowest row of the first page.
+Notch notch_of(const SheetFormat& format, double left, Width width) {
+    const double free = format.block.min.x - above_block - left;
+    return free >= format.span(width.columns, width.of) ? Notch{} : Notch{free, taken_by_block(format)};
+}
+
+class Planner {
+public:
+    Planner(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format)
+        : layouts_(layouts),
+          bands_(bands),
+          format_(format),
+          heights_(at_index(std::max(steps_of(format, true), steps_of(format, false))) + 1) {
+        for (std::size_t cells = 1; cells <= most_cells; ++cells)
+            for (const int of : {format.columns, format.columns + 1}) {
+                if (static_cast<int>(cells) <= of - format.columns) continue;
+                std::vector<int> now;
+                std::vector<std::vector<int>> all;
+                shares(of, cells, now, all);
+                for (const std::vector<int>& each : all) {
+                    Split split{of, each};
+                    for (std::size_t i = 0; i < each.size(); ++i) {
+                        split.stands.push_back(stand_of({each[i], of}, {}));
+                        split.at_block.push_back(stand_of({each[i], of}, notch_of(split, i)));
+                    }
+                    splits_[cells].push_back(std::move(split));
+                }
+            }
+        for (int count = 1; count <= static_cast<int>(most_in_a_row); ++count)
+            for (std::size_t cells = 1; cells <= most_cells && static_cast<int>(cells) <= count; ++cells) {
+                std::vector<int> now;
+                std::vector<std::vector<int>> all;
+                shares(count, cells, now, all);
+                for (const std::vector<int>& each : all)
+                    if (*std::max_element(each.begin(), each.end()) <= static_cast<int>(most_in_a_cell) &&
+                        (cells > 1 || count == 1))
+                        fillings_[static_cast<std::size_t>(count)].push_back(each);
+            }
+        curves_.resize(bands.size() * stands_.size());
+        pairs_.resize(bands.size() * stands_.size());
+        rows_.resize(bands.size() * (most_in_a_row + 1) * 2);
+    }
+
+    PagePlan plan() {
+        const std::size_t n = bands_.size();
+        for (std::size_t first = 0; first < n; ++first) tables_.push_back(tables(first));
+        std::vector<Rest> rest = fewest_pages();
+        if (!rest[0].is_reached) return {};
+        for (std::size_t first = n; first-- > 0;)
+            if (rest[first].is_reached)
+                for_each_page(rest, first, [&](std::size_t end, double worth) {
+                    const double all = worth + rest[end].worth - (end < n ? price_of_emptiness(first, end) : 0);
+                    if (all > rest[first].worth) rest[first].worth = all, rest[first].end = end;
+                });
+        PagePlan plan{{}, rest[0].worth};
+        for (std::size_t first = 0; first < n; first = rest[first].end) plan.pages.push_back(page(first, rest[first].end));
+        return plan;
+    }
+
+private:
+    struct Split {
+        int of;
+        std::vector<int> columns;
+        std::vector<std::size_t> stands{}, at_block{};  ///< of its cells; in the lowest row of the first page
+    };
+    /// How the bands of a row are dealt out to its cells.
+    using Filling = std::vector<int>;
+    struct Row {
+        double worth = impossible;
+        const Split* split = nullptr;
+        const Filling* filling = nullptr;
+    };
+    /// What a band is worth where it stands, by height.
+    struct Curve {
+        const WorthByHeight* worth = nullptr;
+        std::vector<int> changes{};  ///< heights at which it is another than one step lower
+        bool never_falls = true;
+    };
+    /// Two bands, one under the other, by the height of both.
+    struct Pair {
+        WorthByHeight worth{};
+        std::vector<int> upper{};  ///< height of the upper one
+    };
+    /// The best of the rows that end with a band, by the height they take.
+    struct State {
+        double worth = impossible;
+        std::size_t count = 0;  // of bands in the last row
+        int height = 0;         // of the last row
+    };
+    using Table = std::vector<std::vector<State>>;  // by bands, by height
+    /// The pages from a band on.
+    struct Rest {
+        static constexpr int none = 1 << 20;
+        int pages = none;
+        bool is_reached = false;  ///< a page of the fewest begins with the band
+        double worth = impossible;
+        std::size_t end = 0;  ///< of the first of them
+    };
+
+    /// The pages that begin with a band where as few follow as can be: look(end, worth).
+    template <class Look>
+    void for_each_page(const std::vector<Rest>& rest, std::size_t first, Look look) const {
+        const std::vector<State>& ends = tables_[first].second;
+        for (std::size_t k = 1; k < ends.size(); ++k)
+            if (ends[k].worth >= possible && rest[first + k].pages == rest[first].pages - 1) look(first + k, ends[k].worth);
+    }
+    std::vector<Rest> fewest_pages() const {
+        const std::size_t n = bands_.size();
+        std::vector<Rest> rest(n + 1);
+        rest[n] = {0, false, 0, n};
+        for (std::size_t first = n; first-- > 0;) {
+            const std::vector<State>& ends = tables_[first].second;
+            for (std::size_t k = 1; k < ends.size(); ++k)
+                if (ends[k].worth >= possible && rest[first + k].pages + 1 < rest[first].pages)
+                    rest[first].pages = rest[first + k].pages + 1;
+        }
+        rest[0].is_reached = rest[0].pages < Rest::none;
+        for (std::size_t first = 0; first < n; ++first)
+            if (rest[first].is_reached) for_each_page(rest, first, [&](std::size_t end, double) { rest[end].is_reached = true; });
+        return rest;
+    }
+
+    /// A page before the last that is half empty looks like a mistake: to fill it is worth smaller figures, of which a step of
+    /// the scale is worth 0.7. One that is very empty is worse than two that are a little.
+    double price_of_emptiness(std::size_t first, std::size_t end) {
+        constexpr double price_of_an_empty_page = 100;
+        const Box content = content_of(format_, first == 0);
+        double room = content.width() * content.height(), taken = 0;
+        if (first == 0) room -= (content.max.x - format_.block.min.x) * (content.max.y - format_.block.min.y);
+        for (const PlannedRow& row : page(first, end))
+            for (const PlannedCell& cell : row)
+                for (const PlacedBand& placed : cell)
+                    taken += layouts_[placed.band].taken_in(placed.width, placed.room.height(), placed.notch);
+        const double empty = std::max(0.0, 1 - taken / room);
+        return price_of_an_empty_page * empty * empty;
+    }
+    double left_of(const Split& split, std::size_t i) const {
+        double x = format_.content.min.x;
+        for (std::size_t k = 0; k < i; ++k) x += format_.span(split.columns[k], split.of) + gap;
+        return x;
+    }
+    Notch notch_of(const Split& split, std::size_t i) const {
+        return kinegraph::render::notch_of(format_, left_of(split, i), {split.columns[i], split.of});
+    }
+
+    /// Where a band may stand: so wide, with that much taken by the title block.
+    struct Stand {
+        Width width;
+        Notch notch;
+        std::size_t upright = 0;  ///< the stand of this width that the block takes nothing of
+    };
+    std::size_t stand_of(Width width, const Notch& notch) {
+        const auto same = [&](const Stand& stand) {
+            return stand.width == width && stand.notch.left == notch.left && stand.notch.high == notch.high;
+        };
+        const auto found = std::find_if(stands_.begin(), stands_.end(), same);
+        if (found != stands_.end()) return static_cast<std::size_t>(found - stands_.begin());
+        const std::size_t own = stands_.size();
+        stands_.push_back({width, notch, own});
+        if (notch.high > 0) {
+            const std::size_t upright = stand_of(width, {});
+            stands_[own].upright = upright;
+        }
+        return own;
+    }
+    const Curve& curve(std::size_t band, std::size_t stand) {
+        Curve& known = curves_[band * stands_.size() + stand];
+        if (known.worth != nullptr) return known;
+        known.worth = &layouts_[band].worth(stands_[stand].width, stands_[stand].notch, step, static_cast<int>(heights_) - 1);
+        for (std::size_t height = 1; height < heights_; ++height) {
+            const double before = (*known.worth)[height - 1], here = (*known.worth)[height];
+            if (here != before) known.changes.push_back(static_cast<int>(height));
+            known.never_falls = known.never_falls && here >= before;
+        }
+        return known;
+    }
+    /// A band over the one after it.
+    const Pair& pair(std::size_t first, std::size_t stand) {
+        Pair& known = pairs_[first * stands_.size() + stand];
+        if (!known.worth.empty()) return known;
+        known.worth.assign(heights_, impossible);
+        known.upper.assign(heights_, 0);
+        const Curve &over = curve(first, stands_[stand].upright), &under = curve(first + 1, stand);
+        const auto offer = [&](int upper) {
+            const double above = (*over.worth)[at_index(upper)];
+            if (above < possible) return;
+            for (std::size_t height = at_index(upper + gap_steps + least_height); height < heights_; ++height) {
+                const double sum = above + (*under.worth)[height - at_index(upper + gap_steps)];
+                if (sum > known.worth[height]) known.worth[height] = sum, known.upper[height] = upper;
+            }
+        };
+        // An upper band that is higher and worth no more leaves less to the lower one.
+        offer(least_height);
+        if (under.never_falls) {
+            for (const int upper : over.changes)
+                if (upper > least_height) offer(upper);
+        } else {
+            for (int upper = least_height + 1; at_index(upper) < heights_; ++upper) offer(upper);
+        }
+        return known;
+    }
+    /// Of one band, or of two one under the other.
+    const WorthByHeight& cell(std::size_t first, int count, std::size_t stand) {
+        return count == 1 ? *curve(first, stand).worth : pair(first, stand).worth;
+    }
+    /// Cells side by side, by height; `at_block`: the lowest row of the first page.
+    const std::vector<Row>& rows(std::size_t first, std::size_t count, bool at_block) {
+        std::vector<Row>& best = rows_[(first * (most_in_a_row + 1) + count) * 2 + (at_block ? 1 : 0)];
+        if (!best.empty()) return best;
+        best.resize(heights_);
+        std::vector<const WorthByHeight*> cells;
+        for (const Filling& filling : fillings_[count])
+            for (const Split& split : splits_[filling.size()]) {
+                cells.clear();
+                std::size_t band = first;
+                for (std::size_t i = 0; i < filling.size(); ++i) {
+                    cells.push_back(&cell(band, filling[i], (at_block ? split.at_block : split.stands)[i]));
+                    // What has no room there at any height has none in this row.
+                    if (cells.back()->back() < possible) break;
+                    band += static_cast<std::size_t>(filling[i]);
+                }
+                if (cells.size() < filling.size()) continue;
+                for (std::size_t height = 0; height < heights_; ++height) {
+                    double sum = 0;
+                    for (const WorthByHeight* worth : cells) sum += (*worth)[height];
+                    if (sum > best[height].worth) best[height] = {sum, &split, &filling};
+                }
+            }
+        return best;
+    }
+    const Row& row(std::size_t first, std::size_t count, int height, bool at_block) {
+        return rows(first, count, at_block)[at_index(height)];
+    }
+
+    /// A height from which on a row is worth so much. Between two of them height is wasted.
+    struct Rise {
+        int height;
+        double worth;
+    };
+    std::vector<Rise> rises_of(std::size_t first, std::size_t count, int most) {
+        std::vector<Rise> rises;
+        for (int height = least_height; height <= most; ++height)
+            if (const double worth = row(first, count, height, false).worth;
+                worth > (rises.empty() ? possible : rises.back().worth))
+                rises.push_back({height, worth});
+        return rises;
+    }
+
+    /// All rows from a band on; the lowest of the first page apart.
+    std::pair<Table, std::vector<State>> tables(std::size_t first) {
+        const bool first_page = first == 0;
+        const int whole = steps_of(format_, first_page);
+        const int block = static_cast<int>(std::ceil(taken_by_block(format_) / step));
+        const std::size_t most = std::min(most_on_a_page, bands_.size() - first);
+        Table table(most + 1, std::vector<State>(static_cast<std::size_t>(whole) + 1));
+        std::vector<State> ends(most + 1);
+        table[0][0].worth = 0;
+        for (std::size_t b = 0; b < most; ++b) {
+            for (std::size_t count = 1; count <= most_in_a_row && b + count <= most; ++count) {
+                const std::vector<Rise> rises = rises_of(first + b, count, whole - (first_page ? block : 0));
+                for (int used = 0; used <= whole; ++used) {
+                    const double before = table[b][static_cast<std::size_t>(used)].worth;
+                    if (before < possible) continue;
+                    const int top = used > 0 ? used + gap_steps : 0;
+                    const auto offer = [](State& state, State other) {
+                        if (other.worth > state.worth + 1e-9) state = other;
+                    };
+                    // The last row takes what is left.
+                    if (top < whole)
+                        offer(ends[b + count],
+                              {before + row(first + b, count, whole - top, first_page).worth, count, whole - top});
+                    for (const auto& [height, worth] : rises) {
+                        if (top + height > whole - (first_page ? block : 0)) break;
+                        offer(table[b + count][at_index(top + height)], {before + worth, count, height});
+                    }
+                }
+            }
+        }
+        return {std::move(table), std::move(ends)};
+    }
+    PlannedPage page(std::size_t first, std::size_t end) {
+        const auto& [table, ends] = tables_[first];
+        const Box content = content_of(format_, first == 0);
+        PlannedPage rows;
+        State state = ends[end - first];
+        int bottom = steps_of(format_, first == 0);
+        bool last = true;
+        for (std::size_t b = end - first; b > 0;) {
+            b -= state.count;
+            const int top = bottom - state.height;
+            rows.push_back(placed(first + b, state, content.min.y + top * step, last && first == 0));
+            bottom = top - (b > 0 ? gap_steps : 0);
+            if (b > 0) state = table[b][static_cast<std::size_t>(bottom)];
+            last = false;
+        }
+        std::reverse(rows.begin(), rows.end());
+        return rows;
+    }
+    PlannedRow placed(std::size_t first, const State& state, double top, bool at_block) {
+        const Row& best = row(first, state.count, state.height, at_block);
+        PlannedRow cells;
+        std::size_t band = first;
+        for (std::size_t i = 0; i < best.filling->size(); ++i) {
+            const Width width{best.split->columns[i], best.split->of};
+            const Notch notch = at_block ? notch_of(*best.split, i) : Notch{};
+            const double left = left_of(*best.split, i), right = left + format_.span(width.columns, width.of);
+            const int count = (*best.filling)[i];
+            const std::size_t stand = (at_block ? best.split->at_block : best.split->stands)[i];
+            int height = count == 1 ? state.height : pair(band, stand).upper[at_index(state.height)];
+            double y = top;
+            PlannedCell& bands = cells.emplace_back();
+            for (int k = 0; k < count; ++k) {
+                if (k > 0) y += (height + gap_steps) * step, height = state.height - height - gap_steps;
+                bands.push_back({band++, width, rectangle(left, y, right, y + height * step), k + 1 == count ? notch : Notch{}});
+            }
+        }
+        return cells;
+    }
+
+    const std::vector<BandLayouts>& layouts_;
+    const std::vector<Band>& bands_;
+    const SheetFormat& format_;
+    std::array<std::vector<Split>, most_cells + 1> splits_;         // by the number of cells
+    std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;  // by the number of bands
+    std::size_t heights_;                                           // that a row may have, in steps
+    std::vector<Stand> stands_;
+    std::vector<std::pair<Table, std::vector<State>>> tables_;  // by the first band
+    std::vector<Curve> curves_;                                 // by band and stand
+    std::vector<Pair> pairs_;                                   // by the upper band and stand
+    std::vector<std::vector<Row>> rows_;                        // by the first band, count, whether at the block; by height
+};
+
+}  // namespace
+
+Box content_of(const SheetFormat& format, bool first_page) {
+    Box box = format.content;
+    if (!first_page) box.max.y = format.inner.max.y - strip_height - 3;
+    return box;
+}
+
+double worth_of_a_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page) {
+    const Width whole{format.columns, format.columns};
+    const Notch notch = first_page ? notch_of(format, format.content.min.x, whole) : Notch{};
+    return layouts.in(whole, steps_of(format, first_page) * step, notch).worth;
+}
+
+PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format) {
+    return Planner(layouts, bands, format).plan();
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,195 @@
+// Rows from the top of the page downwards, each as high as its highest cell.
+#include "render/layout/sheet_pages.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "render/figures/caption.hpp"
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double grace = 0.05;
+
+/// What two figures of a page both show, as the mechanism and the mechanism with its lines of action do, has one name by the
+/// file: in the second figure it begins with that figure's own, which is "mechanism-2".
+void tell_apart(std::vector<Mark>& figure, const std::string& name, std::set<std::string>& names_on_page) {
+    const auto for_each_name = [&](auto look) {
+        for (Mark& mark : figure)
+            if (auto* group = std::get_if<GroupBegin>(&mark); group && !group->id.empty()) look(group->id);
+    };
+    bool meets = false;
+    for_each_name([&](const std::string& id) { meets = meets || names_on_page.contains(id); });
+    std::string own = name;
+    for (int number = 2; names_on_page.contains(own); ++number) own = name + "-" + std::to_string(number);
+    for_each_name([&](std::string& id) {
+        if (meets) id = id == name ? own : own + "-" + id;
+        names_on_page.insert(id);
+    });
+}
+
+std::vector<Figure> all_of(const DrawnFigures& figures) {
+    std::vector<Figure> all;
+    for (const auto& [band, drawn] : figures.by_band())
+        for (const DrawnFigure& each : drawn) all.push_back(each.figure);
+    return all;
+}
+
+}  // namespace
+
+DrawnText::DrawnText(const Bands& bands, const DrawnFigures& figures, const SheetFormat& format, BandTexts& planned)
+    : results_(bands.results_on(all_of(figures))), texts_(bands, results_, format, &planned) {}
+
+std::vector<Page> SheetPages::set(std::size_t after) {
+    std::vector<Page> pages;
+    const std::size_t own = contents_.plan.pages().size();
+    for (std::size_t p = 0; p < own; ++p) {
+        std::optional<double> scale_of_mechanism;
+        std::vector<Mark> marks = marks_on(p, scale_of_mechanism);
+        pages.push_back(
+            framed_page(context_, format_, signature_, std::move(marks), scale_of_mechanism, p + 1, own + after, p == 0));
+    }
+    return pages;
+}
+
+// --- heights ----------------------------------------------------------------------------------------------------------------
+
+SheetPages::Standing SheetPages::standing(const PlacedBand& placed) const {
+    Standing band{&placed, contents_.plan.layout_of(placed)};
+    const BandLayout& layout = band.layout;
+    double right = 0;
+    const DrawnFigures::ByBand& by_band = std::as_const(contents_.figures).by_band();
+    if (const auto drawn = by_band.find(placed.band); drawn != by_band.end())
+        for (const DrawnFigure& each : drawn->second) {
+            band.figures = layout.stacked ? band.figures + (band.figures > 0 ? gap : 0) + each.height()
+                                          : std::max(band.figures, each.height());
+            right = std::max(right, each.room.max.x);
+        }
+    const bool has_text = layout.divided > 0;
+    if (has_text && layout.under > 0) {
+        const ColumnText& text = contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered);
+        band.words = text.height(layout.text_columns(placed.room.width(), text.measure(), band.figures, placed.notch));
+    } else {
+        if (has_text)
+            band.words = contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered).height(layout.columns);
+        if (!layout.beside) band.above = band.figures + (band.figures > 0 && has_text ? text_gap : 0);
+        band.below = placed.notch.high;
+    }
+    if (right > placed.notch.left + grace) band.figures += placed.notch.high;
+    return band;
+}
+
+double SheetPages::Standing::height(double loose) const { return std::max(figures, above + (1 + loose) * words + below); }
+/// Bands one under the other.
+double SheetPages::height_of(const StandingCell& cell, double loose) {
+    double height = -row_gap;
+    for (const Standing& band : cell) height += row_gap + band.height(loose);
+    return height;
+}
+double SheetPages::height_of(const StandingRow& row, double loose) {
+    double height = 0;
+    for (const StandingCell& cell : row) height = std::max(height, height_of(cell, loose));
+    return height;
+}
+double SheetPages::height_of(const std::vector<StandingRow>& rows, double loose) {
+    double height = -row_gap;
+    for (const StandingRow& row : rows) height += row_gap + height_of(row, loose);
+    return height;
+}
+/// By how much the rows of text may stand farther apart on a page so high.
+double SheetPages::looseness_of(const std::vector<StandingRow>& rows, double height) {
+    constexpr double most = 0.15, fine = 0.01;
+    if (height_of(rows, most) <= height) return most;
+    double low = 0, high = most;
+    while (high - low > fine) {
+        const double middle = 0.5 * (low + high);
+        (height_of(rows, middle) <= height ? low : high) = middle;
+    }
+    return low;
+}
+
+// --- what stands where ------------------------------------------------------------------------------------------------------
+
+std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& scale_of_mechanism) {
+    std::vector<Mark> marks;
+    names_on_page_.clear();
+    std::vector<StandingRow> rows;
+    for (const PlannedRow& row : contents_.plan.pages()[page]) {
+        StandingRow& cells = rows.emplace_back();
+        for (const PlannedCell& cell : row) {
+            StandingCell& bands = cells.emplace_back();
+            for (const PlacedBand& placed : cell) bands.push_back(standing(placed));
+        }
+    }
+    const Box content = content_of(format_, page == 0);
+    // What is left loosens the text, and a little of it the rows.
+    constexpr double most_air = 6;
+    const double loose = looseness_of(rows, content.height());
+    const double air = std::clamp((content.height() - height_of(rows, loose)) / static_cast<double>(rows.size()), 0.0, most_air);
+    double y = content.min.y;
+    for (const StandingRow& row : rows) {
+        const double height = height_of(row, loose);
+        for (const StandingCell& cell : row) {
+            double down = y;
+            for (const Standing& band : cell) {
+                set_band(marks, scale_of_mechanism, band, {band.placed->room.min.x, down}, loose);
+                down += band.height(loose) + row_gap + std::min(air, (height - height_of(cell, loose)) / 2);
+            }
+        }
+        y += height + row_gap + air;
+    }
+    return marks;
+}
+
+void SheetPages::set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const Standing& band, Spot at,
+                          double loose) {
+    const std::size_t index = band.placed->band;
+    marks.emplace_back(GroupBegin{"band", "", "", {{"data-question", contents_.bands.list[index].question}}});
+    double below = 0;
+    DrawnFigures::ByBand& by_band = contents_.figures.by_band();
+    if (const auto figures = by_band.find(index); figures != by_band.end())
+        below = set_figures(marks, scale_of_mechanism, figures->second, band.layout.stacked, at);
+    if (band.layout.divided > 0) set_text(marks, band, at, below, loose);
+    marks.emplace_back(GroupEnd{});
+}
+
+/// The height that they take.
+double SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism,
+                               std::vector<DrawnFigure>& figures, bool stacked, Spot at) {
+    double down = 0, below = 0;
+    for (DrawnFigure& drawn : figures) {
+        const Spot corner{at.x + drawn.room.min.x, at.y + (stacked ? down : 0)};
+        set_caption(marks, context_, drawn.figure, drawn.number, corner, drawn.room.width());
+        if (drawn.number == 1) first_caption_ = corner, first_caption_width_ = drawn.room.width();
+        const Box& box = drawn.figure.box;
+        const Spot by{corner.x - box.min.x + 0.5 * (drawn.room.width() - box.width()), corner.y + drawn.caption - box.min.y};
+        drawn.figure.move(by.x, by.y);
+        tell_apart(drawn.figure.marks, drawn.figure.id, names_on_page_);
+        marks.insert(marks.end(), drawn.figure.marks.begin(), drawn.figure.marks.end());
+        render::move(drawn.beside, by.x, by.y);
+        marks.insert(marks.end(), drawn.beside.begin(), drawn.beside.end());
+        if (drawn.figure.kind == "mechanism" && !scale_of_mechanism) scale_of_mechanism = drawn.figure.scale;
+        down += drawn.height() + gap;
+        below = stacked ? down - gap : std::max(below, drawn.height());
+    }
+    return below;
+}
+
+void SheetPages::set_text(std::vector<Mark>& marks, const Standing& band, Spot at, double below, double loose) {
+    const PlacedBand& placed = *band.placed;
+    const BandLayout& layout = band.layout;
+    const ColumnText& planned = contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered);
+    const ColumnText& measured = contents_.text.of(contents_.bands.list[placed.band], layout);
+    if (layout.under > 0) {
+        measured.set(marks, at, layout.text_columns(placed.room.width(), planned.measure(), below, placed.notch), loose);
+    } else {
+        const double width = layout.columns * (planned.measure() + gap) - gap;
+        const Spot corner =
+            layout.beside ? Spot{placed.room.max.x - width, at.y} : Spot{at.x, at.y + below + (below > 0 ? text_gap : 0)};
+        measured.set(marks, corner, layout.columns, gap, loose);
+    }
+}
+
+}  // namespace kinegraph::render

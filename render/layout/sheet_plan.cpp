@@ -1,0 +1,231 @@
+// Pages first; then what no page holds is divided; then the scale that all force polygons share.
+#include "render/layout/sheet_plan.hpp"
+
+#include <algorithm>
+
+#include "engine/number/assert.hpp"
+
+namespace kinegraph::render {
+
+void SheetPlan::make() {
+    if (std::exchange(is_made_, false)) return;
+    const bool looks_again = std::exchange(looks_again_, false);
+    const std::size_t before = pages_.size();
+    std::optional<double> too_fine;
+    if (wanted_.keeps_force_scale && !looks_again) {
+        if (plans_at_same_force_scale()) return;
+        too_fine = wanted_.force_scale;
+    }
+    wanted_.force_scale = least_force_scale_;
+    wanted_.keeps_force_scale = false;
+    plan_all();
+    if (pages_.empty()) {
+        give_each_a_page();
+        return make();
+    }
+    // Figures have learnt since that they take more: what was too fine on so many pages is so still.
+    share_force_scale(too_fine && pages_.size() <= before ? next_scale(*too_fine) : 0);
+}
+
+bool SheetPlan::makes_another() {
+    const std::vector<PlannedPage> pages = pages_;
+    std::vector<BandLayouts> layouts = layouts_;
+    const int times_divided = times_divided_;
+    const double worth = worth_;
+    const std::optional<double> force_scale = wanted_.force_scale;
+    const bool keeps_force_scale = wanted_.keeps_force_scale;
+    looks_again_ = true;
+    make();
+    // Layouts refer to their bands: where these were divided anew there is no way back.
+    if (pages_.size() <= pages.size() || times_divided_ != times_divided) return is_made_ = true;
+    pages_ = pages;
+    layouts_ = std::move(layouts);
+    worth_ = worth;
+    wanted_.force_scale = force_scale;
+    wanted_.keeps_force_scale = keeps_force_scale;
+    return false;
+}
+
+void SheetPlan::draw_forces_at(double scale) {
+    least_force_scale_ = scale;
+    looks_again_ = true;
+}
+
+/// Whether force polygons have room at their common scale on as few pages as before.
+bool SheetPlan::plans_at_same_force_scale() {
+    const std::size_t pages = pages_.size();
+    plan_all();
+    return !pages_.empty() && pages_.size() <= pages;
+}
+
+void SheetPlan::plan_all() {
+    std::vector<BandLayouts> before = std::move(layouts_);
+    layouts_.clear();
+    for (std::size_t b = 0; b < bands_.list.size(); ++b) {
+        BandLayouts layouts = layouts_of(bands_.list[b]);
+        const bool same = b < before.size() && before[b].is_like(layouts);
+        layouts_.push_back(std::move(same ? before[b] : layouts));
+    }
+    PagePlan plan = plan_pages(layouts_, bands_.list, format_);
+    pages_ = std::move(plan.pages);
+    worth_ = plan.worth;
+}
+
+// --- what no page holds -----------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// So many rows, or some fewer: neither the last row of a list or table stands alone on the page that follows, nor its first one
+/// on this; never fewer than `fewest`.
+std::size_t without_widows(const std::vector<std::size_t>& passages, std::size_t rows, std::size_t fewest) {
+    std::size_t first = 0;
+    for (const std::size_t own : passages) {
+        const std::size_t end = first + own;
+        if (rows <= first || rows >= end) {
+            first = end;
+            continue;
+        }
+        std::size_t before = end - rows == 1 ? rows - 1 : rows;
+        if (before - first <= 1) before = first;
+        return before >= fewest ? before : rows;
+    }
+    return rows;
+}
+
+}  // namespace
+
+void SheetPlan::give_each_a_page() {
+    ++times_divided_;
+    layouts_.clear();
+    rejoin();
+    for (std::size_t b = 0; b < bands_.list.size(); ++b)
+        while (worth_of(b, bands_.list[b].end_row) < BandLayout::possible)
+            if (const std::size_t rows = rows_for_a_page(b); rows > 0)
+                divide(b, rows);
+            else if (!crowded_.insert(bands_.list[b].question).second)
+                part_figures(b);
+}
+
+/// Of a band with a page to itself, its text only up to a row.
+double SheetPlan::worth_of(std::size_t index, std::size_t end_row) {
+    Band band = bands_.list[index];
+    band.end_row = end_row;
+    return worth_of_a_page(layouts_of(band), format_, index == 0);
+}
+
+/// How many of its rows a page holds with its figures about as large as without; 0: not even the fewest.
+std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
+    constexpr std::size_t fewest = 2;
+    constexpr double one_step = 0.7;  // of the scale
+    const Band& band = bands_.list[index];
+    const std::size_t all = texts_.rows(band);
+    const auto worth = [&](std::size_t rows) { return worth_of(index, band.first_row + rows); };
+    const double best = all < fewest ? BandLayout::impossible : worth(fewest);
+    if (best < BandLayout::possible) return 0;
+    const auto is_good = [&](std::size_t rows) {
+        return worth(rows) > (band.figures.empty() ? BandLayout::possible : best - one_step);
+    };
+    std::size_t good = fewest, bad = 2 * fewest;
+    for (; bad < all && is_good(bad); bad *= 2) good = bad;
+    for (bad = std::min(bad, all); bad - good > 1;) {
+        const std::size_t middle = (good + bad) / 2;
+        (is_good(middle) ? good : bad) = middle;
+    }
+    return without_widows(texts_.rows_by_passage(band), std::min(good, all - std::min(all - 1, fewest)), fewest);
+}
+
+BandLayouts SheetPlan::layouts_of(const Band& band) {
+    return {texts_,
+            band,
+            wanted_,
+            format_,
+            crowded_.contains(band.question),
+            !cornerless_.contains(band.question),
+            !wide_.contains(band.question)};
+}
+
+/// So many rows stay with the figures of a band; the rest goes on.
+void SheetPlan::divide(std::size_t index, std::size_t rows) {
+    Band& band = bands_.list[index];
+    Band rest = band;
+    rest.figures.clear();
+    band.end_row = rest.first_row = band.first_row + rows;
+    bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
+}
+
+/// What was divided for figures of other sizes is one band again.
+void SheetPlan::rejoin() {
+    std::vector<Band> whole;
+    for (Band& band : bands_.list)
+        if (!whole.empty() && band.figures.empty() && band.question == whole.back().question &&
+            band.first_row == whole.back().end_row)
+            whole.back().end_row = band.end_row;
+        else
+            whole.push_back(std::move(band));
+    bands_.list = std::move(whole);
+}
+
+/// Half of its figures go on without text; of a single one, whose names leave no room beside it, all of the text does.
+void SheetPlan::part_figures(std::size_t index) {
+    Band& band = bands_.list[index];
+    if (band.figures.size() == 1 && band.first_row < std::min(band.end_row, texts_.rows(band))) return divide(index, 0);
+    KG_ASSERT(band.figures.size() > 1, "a page holds a figure, and two rows of text");
+    Band rest = band;
+    const auto half = static_cast<std::ptrdiff_t>((band.figures.size() + 1) / 2);
+    rest.figures.assign(band.figures.begin() + half, band.figures.end());
+    rest.parts.clear();
+    rest.first_row = rest.end_row = 0;
+    band.figures.resize(static_cast<std::size_t>(half));
+    bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
+}
+
+// --- one scale for all forces -----------------------------------------------------------------------------------------------
+
+/// Triangles and closed polygon have one scale: the finest at which all of them have room on as few pages, unless it costs the
+/// other figures, polygons of motion among them, more than forces are worth.
+void SheetPlan::share_force_scale(double least) {
+    double finest = std::max(least, least_force_scale_.value_or(0));
+    for (const Band& band : bands_.list)
+        for (const std::size_t figure : band.figures) {
+            const Wanted& each = wanted_.list[figure];
+            if (!each.to_force_scale) continue;
+            if (each.asked) return;
+            finest = std::max(finest, choose_scale(each.extent_x, each.extent_y, each.enough, each.enough, std::nullopt));
+        }
+    const double coarsest = coarsest_of_forces();
+    if (!(coarsest > 0)) return;
+    constexpr double rounding = 1e-9;
+    const std::size_t pages = pages_.size();
+    wanted_.keeps_force_scale = true;
+    constexpr double price_of_a_step = 2.5;  // polygons are read: their size goes before that of mechanisms
+    std::optional<double> chosen;
+    double best = BandLayout::impossible, scale = finest;
+    const auto plan_at = [&](double at) {
+        wanted_.force_scale = at;
+        plan_all();
+    };
+    for (; seeks_finest_force_scale_ && scale < coarsest * (1 + rounding); scale = next_scale(scale)) {
+        plan_at(scale);
+        if (pages_.empty() || pages_.size() > pages) continue;
+        if (chosen && !(worth_ > best + price_of_a_step)) break;  // nor is a coarser one
+        chosen = scale;
+        best = worth_;
+    }
+    // All of them have room at that of the one which has least.
+    if (!chosen) chosen = coarsest;
+    if (wanted_.force_scale != chosen) plan_at(*chosen);
+}
+
+/// Of the scales that the plan promises them; 0: it shows none.
+double SheetPlan::coarsest_of_forces() const {
+    double coarsest = 0;
+    for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
+        const std::vector<std::size_t>& figures = bands_.list[placed.band].figures;
+        for (std::size_t f = 0; f < layout.rooms.size(); ++f)
+            if (layout.rooms[f].x > 0 && wanted_.list[figures[f]].to_force_scale)
+                coarsest = std::max(coarsest, layouts_[placed.band].scale_in(f, layout.rooms[f]));
+    });
+    return coarsest;
+}
+
+}  // namespace kinegraph::render

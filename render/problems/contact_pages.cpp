@@ -1,0 +1,92 @@
+#include "render/problems/contact_pages.hpp"
+
+#include <deque>
+#include <iterator>
+#include <utility>
+
+#include "engine/solution/problem_solution.hpp"
+#include "render/problems/problem_sheet.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+/// A contact as if the file had stated it alone: the same bodies, which go by what they are.
+Solution alone(const Solution& solution, const SolvedContact& contact) {
+    Solution result;
+    result.mechanism = solution.mechanism;
+    result.mechanism.problem = contact.stated;
+    for (const BodyIndex body : indices_of(result.mechanism.bodies)) {
+        Words& label = result.mechanism.bodies[at_index(body)].label;
+        if (!label.empty()) continue;
+        label = body == frame ? Words("frame", "telaio") : Words("body {0}", "corpo {0}", solution.mechanism.body(body).name);
+    }
+    ProblemSolution found = *contact.found;
+    found.subject = Words("Contact at {0}", "Contatto in {0}", solution.mechanism.joint(contact.joint).name);
+    result.problem = std::make_shared<const ProblemSolution>(std::move(found));
+    return result;
+}
+/// By joint's name, in the file's order. They stay where they are: figures refer to them.
+std::deque<std::pair<std::string, Solution>> contacts_of(const Solution& solution) {
+    std::deque<std::pair<std::string, Solution>> all;
+    if (!solution.problem || stands_for_joints(solution.mechanism)) return all;
+    for (const SolvedContact& contact : std::get<SolvedContacts>(solution.problem->of))
+        all.emplace_back(solution.mechanism.joint(contact.joint).name, alone(solution, contact));
+    return all;
+}
+
+}  // namespace
+
+std::vector<Page> with_contacts(const Solution& solution, const SheetOptions& options, const Fonts& fonts, LayOutProblem contact,
+                                const std::function<BoundPages(const SheetOptions&)>& mechanism) {
+    const auto contacts = contacts_of(solution);
+    SheetOptions numbered = options;
+    numbered.pages_before = 1;  // not the first, which has the title block
+    std::vector<std::size_t> counts;
+    for (const auto& [name, each] : contacts) {
+        counts.push_back(contact(each, numbered, fonts).size());
+        numbered.pages_after += counts.back();
+    }
+    numbered.pages_before = 0;
+    BoundPages bound = mechanism(numbered);
+    std::vector<Page> pages = std::move(bound.pages);
+    numbered.figures_before = bound.figures;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        numbered.pages_before = pages.size();
+        numbered.pages_after -= counts[i];
+        std::vector<Page> more = contact(contacts[i].second, numbered, fonts);
+        const DrawingContext context{contacts[i].second, options.theme, fonts, options.language, options.dimensions};
+        numbered.figures_before += static_cast<int>(problem_figure_names(context).size());
+        std::move(more.begin(), more.end(), std::back_inserter(pages));
+    }
+    return pages;
+}
+
+std::vector<std::string> contact_figure_names(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    std::vector<std::string> names;
+    for (const auto& [joint, each] : contacts_of(solution))
+        for (const std::string& figure : problem_figure_names({each, options.theme, fonts, options.language, options.dimensions}))
+            names.push_back(figure + "-" + joint);
+    return names;
+}
+std::optional<Figure> contact_figure(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
+                                     const std::string& name, Spot room) {
+    for (const auto& [joint, each] : contacts_of(solution)) {
+        const std::string ending = "-" + joint;
+        if (!name.ends_with(ending)) continue;
+        const DrawingContext context{each, options.theme, fonts, options.language, options.dimensions};
+        if (auto figure = problem_figure(context, name.substr(0, name.size() - ending.size()), room.x, room.y)) return figure;
+    }
+    return std::nullopt;
+}
+
+std::string contact_tables(const Solution& solution, Language language) {
+    std::string text;
+    auto contacts = contacts_of(solution);
+    for (auto& [joint, each] : contacts) {
+        each.mechanism.title = {};
+        text += "\n" + problem_table(each, language);
+    }
+    return text;
+}
+
+}  // namespace kinegraph::render

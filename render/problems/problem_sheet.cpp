@@ -1,0 +1,485 @@
+#include "render/problems/problem_sheet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/mechanism/exercise.hpp"
+#include "engine/solution/problem_solution.hpp"
+#include "render/figures/caption.hpp"
+#include "render/page/block.hpp"
+#include "render/page/set_formula.hpp"
+#include "render/page/shapes.hpp"
+#include "render/problems/problem_sections.hpp"
+#include "render/content/title_block.hpp"
+#include "render/equations/equation_block.hpp"
+#include "render/equations/prose.hpp"
+#include "render/text/formula.hpp"
+#include "render/text/utf8.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double between_sections = 3.5, below_figure = 2.5, equation_indent = 6;  // mm
+
+/// "1.3537 GPa", what the check has in the same unit, and by how much they differ as a share.
+struct ResultCells {
+    std::string found, numeric, difference;
+};
+/// The largest of its kind, or of all where its kind vanishes: what is rounding beside it is nothing.
+double largest_like(const ProblemValue& value, const std::vector<ProblemValue>& values) {
+    double largest = 0, of_all = 0;
+    for (const ProblemValue& each : values) {
+        of_all = std::max(of_all, std::abs(each.value));
+        if (each.kind == value.kind && each.unit == value.unit) largest = std::max(largest, std::abs(each.value));
+    }
+    return largest > 0 ? largest : of_all;
+}
+ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>& all, const Units& units, Language language) {
+    const double larger = std::max(std::abs(value.value), std::abs(value.numeric.value_or(0)));
+    const Unit unit = value.unit.empty() ? suitable_unit(larger, value.kind, units) : Unit{value.unit, 1};
+    const double si = unit.si.to_double();
+    ResultCells cells;
+    const std::string symbol = unit.symbol.empty() ? "" : unit.symbol == "°" ? "°" : " " + unit.symbol;
+    cells.found = number(value.value / si, 5, language) + symbol;
+    if (!value.numeric) return cells;
+    const double noise = 1e-12 * std::max(larger, largest_like(value, all));
+    cells.numeric = number(std::abs(*value.numeric) <= noise ? 0 : *value.numeric / si, 5, language);
+    const double apart = value.value - *value.numeric;
+    // Less than rounding is nothing.
+    cells.difference = std::abs(apart) <= noise ? "0" : number(apart / si, 1, language);
+    return cells;
+}
+
+const Words& spoken(const ProblemValue& value) { return value.spoken.empty() ? value.name : value.spoken; }
+
+const Words& head_of(std::size_t column) {
+    static const std::array<Words, 4> heads{Words("quantity", "grandezza"), Words("found", "trovato"), Words("check", "verifica"),
+                                            Words("difference", "differenza")};
+    return heads.at(column);
+}
+
+/// A piece of the sheet that stays together.
+struct Item {
+    Block block;
+    std::size_t section = 0;
+    double above = 0;         ///< air before it, unless it begins a column
+    bool holds_next = false;  ///< a heading does not part from what follows
+    bool spreads = false;     ///< begins a column where there is one to spare
+};
+
+class ProblemSheet {
+public:
+    ProblemSheet(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
+        : context_{solution, options.theme, fonts, options.language, Dimensions::off},
+          format_(format_of(options.paper, options.orientation)),
+          signature_{options.author, options.date},
+          before_{options.pages_before},
+          after_{options.pages_after},
+          figures_before_{options.figures_before},
+          sections_(sections_of_problem(context_)) {}
+
+    std::vector<Page> pages() {
+        // The tallest figures that need no more pages than the smallest; the results in a column of their own where that needs
+        // none.
+        constexpr std::array heights{86.0, 82.0, 78.0, 74.0, 70.0, 66.0, 62.0, 58.0, 54.0};
+        const std::size_t fewest = flow(items(heights.back()), false).size();
+        std::vector<std::vector<Mark>> best;
+        for (const double height : heights) {
+            const std::vector<Item> all = items(height);
+            best = flow(all, false);
+            if (best.size() > fewest) continue;
+            if (auto spread = flow(all, true); spread.size() == fewest) best = std::move(spread);
+            break;
+        }
+        return framed(best);
+    }
+
+    /// What is given, with its figure, and what is sought.
+    std::vector<Page> question() {
+        signature_.subtitle = word("subtitle question", context_.language);
+        ProblemSection given = sections_.front();
+        given.sentences.resize(given.sentences.size() - given.found);
+        for (ProblemFigure& figure : given.figures)
+            if (figure.as_question) figure.draw = figure.as_question;
+        ProblemSection sought{"sought", in_all([](Language language) { return word("sought", language); }), {}, {}};
+        for (const ProblemValue& each : context_.solution.problem->values) {
+            if (!is_sought(each)) continue;
+            const std::string symbol = "{" + each.symbol + "}";
+            sought.sentences.emplace_back("– " + symbol + "  " + spoken(each).en, "– " + symbol + "  " + spoken(each).it);
+        }
+        sections_ = {std::move(given), std::move(sought)};
+        constexpr double height = 86;
+        std::vector<Item> all;
+        for (std::size_t s = 0; s < sections_.size(); ++s) add(all, section(s, height));
+        return framed(flow(all, false));
+    }
+
+    /// The question's figure and what is sought, with its values.
+    std::vector<Page> answers() {
+        signature_.subtitle = word("subtitle answers", context_.language);
+        ProblemSection given = sections_.front();
+        given.sentences.clear();
+        given.pieces.clear();
+        for (ProblemFigure& figure : given.figures)
+            if (figure.as_question) figure.draw = figure.as_question;
+        sections_ = {std::move(given)};
+        constexpr double height = 86;
+        std::vector<Item> all = section(0, height);
+        add(all, answer_table(1));
+        add(all, remarks(1));
+        return framed(flow(all, false));
+    }
+
+    std::vector<Page> steps() {
+        std::vector<std::vector<Mark>> sheets;
+        for (std::size_t s = 0; s < sections_.size(); ++s)
+            for (std::size_t k = 0; k < sections_[s].sentences.size(); ++k) sheets.push_back(step(s, k));
+        sheets.emplace_back();
+        double y = format_.content.min.y;
+        for (const Item& item : results(sections_.size())) {
+            y += item.above;
+            set(sheets.back(), item.block, {format_.content.min.x, y});
+            y += item.block.height;
+        }
+        return framed(sheets);
+    }
+
+private:
+    std::vector<Page> framed(const std::vector<std::vector<Mark>>& sheets) {
+        std::vector<Page> pages;
+        for (std::size_t i = 0; i < sheets.size(); ++i)
+            pages.push_back(framed_page(context_, format_, signature_, sheets[i], std::nullopt, before_ + i + 1,
+                                        before_ + sheets.size() + after_, before_ + i == 0));
+        return pages;
+    }
+    const std::string& say(const Words& words) const { return in(words, context_.language); }
+    /// Type is set for the paper's size.
+    Block fitted(Block block) const { return scaled(std::move(block), format_.text_size); }
+    double measure() const { return format_.measure / format_.text_size; }
+
+    /// Whether the file asks for it; all is sought where it asks for nothing by name.
+    bool is_sought(const ProblemValue& value) const {
+        const auto& asked = asked_of(context_.solution.mechanism);
+        const auto is_it = [&](const AskedResult& other) { return other.name == value.name.en; };
+        return asked.empty() || std::any_of(asked.begin(), asked.end(), is_it);
+    }
+
+    // --- what stands there
+    // ------------------------------------------------------------------------------------------------------
+    std::vector<Item> items(double figure_height) {
+        figures_ = figures_before_;
+        std::vector<Item> all;
+        for (std::size_t s = 0; s < sections_.size(); ++s) {
+            // The results come before what is only assumed.
+            if (sections_[s].question == "hypotheses") add(all, results(s));
+            add(all, this->section(s, figure_height));
+        }
+        add(all, remarks(sections_.size()));
+        return all;
+    }
+    std::vector<Item> section(std::size_t s, double figure_height) {
+        const ProblemSection& section = sections_[s];
+        std::vector<Item> all{{fitted(heading_block(context_, measure(), say(section.heading))), s, between_sections, true}};
+        for (const ProblemFigure& figure : section.figures)
+            all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
+        const auto add_pieces = [&](std::size_t after) {
+            for (const PieceAfter& piece : section.pieces) {
+                // What announces a formula stays with it.
+                if (piece.after != after) continue;
+                if (!all.empty() && after > 0) all.back().holds_next = true;
+                all.push_back({fitted(piece_block(piece.item, measure())), s, 0, false});
+            }
+        };
+        add_pieces(0);
+        for (std::size_t k = 0; k < section.sentences.size(); ++k) {
+            all.push_back({sentence(section.sentences[k], measure()), s, 0, false});
+            add_pieces(k + 1);
+        }
+        return all;
+    }
+    static void add(std::vector<Item>& to, std::vector<Item> more) {
+        for (Item& each : more) to.push_back(std::move(each));
+    }
+    Block figure_block(const ProblemFigure& wanted, double width, double height) {
+        Figure figure = wanted.draw(width, height - 9);
+        Block block;
+        const double caption = set_caption(block.marks, context_, figure, ++figures_, {0, 0}, width);
+        figure.move(0.5 * (width - figure.box.width()) - figure.box.min.x, caption - figure.box.min.y);
+        block.marks.insert(block.marks.end(), figure.marks.begin(), figure.marks.end());
+        block.width = width;
+        block.height = caption + figure.box.height() + below_figure;
+        return block;
+    }
+    /// A formula under the sentence that announces it, or a table that stays together.
+    Block piece_block(const EquationItem& item, double width) const {
+        constexpr double indent = 5, air = 1.3;
+        if (item.kind == EquationItem::Kind::formula) {
+            Block alone =
+                formula_block(item.formula, context_.fonts, context_.theme.derived, width - indent, context_.theme.text);
+            Block block{{}, width, alone.height + air};
+            set(block.marks, std::move(alone), {indent, 0});
+            return block;
+        }
+        Block whole{{}, width, 0};
+        NaturalBlocks once;
+        for (Block& line : equation_blocks(context_, {&item, 1}, width, once)) {
+            const double height = line.height;
+            set(whole.marks, std::move(line), {0, whole.height});
+            whole.height += height;
+        }
+        return whole;
+    }
+    /// Prose, and its equations on lines of their own.
+    Block sentence(const Words& words, double width) const {
+        const std::string text = say(words);
+        Block block;
+        for (std::size_t from = 0; from <= text.size();) {
+            const std::size_t to = std::min(text.find('\n', from), text.size());
+            const bool is_equation = from > 0;
+            const Block line =
+                paragraph_block(context_, width, formula(text.substr(from, to - from)), is_equation ? equation_indent : 0, "");
+            set(block.marks, line, {0, block.height + (is_equation ? 0.6 : 0)});
+            block.height += line.height + (is_equation ? 0.6 : 0);
+            from = to + 1;
+        }
+        block.width = width;
+        block.height += 0.9;
+        return fitted(std::move(block));
+    }
+
+    std::vector<Item> results(std::size_t section) const {
+        std::vector<Item> all;
+        Block table;
+        const double width = measure();
+        double y = 0;
+        const auto rule = [&](double weight) {
+            table.marks.emplace_back(line({0, y}, {width, y}, {weight, context_.theme.text, {}, false}));
+            y += 1;
+        };
+        const auto row = [&](const std::array<RichText, 4>& cells, Colour colour) {
+            const std::array<double, 4> rights{0, 0.62 * width, 0.81 * width, width};
+            for (std::size_t i = 1; i < cells.size(); ++i) {
+                const ShapedLine shaped = context_.fonts.shape(cells.at(i), context_.theme.small);
+                set_text(table.marks, shaped, {rights.at(i) - shaped.width, y + 3.2}, colour, "text");
+            }
+            // A long name goes on below.
+            constexpr double first_line = 4.6, further_line = 3.5;
+            const std::vector<ShapedLine> name = context_.fonts.wrap(cells[0], context_.theme.small, 0.42 * width);
+            for (std::size_t i = 0; i < name.size(); ++i)
+                set_text(table.marks, name[i], {0, y + 3.2 + static_cast<double>(i) * further_line}, colour, "text");
+            y += first_line + further_line * static_cast<double>(std::max<std::size_t>(name.size(), 1) - 1);
+        };
+        rule(context_.theme.outline);
+        row({one_piece(say(head_of(0))), one_piece(say(head_of(1))), one_piece(say(head_of(2))), one_piece(say(head_of(3)))},
+            context_.theme.secondary);
+        rule(context_.theme.thin);
+        const Units& units = context_.solution.mechanism.units;
+        for (const ProblemValue& each : context_.solution.problem->values) {
+            const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
+            RichText name = symbol_of(each.symbol);
+            append(name, one_piece("  " + say(spoken(each))));
+            row({name, with_powers(cells.found), with_powers(cells.numeric), with_powers(cells.difference)}, context_.theme.text);
+        }
+        rule(context_.theme.outline);
+        table.width = width;
+        table.height = y;
+        const Words heading("Results and numeric check", "Risultati e verifica numerica");
+        all.push_back({fitted(heading_block(context_, width, say(heading))), section, between_sections, true, true});
+        all.push_back({fitted(std::move(table)), section, 0, false});
+        return all;
+    }
+    /// Symbol, name and value of what is sought.
+    std::vector<Item> answer_table(std::size_t section) const {
+        std::vector<std::vector<Formula>> rows{
+            {Formula(), Formula::upright(say(head_of(0))), Formula::upright(word("value", context_.language))}};
+        const Units& units = context_.solution.mechanism.units;
+        for (const ProblemValue& each : context_.solution.problem->values) {
+            if (!is_sought(each)) continue;
+            const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
+            Formula symbol;
+            symbol.kind = Formula::Kind::text;
+            symbol.text = symbol_of(each.symbol);
+            rows.push_back({std::move(symbol), Formula::upright(say(spoken(each))), Formula::upright(cells.found)});
+        }
+        const EquationItem table{EquationItem::Kind::table, {}, {}, std::move(rows)};
+        NaturalBlocks natural;
+        std::vector<Item> all{
+            {fitted(heading_block(context_, measure(), word("answers", context_.language))), section, between_sections, true}};
+        for (Block& line : equation_blocks(context_, {&table, 1}, measure(), natural))
+            all.push_back({fitted(std::move(line)), section, 0, false});
+        if (all.size() > 1) all[1].holds_next = true;
+        return all;
+    }
+    std::vector<Item> remarks(std::size_t section) const {
+        std::vector<Item> all;
+        if (context_.solution.problem->remarks.empty()) return all;
+        all.push_back(
+            {fitted(heading_block(context_, measure(), word("remarks", context_.language))), section, between_sections, true});
+        for (const Words& each : context_.solution.problem->remarks)
+            all.push_back({sentence(each, measure()), section, 0, false});
+        return all;
+    }
+
+    // --- where it stands
+    // --------------------------------------------------------------------------------------------------------
+    double left_of(int column) const { return format_.content.min.x + column * (format_.measure + gap); }
+    double bottom(int column, bool first_page) const {
+        if (!first_page) return format_.content.max.y - strip_height;
+        return left_of(column) + format_.measure > format_.block.min.x - 2 ? format_.block.min.y - 3 : format_.content.max.y;
+    }
+
+    /// Items one below the other, column after column, page after page.
+    std::vector<std::vector<Mark>> flow(const std::vector<Item>& all, bool spread) const {
+        std::vector<std::vector<Mark>> sheets(1);
+        int column = 0;
+        double y = format_.content.min.y;
+        bool begins = true;
+        std::optional<std::size_t> open;
+        const auto close = [&] {
+            if (open) sheets.back().emplace_back(GroupEnd{});
+            open.reset();
+        };
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Item& item = all[i];
+            double needed = item.block.height;
+            for (std::size_t k = i; all[k].holds_next && k + 1 < all.size(); ++k) needed += all[k + 1].block.height;
+            if (!begins &&
+                ((spread && item.spreads) || y + item.above + needed > bottom(column, before_ == 0 && sheets.size() == 1))) {
+                if (++column == format_.columns) {
+                    close();
+                    sheets.emplace_back();
+                    column = 0;
+                }
+                y = format_.content.min.y;
+                begins = true;
+            }
+            if (open != item.section) {
+                close();
+                const std::string question = item.section < sections_.size() ? sections_[item.section].question : "remarks";
+                sheets.back().emplace_back(GroupBegin{"band", "", "", {{"data-question", question}}, none});
+                open = item.section;
+            }
+            y += begins ? 0 : item.above;
+            set(sheets.back(), item.block, {left_of(column), y});
+            y += item.block.height;
+            begins = false;
+        }
+        close();
+        return sheets;
+    }
+
+    /// Figures on the left, the question's sentences up to the k-th on the right, those before it grey.
+    std::vector<Mark> step(std::size_t s, std::size_t k) {
+        std::vector<Mark> marks;
+        const ProblemSection& section = sections_[s];
+        // What has no figure of its own is seen in the last one before it.
+        std::size_t shown = s;
+        while (shown > 0 && sections_[shown].figures.empty()) --shown;
+        figures_ = figures_before_;
+        for (std::size_t before = 0; before < shown; ++before) figures_ += static_cast<int>(sections_[before].figures.size());
+        const double width = format_.columns > 1 ? format_.span(format_.columns - 1, format_.columns) : format_.measure;
+        const Spot corner = format_.content.min;
+        const auto& figures = sections_[shown].figures;
+        const double room = std::min(
+            (format_.block.min.y - corner.y - 6) / static_cast<double>(std::max<std::size_t>(figures.size(), 1)), 0.8 * width);
+        double y = corner.y;
+        for (const ProblemFigure& each : figures) {
+            const Block block = figure_block(each, width, room);
+            set(marks, block, {corner.x, y});
+            y += block.height + gap;
+        }
+        const double left = format_.content.max.x - format_.measure;
+        y = corner.y;
+        const Block heading = fitted(heading_block(context_, measure(), say(section.heading)));
+        set(marks, heading, {left, y});
+        y += heading.height;
+        const auto put = [&](Block block, bool is_new) {
+            if (!is_new)
+                for (Mark& mark : block.marks)
+                    if (auto* text = std::get_if<TextMark>(&mark)) text->colour = context_.theme.secondary;
+            set(marks, block, {left, y});
+            y += block.height;
+        };
+        const auto put_pieces = [&](std::size_t after, bool is_new) {
+            for (const PieceAfter& piece : section.pieces)
+                if (piece.after == after) put(fitted(piece_block(piece.item, measure())), is_new);
+        };
+        put_pieces(0, k == 0);
+        for (std::size_t i = 0; i <= k; ++i) {
+            put(sentence(section.sentences[i], measure()), i == k);
+            put_pieces(i + 1, i == k);
+        }
+        return marks;
+    }
+
+    DrawingContext context_;
+    SheetFormat format_;
+    Signature signature_;
+    std::size_t before_, after_;  // pages of the same sheet
+    int figures_before_;
+    std::vector<ProblemSection> sections_;
+    int figures_ = 0;
+};
+
+}  // namespace
+
+std::vector<Page> lay_out_problem(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    ProblemSheet sheet(solution, options, fonts);
+    switch (options.kind) {
+        case SheetKind::question:
+            return sheet.question();
+        case SheetKind::answers:
+            return sheet.answers();
+        case SheetKind::solution:
+            break;
+    }
+    return sheet.pages();
+}
+std::vector<Page> lay_out_problem_steps(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    return ProblemSheet(solution, options, fonts).steps();
+}
+
+std::vector<std::string> problem_figure_names(const DrawingContext& context) {
+    std::vector<std::string> names;
+    for (const ProblemSection& section : sections_of_problem(context))
+        for (const ProblemFigure& figure : section.figures) names.push_back(figure.id);
+    return names;
+}
+std::optional<Figure> problem_figure(const DrawingContext& context, const std::string& name, double room_x, double room_y) {
+    for (const ProblemSection& section : sections_of_problem(context))
+        for (const ProblemFigure& figure : section.figures)
+            if (figure.id == name) return figure.draw(room_x, room_y);
+    return std::nullopt;
+}
+
+std::string problem_table(const Solution& solution, Language language) {
+    const std::string& title = in(solution.mechanism.title, language);
+    std::string text = title.empty() ? "" : title + "\n";
+    text += in(solution.problem->subject, language) + "\n\n";
+    std::vector<std::array<std::string, 4>> rows{
+        {in(head_of(0), language), in(head_of(1), language), in(head_of(2), language), in(head_of(3), language)}};
+    for (const ProblemValue& each : solution.problem->values) {
+        const ResultCells cells = cells_of(each, solution.problem->values, solution.mechanism.units, language);
+        rows.push_back({each.symbol + "  " + in(spoken(each), language), cells.found, cells.numeric, cells.difference});
+    }
+    std::array<std::size_t, 4> widths{};
+    for (const auto& row : rows)
+        for (std::size_t c = 0; c < row.size(); ++c) widths.at(c) = std::max(widths.at(c), character_count(row.at(c)));
+    for (const auto& row : rows) {
+        std::string each = " ";
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            const std::string space(widths.at(c) - character_count(row.at(c)), ' ');
+            each += c == 0 ? " " + row.at(c) + space : "  " + space + row.at(c);
+        }
+        while (each.ends_with(' ')) each.pop_back();
+        text += each + "\n";
+    }
+    if (!solution.problem->remarks.empty()) {
+        text += "\n" + word("remarks", language) + "\n";
+        for (const Words& each : solution.problem->remarks) text += "  " + in(each, language) + "\n";
+    }
+    return text;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,324 @@
+// sweep and solve --at, as a user meets them.
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "tests/support/command_line.hpp"
+
+namespace kinegraph::tests {
+namespace {
+
+using Json = nlohmann::json;
+class Sweep : public CommandLine {};
+/// The first number after `key="` from a place on.
+double number_after(const std::string& text, const std::string& key, std::size_t from) {
+    return std::stod(text.substr(text.find(key + "=\"", from) + key.size() + 2));
+}
+
+class SolveAt : public CommandLine {};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST_F(Sweep, WritesOneRowAPositionToStandardOutput) {
+    const Outcome swept = run("sweep four_bar.json --steps 36");
+    EXPECT_EQ(swept.status, 0) << swept.err;
+    const auto lines = lines_of(swept.out);
+    ASSERT_EQ(lines.size(), 38U);
+    EXPECT_EQ(lines[0],
+              "turn,time,angle 2,omega 2,alpha 2,angle 3,omega 3,alpha 3,angle 4,omega 4,alpha 4"
+              ",x A,y A,vx A,vy A,ax A,ay A,x B,y B,vx B,vy B,ax B,ay B")
+        << "columns in the order of the results";
+    EXPECT_TRUE(
+        lines_are(swept.err, R"(four_bar\.json: largest difference from the numeric check: .* of the largest of its kind .*)"));
+}
+
+TEST_F(Sweep, WritesCsvAndJsonTogetherTheSameNumbers) {
+    const Outcome swept = run("sweep four_bar.json --from -90° --to 1.5rad --steps 10 -o a.csv -o b.json");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    EXPECT_EQ(swept.out, "");
+    const Json json = Json::parse(contents(folder_ / "b.json"));
+    const auto lines = lines_of(contents(folder_ / "a.csv"));
+    ASSERT_EQ(json["rows"].size(), 11U);
+    ASSERT_EQ(lines.size(), 12U);
+    EXPECT_EQ(json["driver"], "2");
+    EXPECT_NEAR(json["from"], -std::numbers::pi / 2, 1e-15);
+    EXPECT_EQ(json["to"], 1.5);
+    EXPECT_EQ(json["columns"][0], "turn");
+    for (std::size_t i = 0; i < 11; ++i) EXPECT_EQ(std::stod(lines[i + 1]), json["rows"][i][0].get<double>());
+    EXPECT_LT(json["largest difference"]["share"], 1e-9);
+}
+
+TEST_F(Sweep, WritesCentrodesAndDrawsThem) {
+    const Outcome swept = run("sweep four_bar.json --steps 10 --centrodes 1,3 --centrodes 2,4 -o a.json -o a.svg");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    const Json centrodes = Json::parse(contents(folder_ / "a.json"))["centrodes"];
+    ASSERT_EQ(centrodes.size(), 2U);
+    EXPECT_EQ(centrodes[0]["bodies"], Json({"1", "3"}));
+    EXPECT_FALSE(centrodes[0]["to infinity"].empty());
+    for (const Json& branch : centrodes[0]["branches"]) {
+        EXPECT_EQ(branch["turn"].size(), branch["fixed"].size());
+        EXPECT_EQ(branch["turn"].size(), branch["moving"].size());
+    }
+    EXPECT_NE(contents(folder_ / "a.svg").find(R"(class="centrode" data-name="1,3" data-on="moving")"), std::string::npos);
+    const Outcome without = run("sweep four_bar.json --steps 10 -o b.json");
+    EXPECT_FALSE(Json::parse(contents(folder_ / "b.json")).contains("centrodes"));
+}
+
+TEST_F(Sweep, RefusesCentrodesOfNoBodies) {
+    for (const auto& [pair, said] : {std::pair("1,33", "--centrodes: no body is named \"33\" \\(did you mean \"3\"\\?\\)"),
+                                     {"3", "--centrodes \"3\" is no pair of bodies; give two as \"1,3\""},
+                                     {"1,1", "--centrodes \"1,1\": a body has no motion against itself; give two bodies"}}) {
+        const Outcome swept = run("sweep four_bar.json -o a.json --centrodes " + std::string(pair));
+        EXPECT_EQ(swept.status, 2) << pair;
+        EXPECT_TRUE(lines_are(swept.err, "four_bar\\.json: " + std::string(said))) << swept.err;
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "a.json"));
+    }
+}
+
+TEST_F(Sweep, GoesFromLimitToLimitWhereNoTurnIsPossible) {
+    write("rocker.json", spoilt("\"distance\": 40", "\"distance\": 120"));
+    const Outcome swept = run("sweep rocker.json --steps 20 -o a.json");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    EXPECT_NE(swept.err.find("its limits"), std::string::npos) << swept.err;
+    const Json json = Json::parse(contents(folder_ / "a.json"));
+    EXPECT_EQ(json["rows"].size(), 19U) << "at a limit there is no row";
+    EXPECT_EQ(json["limits"][0], json["from"]);
+    EXPECT_EQ(json["limits"][1], json["to"]);
+}
+
+TEST_F(Sweep, LeavesRowsOutWhereTheAnswerIsNotOne) {
+    // At 126.87° from the drawn position the parallel crank lies flat.
+    const Outcome swept = run("sweep parallel_crank.json --from 126.8698976458440° --to 128° --steps 4");
+    EXPECT_EQ(swept.status, 3);
+    EXPECT_EQ(lines_of(swept.out).size(), 5U) << swept.out;
+    EXPECT_NE(swept.err.find("left out"), std::string::npos) << swept.err;
+    EXPECT_EQ(swept.out.find("nan"), std::string::npos);
+    const Outcome through = run("sweep parallel_crank.json --steps 100");
+    EXPECT_EQ(through.status, 0) << through.err;
+    EXPECT_NE(through.err.find("a change point at 126.8699°"), std::string::npos) << through.err;
+    EXPECT_NE(through.err.find("the branch is a choice"), std::string::npos) << through.err;
+}
+
+TEST_F(Sweep, SaysInOneLineWhatIsWrongAndWritesNothing) {
+    const auto before = snapshot();
+    const auto refused = [&](const std::string& arguments, const std::string& pattern) {
+        const Outcome outcome = run("sweep " + arguments + " -o out.csv");
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_TRUE(lines_are(outcome.err, pattern));
+        EXPECT_EQ(lines_of(outcome.err).size(), 1U);
+        EXPECT_EQ(changed_since(before), "") << arguments;
+    };
+    refused("four_bar.json --driver 3",
+            R"(four_bar\.json: --driver 3: no driver is called so \(did you mean "2"\?\); there are 2)");
+    refused("four_bar.json --steps 1", R"(four_bar\.json: --steps: at least 2 are needed)");
+    refused("four_bar.json --from 20mm", R"(four_bar\.json: --from "20mm" is a length; an angle is wanted here)");
+    refused("four_bar.json --from 1 --to 1", R"(four_bar\.json: --from and --to are the same position.*)");
+    refused("four_bar.json --centroids 1,3", R"(kinegraph: .*--centroids.*)");
+    refused("four_bar.json --plot x", R"(four_bar\.json: --plot: there is no quantity "x".*)");
+    refused("four_bar.json --plot 'omega 33'", R"(four_bar\.json: --plot: .* \(did you mean "omega 3"\?\).*)");
+    refused("four_bar.json --step 2",
+            R"(four_bar\.json: --step is of a driver that goes along.* the number of steps is --steps\))");
+    refused("scara.json --driver 2 --driver 3", R"(scara\.json: --step is of a driver that goes along.*)");
+    refused("scara.json --driver 2 --driver 2 --step 1", R"(scara\.json: --driver 2 is given twice)");
+    refused("scara.json --driver 2 --driver 3 --step 1mm", R"(scara\.json: --step "1mm" is a length; an angle is wanted here)");
+    refused("four_bar.json --branch 1", R"(four_bar\.json: /drivers/0: no branch is to be chosen.*)");
+}
+
+TEST_F(Sweep, DriversGoTogether) {
+    const Outcome swept = run("sweep scara.json --driver 2 --to 20 --steps 10 --driver 3 --step -1° -o a.json");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    EXPECT_EQ(swept.err.find("rest where"), std::string::npos) << swept.err;
+    const Json json = Json::parse(contents(folder_ / "a.json"));
+    EXPECT_NEAR(json["along"]["3"], -0.5, 1e-15);
+    const auto& columns = json["columns"];
+    const auto column = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), "angle 3") - columns.begin());
+    const double turned = json["rows"][10][column].get<double>() - json["rows"][0][column].get<double>();
+    EXPECT_NEAR(turned, (20 - 10) * std::numbers::pi / 180, 1e-12) << "body 3 turns against body 2";
+}
+
+TEST_F(Sweep, ADriverWithALawGoesThroughItInTime) {
+    write("law.json", spoilt(R"("omega": "-120 rpm")", R"("law": {"form": "3-4-5", "turn": -90, "time": 2})"));
+    const Outcome swept = run("sweep law.json --steps 4 -o law.svg -o law.csv");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    EXPECT_NE(swept.err.find("driver 2 follows its law, from 0 s to 2 s"), std::string::npos) << swept.err;
+    const auto lines = lines_of(contents(folder_ / "law.csv"));
+    ASSERT_EQ(lines.size(), 6U);
+    EXPECT_EQ(lines[3].substr(0, lines[3].find(',', lines[3].find(',') + 1)), "-0.7853981633974483,1") << "half way at half time";
+    EXPECT_NE(contents(folder_ / "law.svg").find("data-unit=\"s\""), std::string::npos);
+    EXPECT_EQ(run("sweep law.json --from 20° -o b.csv").status, 2) << "times, not turns";
+    const Outcome at = run("solve law.json --at 1s --format json");
+    ASSERT_EQ(at.status, 0) << at.err;
+    EXPECT_NEAR(Json::parse(at.out)["bodies"]["2"]["omega"], -15.0 / 8 * std::numbers::pi / 4, 1e-12);
+    EXPECT_EQ(run("solve law.json --at 20°").status, 2) << "the law goes the other way";
+}
+
+TEST_F(Sweep, ACamIsDrawnAndItsMechanismSolved) {
+    write("cam.json", contents(example_file("cams/disc_cam")));
+    const Outcome drawn = run("cam cam.json --steps 24 --at 60 -o cam.csv -o at.json -o cam.svg");
+    ASSERT_EQ(drawn.status, 0) << drawn.err;
+    EXPECT_NE(drawn.err.find("25 positions solved as mechanisms"), std::string::npos) << drawn.err;
+    EXPECT_NE(drawn.err.find("largest pressure angle: 26.2°"), std::string::npos) << drawn.err;
+    EXPECT_EQ(lines_of(contents(folder_ / "cam.csv")).size(), 26U);
+    EXPECT_EQ(run("solve at.json --format json").status, 0);
+    EXPECT_NE(contents(folder_ / "cam-2.svg").find("data-name=\"pressure angle\""), std::string::npos);
+    EXPECT_EQ(run("solve at.json -o at.svg").err, "") << "its own file is no matter for remarks";
+    const auto before = snapshot();
+    for (const char* wrong : {"cam cam.json --steps 1", "cam cam.json --at 400", "cam four_bar.json", "cam none.json"}) {
+        const Outcome refused = run(std::string(wrong) + " -o x.csv -o x.svg");
+        EXPECT_EQ(refused.status, 2) << wrong;
+        EXPECT_EQ(changed_since(before), "") << wrong;
+    }
+}
+
+TEST_F(Sweep, ACornerOfAPitchCurveIsToldAndItsUndercutFails) {
+    std::string text = contents(example_file("cams/disc_cam"));
+    text.replace(text.find("cycloidal"), 9, "constant speed");
+    write("cam.json", text);
+    const Outcome told = run("cam cam.json -o cam.csv");
+    EXPECT_EQ(told.status, 3);
+    EXPECT_NE(told.err.find("undercut between 10"), std::string::npos) << told.err;
+    EXPECT_NE(told.err.find("convex corner"), std::string::npos) << told.err;
+    EXPECT_NE(told.err.find("remark: at 0° the speed of the follower jumps from 0 m/s to 0.1571 m/s"), std::string::npos)
+        << told.err;
+    EXPECT_NE(told.err.find("remark: at 110° the speed of the follower jumps from 0.1571 m/s to 0 m/s"), std::string::npos)
+        << told.err;
+    const Outcome italian = run("cam cam.json -o cam.csv --lang it");
+    EXPECT_EQ(italian.status, 3);
+    EXPECT_NE(italian.err.find("sottotaglio fra 10"), std::string::npos) << italian.err;
+    EXPECT_NE(italian.err.find("osservazione: a 110° la velocità della punteria salta da 0,1571 m/s a 0 m/s"), std::string::npos)
+        << italian.err;
+}
+
+TEST_F(Sweep, ACamsSheetHasItsDataAndSaysItsSigns) {
+    // Its follower rises clockwise: the pivot lies on the right, the contact on the left.
+    write("rocker.json", R"({"kinegraph": 1, "units": {"length": "mm"}, "cam": {"omega": "200 rpm", "base radius": 35,
+        "follower": {"moves": "oscillating", "face": "roller", "radius": 9, "pivot": [95, 10], "arm": 80},
+        "law": [{"form": "3-4-5", "rise": 22, "turn": 120}, {"form": "rest", "turn": 40},
+                {"form": "constant acceleration", "rise": -22, "turn": 130}, {"form": "rest", "turn": 70}]}})");
+    ASSERT_EQ(run("cam rocker.json --at 60° -o en.svg -o at.json").status, 0);
+    ASSERT_EQ(run("cam rocker.json --at 60° --lang it -o it.svg").status, 0);
+    const auto sheets = [&](const std::string& name) {
+        return contents(folder_ / (name + ".svg")) + contents(folder_ / (name + "-2.svg"));
+    };
+    const std::string english = sheets("en"), italian = sheets("it");
+    for (const char* words :
+         {"base circle r_b = 35 mm", "the cam turns counter-clockwise, ω_2", "oscillating roller follower r_r = 9 mm",
+          "arm 80 mm", "positive away from the cam, here clockwise: ω_3 = −dβ/dt", "0°–120°: rise of 22°, polynomial 3-4-5",
+          "120°–160°: dwell", "160°–290°: return of 22°, constant acceleration", "Cam and follower at 60°",
+          "Rise of the follower", "Pressure angle", "pitch curve", "base circle", "\"225.0°\"", "data-name=\"rise angle rate\"",
+          "class=\"drawn-position\" data-value=\"60"})
+        EXPECT_NE(english.find(words), std::string::npos) << words;
+    for (const char* words : {"circonferenza di base r_b = 35 mm", "qui in senso orario: ω_3 = −dβ/dt", "120°–160°: sosta",
+                              "Camma e punteria a 60°", "Alzata della punteria", "curva primitiva"})
+        EXPECT_NE(italian.find(words), std::string::npos) << words;
+    EXPECT_EQ(english.find("225.5°"), std::string::npos) << "the jump is where the law has it";
+    EXPECT_LT(Json::parse(run("solve at.json --format json").out)["bodies"]["3"]["omega"], 0) << "as the sheet says";
+}
+
+TEST_F(Sweep, SaysItInItalianToo) {
+    const auto says = [&](const std::string& arguments, int status, const std::string& pattern) {
+        const Outcome outcome = run(arguments + " --lang it -o out.csv");
+        EXPECT_EQ(outcome.status, status) << arguments;
+        EXPECT_TRUE(lines_are(outcome.err, pattern));
+    };
+    says("sweep four_bar.json --driver 3", 2,
+         R"(four_bar\.json: --driver 3: nessun movente si chiama così \(forse "2"\?\); ci sono 2)");
+    says("sweep four_bar.json --plot x", 2, R"(four_bar\.json: --plot: non c’è la grandezza "x".*)");
+    says("sweep four_bar.json --from 20mm", 2, R"(four_bar\.json: --from "20mm" è una lunghezza; qui serve un angolo)");
+    says("sweep four_bar.json -o out.txt", 2,
+         R"(kinegraph: -o out\.txt: .* può essere \.csv, \.json, \.svg, \.png, \.pdf o \.tex .*)");
+    says("sweep four_bar.json --steps 4", 0,
+         R"(four_bar\.json: massimo scarto dalla verifica numerica: [0-9],[0-9]e-[0-9]+ della .*)");
+}
+
+TEST_F(Sweep, RefusesWhatIsOutOfReach) {
+    write("rocker.json", spoilt("\"distance\": 40", "\"distance\": 120"));
+    const auto before = snapshot();
+    const Outcome outcome = run("sweep rocker.json --to 200° -o out.csv");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(lines_are(outcome.err, R"(rocker\.json: 200° is out of reach: driver 2 stops at [0-9.]+°)"));
+    EXPECT_EQ(changed_since(before), "");
+    write("idle.json", spoilt(R"("omega": "-120 rpm")", R"("omega": 0)"));
+    const Outcome still = run("sweep idle.json --steps 4");
+    EXPECT_EQ(still.status, 0) << "at rest everywhere is an answer";
+    EXPECT_EQ(lines_of(still.out)[0].find("time"), std::string::npos) << "no time passes by which to tell it";
+    const Outcome dead = run("sweep slider_driven_dead_point.json");
+    EXPECT_EQ(dead.status, 3);
+}
+
+TEST_F(Sweep, APlotIsReadBackFromItsAxes) {
+    const Outcome swept =
+        run("sweep four_bar.json --steps 36 --plot 'omega 3,omega 4' --trace B --trace 'A,on 4' --poses 3 -o s.svg -o s.json");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    const std::string svg = contents(folder_ / "s.svg");
+    const Json json = Json::parse(contents(folder_ / "s.json"));
+    const std::size_t y = svg.find("class=\"axis-y\""), curve = svg.find("data-name=\"omega 4\"");
+    ASSERT_NE(y, std::string::npos);
+    ASSERT_NE(curve, std::string::npos);
+    const double from = number_after(svg, "data-from", y), to = number_after(svg, "data-to", y);
+    const double low = number_after(svg, " y1", y), high = number_after(svg, " y2", svg.find("class=\"axis\"", y));
+    // The first vertex of the curve is the first row.
+    const std::string path = svg.substr(svg.find(" d=\"M", curve) + 5);
+    const double height = std::stod(path.substr(path.find_first_of(" ,") + 1));
+    const auto& columns = json["columns"];
+    const auto column = std::find(columns.begin(), columns.end(), "omega 4") - columns.begin();
+    const double value = json["rows"][0][static_cast<std::size_t>(column)];
+    EXPECT_NEAR(from + (to - from) * (height - low) / (high - low), value, 1e-5 * (to - from));
+    EXPECT_NE(svg.find("class=\"path\""), std::string::npos);
+    EXPECT_NE(svg.find("data-figure=\"plot\""), std::string::npos);
+    for (const char* more : {"--theme dark --lang it", "--theme print --orientation portrait --paper A3"})
+        EXPECT_EQ(run(std::string("sweep parallel_crank.json --steps 50 ") + more + " -o t.svg").status, 0);
+}
+
+TEST_F(SolveAt, SolvesInTheOtherPosition) {
+    const Outcome at = run("solve four_bar.json --at 30° --format json");
+    ASSERT_EQ(at.status, 0) << at.err;
+    write("drawn.json", spoilt("\"angle\": 60", "\"angle\": 90"));
+    const Outcome drawn = run("solve drawn.json --format json");
+    const Json a = Json::parse(at.out), b = Json::parse(drawn.out);
+    ASSERT_EQ(a["checks"].size(), b["checks"].size());
+    for (std::size_t i = 0; i < a["checks"].size(); ++i) {
+        EXPECT_EQ(a["checks"][i]["quantity"], b["checks"][i]["quantity"]);
+        const double value = b["checks"][i]["graphical"];
+        EXPECT_NEAR(a["checks"][i]["graphical"], value, 1e-12 * std::max(1.0, std::abs(value)));
+    }
+}
+
+TEST_F(SolveAt, TheDrawnPositionIsAsWithoutIt) {
+    const Json at = Json::parse(run("solve four_bar.json --at 0 --format json").out);
+    const Json plain = Json::parse(run("solve four_bar.json --format json").out);
+    EXPECT_EQ(at, plain);
+}
+
+TEST_F(SolveAt, GivesASheetOrAFileForEachPosition) {
+    Outcome at = run("solve four_bar.json --at 30° --at -15° -o r.json");
+    ASSERT_EQ(at.status, 0) << at.err;
+    EXPECT_TRUE(is_there("r.json") && is_there("r-2.json") && !is_there("r-3.json"));
+    at = run("solve four_bar.json --at every 120° -o s.json");
+    ASSERT_EQ(at.status, 0) << at.err;
+    EXPECT_TRUE(is_there("s.json") && is_there("s-2.json") && is_there("s-3.json") && !is_there("s-4.json"));
+    at = run("solve four_bar.json --figure velocity --at every 90° -o v.svg");
+    ASSERT_EQ(at.status, 0) << at.err;
+    EXPECT_TRUE(is_there("v.svg") && is_there("v-4.svg") && !is_there("v-5.svg"));
+    EXPECT_NE(contents(folder_ / "v-2.svg").find("(2: 90°)"), std::string::npos);
+}
+
+TEST_F(SolveAt, SaysWhatIsWrong) {
+    write("rocker.json", spoilt("\"distance\": 40", "\"distance\": 120"));
+    EXPECT_TRUE(
+        lines_are(run("solve rocker.json --at 200°").err, R"(rocker\.json: --at: 200° is out of reach: driver 2 stops at .*)"));
+    EXPECT_TRUE(
+        lines_are(run("solve four_bar.json --at 3kg").err, R"(four_bar\.json: --at: "3kg" is a mass; an angle is wanted here)"));
+    EXPECT_EQ(run("solve four_bar.json --at every 0").status, 2);
+    EXPECT_EQ(run("solve parallel_crank.json --at 126.869897645844°").status, 3);
+}
+
+}  // namespace
+}  // namespace kinegraph::tests

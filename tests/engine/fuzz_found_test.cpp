@@ -1,0 +1,29 @@
+// Files that once crashed, hung or gave nonsense: they go through.
+#include <gtest/gtest.h>
+
+#include "tests/support/files.hpp"
+#include "tests/support/fonts.hpp"
+#include "tests/support/through_all.hpp"
+
+namespace kinegraph::tests {
+namespace {
+
+std::vector<std::string> found() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(KINEGRAPH_TESTS_DIR) / "fuzz" / "found"))
+        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+class Found : public testing::TestWithParam<std::string> {};
+
+TEST_P(Found, GoesThrough) {
+    const auto file = std::filesystem::path(KINEGRAPH_TESTS_DIR) / "fuzz" / "found" / (GetParam() + ".json");
+    EXPECT_NO_THROW(through_all(contents(file), fonts()));
+}
+
+INSTANTIATE_TEST_SUITE_P(ByFuzzing, Found, testing::ValuesIn(found()), [](const auto& each) { return each.param; });
+
+}  // namespace
+}  // namespace kinegraph::tests

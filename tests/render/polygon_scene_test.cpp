@@ -1,0 +1,81 @@
+// Scenes of polygons: what is shown, of which quantity and by which statement, as values and without a drawing.
+#include "render/scene/polygon_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/files.hpp"
+#include "tests/support/solved.hpp"
+
+namespace {
+
+using namespace kinegraph;
+using namespace kinegraph::render;
+using tests::example;
+
+const SceneVector& vector_of(const PolygonScene& scene, const std::string& name) {
+    const auto found = std::find_if(scene.vectors.begin(), scene.vectors.end(), [&](const auto& v) { return v.name == name; });
+    if (found == scene.vectors.end()) throw std::runtime_error(scene.id + " has no " + name);
+    return *found;
+}
+double length_of(const SceneVector& vector) { return std::hypot(vector.tip.x - vector.tail.x, vector.tip.y - vector.tail.y); }
+
+TEST(PolygonScene, HasItsVectorsInTheUnitTheyAreToldIn) {
+    const Solution solution = example("four_bar");
+    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+        const PolygonScene scene = polygon_scene(solution, static_cast<int>(p));
+        ASSERT_FALSE(scene.vectors.empty()) << scene.id;
+        for (const SceneVector& vector : scene.vectors)
+            EXPECT_NEAR(length_of(vector), vector.value, 1e-12 * scene.size()) << scene.id << ' ' << vector.name;
+    }
+}
+
+TEST(PolygonScene, SaysByWhichStatementAVelocityIsDrawn) {
+    const Solution solution = example("four_bar");
+    const PolygonScene scene = polygon_scene(solution, 0);
+    ASSERT_EQ(scene.kind, PolygonScene::Kind::velocity);
+    const SceneVector &a = vector_of(scene, "v_A"), &b = vector_of(scene, "v_B"), &relative = vector_of(scene, "v_BA");
+    EXPECT_LT(a.statement, b.statement);
+    EXPECT_EQ(b.statement, relative.statement);
+    // Both lines that meet in b are of its statement, and end there.
+    int lines = 0;
+    for (const SceneLine& line : scene.lines) {
+        if (line.statement != b.statement) continue;
+        ++lines;
+        EXPECT_EQ(line.meet.x, b.tip.x);
+        EXPECT_EQ(line.meet.y, b.tip.y);
+        const double across = line.along.x * (line.meet.y - line.support.y) - line.along.y * (line.meet.x - line.support.x);
+        EXPECT_NEAR(across, 0, 1e-12);
+    }
+    EXPECT_EQ(lines, 2);
+    // The pole and the images a and b stand where the vectors end.
+    ASSERT_EQ(scene.images.front().kind, SceneImage::Kind::pole);
+    const auto image =
+        std::find_if(scene.images.begin(), scene.images.end(), [](const SceneImage& each) { return each.symbol.about == "B"; });
+    ASSERT_NE(image, scene.images.end());
+    EXPECT_EQ(image->at.x, b.tip.x);
+    EXPECT_EQ(image->statement, b.statement);
+}
+
+TEST(PolygonScene, JoinsForcesWithTheirInnerSidesFallingOut) {
+    const Solution solution = example("sluice_gate");
+    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+        const PolygonScene scene = polygon_scene(solution, static_cast<int>(p));
+        if (scene.kind == PolygonScene::Kind::forces) {
+            EXPECT_EQ(scene.faces.size(), 1u) << scene.id;
+            for (const SceneVector& side : scene.vectors) {
+                EXPECT_FALSE(side.falls_out) << side.name;
+                EXPECT_NE(side.statement, none) << side.name;
+            }
+        }
+        if (scene.kind != PolygonScene::Kind::closure) continue;
+        EXPECT_EQ(vector_of(scene, "F_g").statement, none) << "it is given";
+        EXPECT_FALSE(vector_of(scene, "F_g").falls_out);
+        EXPECT_TRUE(vector_of(scene, "F_21").falls_out);
+        EXPECT_NE(vector_of(scene, "F_21").statement, none);
+    }
+}
+
+}  // namespace

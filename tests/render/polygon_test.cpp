@@ -1,0 +1,415 @@
+// Polygon figures: what is measured on paper is the result.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "render/figures/figure.hpp"
+#include "render/figures/polygon_parts.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/tables.hpp"
+#include "tests/support/fonts.hpp"
+#include "tests/support/solved.hpp"
+
+namespace {
+
+using namespace kinegraph;
+using namespace kinegraph::render;
+using namespace kinegraph::tests;
+
+std::string attribute(const GroupBegin& group, const std::string& key) {
+    const std::string* value = group.attribute(key);
+    return value ? *value : "";
+}
+
+/// Every vector group with its axes and the figure, or detail of it, that it is drawn in.
+struct VectorGroup {
+    GroupBegin group;
+    std::vector<Axis> axes;
+    GroupBegin figure;
+    double scale() const { return std::strtod(attribute(figure, "data-scale").c_str(), nullptr); }
+    std::string name() const { return attribute(group, "data-name"); }
+    bool in_detail() const { return attribute(figure, "data-figure") == "detail"; }
+    double length() const { return render::length(axes.at(0).tip - axes.at(0).tail); }
+};
+std::vector<VectorGroup> vectors_of(const Figure& figure) {
+    std::vector<VectorGroup> result;
+    GroupBegin drawing;
+    for (const Mark& mark : figure.marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) {
+            if (group->cls == "figure") drawing = *group;
+            if (group->cls == "vector") result.push_back({*group, {}, drawing});
+        }
+        if (const auto* axis = std::get_if<Axis>(&mark)) result.back().axes.push_back(*axis);
+    }
+    return result;
+}
+
+void expect_measures(const Figure& figure) {
+    std::set<std::string> names, ids;
+    for (const VectorGroup& each : vectors_of(figure)) {
+        ASSERT_EQ(each.axes.size(), 1u) << each.group.id;
+        const double value = std::strtod(attribute(each.group, "data-value").c_str(), nullptr);
+        EXPECT_GT(value, 0);
+        EXPECT_NEAR(each.length(), value / each.scale(), 1e-6) << each.group.id;
+        EXPECT_TRUE(names.insert(each.figure.id + " " + each.name()).second) << "twice: " << each.group.id;
+        EXPECT_TRUE(ids.insert(each.group.id).second);
+        EXPECT_EQ(each.group.id.rfind(each.figure.id + "-", 0), 0u) << each.group.id;
+    }
+}
+
+TEST(PolygonFigure, EveryAxisIsValueOverScaleOnEveryExample) {
+    for (const std::string& name : example_names()) {
+        SCOPED_TRACE(name);
+        const Solution solution = example(name);
+        const Theme theme;
+        const DrawingContext context{solution, theme, fonts(), Language::en};
+        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
+            expect_measures(polygon_figure(context, static_cast<int>(p), 150, 130));
+    }
+}
+
+TEST(PolygonFigure, OfTheFourBarShowsItsVectors) {
+    const Solution solution = example("four_bar");
+    const Theme theme;
+    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 0, 150, 100);
+    std::set<std::string> names;
+    for (const VectorGroup& each : vectors_of(figure)) names.insert(attribute(each.group, "data-name"));
+    EXPECT_EQ(names, (std::set<std::string>{"v_A", "v_B", "v_BA"}));
+    EXPECT_EQ(figure.kind, "velocity");
+    EXPECT_EQ(figure.id, "velocity");
+    EXPECT_EQ(figure.unit, "m/s");
+    EXPECT_EQ(plain(figure.caption), "Velocity polygon");
+    const auto* group = std::get_if<GroupBegin>(&figure.marks.front());
+    ASSERT_NE(group, nullptr);
+    EXPECT_EQ(attribute(*group, "data-figure"), "velocity");
+    EXPECT_EQ(attribute(*group, "data-unit"), "m/s");
+    EXPECT_TRUE(std::holds_alternative<GroupEnd>(figure.marks.back()));
+}
+
+TEST(PolygonFigure, KeepsToItsRoom) {
+    const Solution solution = example("four_bar");
+    const Theme theme;
+    for (const double room : {60.0, 90.0, 140.0, 220.0})
+        for (int p = 0; p < 2; ++p) {
+            const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, p, room, 0.8 * room);
+            EXPECT_LE(figure.box.width(), room) << room;
+            EXPECT_LE(figure.box.height(), 0.8 * room) << room;
+        }
+}
+
+TEST(PolygonFigure, TakesTheFilesUnitAndScale) {
+    Solution solution = example("four_bar");
+    solution.mechanism.units.velocity = {"mm/s", Exact::ratio(1, 1000)};
+    solution.mechanism.scales.push_back({"velocity", Exact::ratio(1, 100), ""});  // 0.01 m/s = 10 mm/s
+    const Theme theme;
+    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 0, 200, 150);
+    EXPECT_EQ(figure.unit, "mm/s");
+    EXPECT_DOUBLE_EQ(figure.scale, 10);
+    expect_measures(figure);
+}
+
+TEST(PolygonFigure, ImagesAtThePoleStandWithIt) {
+    const Solution solution = example("four_bar");
+    const Theme theme;
+    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 0, 150, 100);
+    bool found = false;
+    for (const Mark& mark : figure.marks)
+        if (const auto* text = std::get_if<TextMark>(&mark)) found = found || text->words == "o_v ≡ o_2 ≡ o_4";
+    EXPECT_TRUE(found);
+}
+
+// --- details
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// How often a label says each thing, "a_A_n = a_A" being two.
+std::map<std::string, int> said_by_labels(const Figure& figure) {
+    std::map<std::string, int> said;
+    for (const Mark& mark : figure.marks) {
+        const auto* text = std::get_if<TextMark>(&mark);
+        if (!text || text->cls != "label") continue;
+        std::string rest = text->words;
+        for (std::size_t at; (at = rest.find(" = ")) != std::string::npos; rest.erase(0, at + 3)) ++said[rest.substr(0, at)];
+        ++said[rest];
+    }
+    return said;
+}
+
+TEST(PolygonDetail, IsLetteredOnFromThoseOfTheSheet) {
+    const Solution solution = example("stephenson_3_driver_6");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    Figure figure = polygon_figure(context, 1, 180, 130);
+    const std::size_t count = figure.details.size();
+    ASSERT_GT(count, 0u);
+    letter_details_on(figure, context, 3);
+    EXPECT_EQ(figure.details.size(), count);
+    const auto read = measured_on(figure, "a_CD_n");
+    ASSERT_TRUE(read.has_value());
+    EXPECT_TRUE(read->detail == "IV" || read->detail == "V" || read->detail == "VI") << read->detail;
+    int circles = 0, headings = 0;
+    for (const Mark& mark : figure.marks) {
+        const auto* text = std::get_if<TextMark>(&mark);
+        if (!text) continue;
+        EXPECT_TRUE(text->words != "I" && text->words != "Detail I");
+        circles += text->words == "IV";
+        headings += text->words == "Detail IV";
+    }
+    EXPECT_EQ(circles, 1);
+    EXPECT_EQ(headings, 1);
+    expect_measures(figure);
+}
+
+TEST(PolygonDetail, ShowsWhatIsTooShortBesideLongVectors) {
+    const Solution solution = example("stephenson_3_driver_6");
+    const Theme theme;
+    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 180, 130);
+    std::map<std::string, double> in_polygon, in_detail;
+    for (const VectorGroup& each : vectors_of(figure)) (each.in_detail() ? in_detail : in_polygon)[each.name()] = each.length();
+    for (const char* name : {"a_D", "a_D_n", "a_CD_n", "a_CS_n"}) {
+        ASSERT_TRUE(in_polygon.count(name) && in_detail.count(name)) << name;
+        EXPECT_LT(in_polygon[name], 4.6) << name;
+        EXPECT_GT(in_detail[name], 4.6) << name;
+    }
+    EXPECT_EQ(in_detail.count("a_A"), 0u) << "long enough where it is";
+    EXPECT_LE(figure.box.width(), 180);
+    EXPECT_LE(figure.box.height(), 130);
+}
+
+TEST(PolygonDetail, NamesEveryVectorOnceOnEveryExample) {
+    for (const std::string& name : example_names()) {
+        SCOPED_TRACE(name);
+        const Solution solution = example(name);
+        const Theme theme;
+        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+            if (solution.protocol.polygons[p].plane == Plane::force) continue;
+            const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, static_cast<int>(p), 150, 130);
+            const auto said = said_by_labels(figure);
+            const auto sketches = polygon_scene(solution, static_cast<int>(p)).coriolis;
+            std::map<std::string, std::set<std::pair<ElementIndex, ElementIndex>>> places;  // a velocity may be drawn in two
+            for (const int v : solution.protocol.polygons[p].vectors) {
+                const DrawnVector& vector = solution.protocol.vectors[static_cast<std::size_t>(v)];
+                places[plain(typeset(vector.symbol, Language::en))].emplace(vector.tail, vector.tip);
+            }
+            for (const auto& [vector, where] : places)
+                if (const auto found = said.find(vector); found != said.end()) {
+                    // Once more in the sketch that says why the Coriolis term points where it does.
+                    const bool sketched =
+                        std::any_of(sketches.begin(), sketches.end(), [&, vector = vector](const SceneCoriolis& sketch) {
+                            return plain(typeset(sketch.coriolis, Language::en)) == vector;
+                        });
+                    EXPECT_GE(found->second, static_cast<int>(where.size())) << vector;
+                    EXPECT_LE(found->second, static_cast<int>(where.size()) + (sketched ? 1 : 0)) << vector;
+                }
+        }
+    }
+}
+
+TEST(PolygonDetail, HasTheScaleOfTheNextSteps) {
+    const Solution solution = example("jansen_leg");
+    const Theme theme;
+    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 180, 130);
+    int details = 0;
+    for (const Mark& mark : figure.marks) {
+        const auto* group = std::get_if<GroupBegin>(&mark);
+        if (!group || group->cls != "figure" || attribute(*group, "data-figure") != "detail") continue;
+        ++details;
+        const double scale = std::strtod(attribute(*group, "data-scale").c_str(), nullptr);
+        EXPECT_DOUBLE_EQ(scale, choose_scale(scale, 0, 1, 1, std::nullopt)) << "1-2-2.5-5";
+        EXPECT_LE(scale, figure.scale / 2.5);
+    }
+    EXPECT_EQ(details, 2);
+}
+
+TEST(PolygonDetail, IsReadForTheResults) {
+    const Solution solution = example("stephenson_3_driver_6");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    const Figure figure = polygon_figure(context, 1, 180, 130);
+    std::map<std::string, ResultRow> rows;
+    for (const ResultRow& row : result_rows(context, {figure})) rows[row.name] = row;
+    EXPECT_EQ(rows.at("a_CD_n").detail, "I");
+    EXPECT_EQ(rows.at("a_CS_n").detail, "II");
+    EXPECT_EQ(rows.at("a_A").detail, "");
+    for (const VectorGroup& each : vectors_of(figure))
+        if (each.in_detail() && each.name() == "a_CD_n") {
+            EXPECT_NEAR(*rows.at("a_CD_n").millimetres, each.length(), 1e-9);
+        }
+}
+
+PolygonVector vector_of(const std::string& name, Spot tail, Spot tip) {
+    PolygonVector vector;
+    vector.tail = tail;
+    vector.tip = tip;
+    vector.name = name;
+    vector.value = length(tip - tail);
+    return vector;
+}
+
+TEST(PolygonDetail, OfNothingWhereAllIsShort) {
+    PolygonParts parts;
+    parts.vectors = {vector_of("v_A", {0, 0}, {4, 0}), vector_of("v_B", {0, 0}, {0, 3})};
+    std::size_t letters = 0;
+    EXPECT_TRUE(details_of(parts, 1, 1, letters).empty());
+    parts.vectors.push_back(vector_of("v_C", {0, 0}, {80, 0}));
+    EXPECT_EQ(details_of(parts, 1, 1, letters).size(), 1u) << "neighbours share one";
+    EXPECT_EQ(letters, 1u);
+}
+
+TEST(PolygonDetail, StandsApartFromAnother) {
+    PolygonParts parts;
+    for (int i = 0; i < 12; ++i)
+        parts.vectors.push_back(vector_of("v_" + std::to_string(i), {6.0 * i, 0}, {6.0 * i + 1, 0.5 * (i % 3)}));
+    parts.vectors.push_back(vector_of("v_long", {0, 0}, {0, 90}));
+    std::size_t letters = 0;
+    const std::vector<Detail> details = details_of(parts, 1, 1, letters);
+    ASSERT_FALSE(details.empty());
+    for (std::size_t i = 0; i < details.size(); ++i)
+        for (std::size_t j = i + 1; j < details.size(); ++j)
+            EXPECT_GT(length(details[i].centre - details[j].centre), details[i].radius + details[j].radius);
+}
+
+TEST(PolygonDetail, OfADetailIsDrawnOnceMore) {
+    const Solution solution = example("four_bar");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    PolygonParts parts;
+    parts.vectors = {vector_of("v_A", {0, 0}, {100, 0}), vector_of("v_B", {0, 0}, {0, -4}), vector_of("v_C", {0, -4}, {0.1, -4})};
+    Figure figure;
+    figure.id = "velocity";
+    figure.unit = "m/s";
+    figure.marks.emplace_back(
+        GroupBegin{"figure", "velocity", "", {{"data-figure", "velocity"}, {"data-scale", "1"}, {"data-unit", "m/s"}}});
+    std::size_t letters = 0;
+    const std::vector<Detail> details = details_of(parts, 1, 1, letters);
+    ASSERT_EQ(details.size(), 1u);
+    draw_parts(figure, context, parts, details);
+    place_labels(figure, fonts());
+    figure.marks.emplace_back(GroupEnd{});
+    set_details(figure, context, parts, details, {200, 150}, letters);
+    std::map<std::string, std::set<std::string>> drawn_in;
+    std::map<std::string, double> longest;
+    for (const VectorGroup& each : vectors_of(figure)) {
+        drawn_in[each.name()].insert(each.figure.id);
+        longest[each.name()] = std::max(longest[each.name()], each.length());
+    }
+    EXPECT_EQ(drawn_in["v_A"], (std::set<std::string>{"velocity"}));
+    EXPECT_EQ(drawn_in["v_B"], (std::set<std::string>{"velocity", "velocity-detail-I"}));
+    EXPECT_EQ(drawn_in["v_C"], (std::set<std::string>{"velocity", "velocity-detail-I", "velocity-detail-II"}));
+    EXPECT_GT(longest["v_C"], 4.6);
+    expect_measures(figure);
+}
+
+// --- construction
+// ----------------------------------------------------------------------------------------------------------------
+
+/// Straight thin lines of a figure.
+std::vector<std::pair<Spot, Spot>> thin_lines(const Figure& figure, const Theme& theme) {
+    std::vector<std::pair<Spot, Spot>> lines;
+    for (const Mark& mark : figure.marks) {
+        const auto* path = std::get_if<Path>(&mark);
+        if (!path || !path->stroked || path->filled || path->pen.width != theme.thin || path->segments.size() != 2) continue;
+        if (const auto* to = std::get_if<LineTo>(&path->segments[1]))
+            lines.emplace_back(std::get<MoveTo>(path->segments[0]).to, to->to);
+    }
+    return lines;
+}
+
+TEST(PolygonConstruction, LinesAreSeenToCrossInTheTipThatTheyFind) {
+    const Solution solution = example("four_bar");
+    const Theme theme;
+    for (int p = 0; p < 2; ++p) {
+        const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, p, 150, 100);
+        Spot b;
+        for (const VectorGroup& each : vectors_of(figure))
+            if (each.name() == (p == 0 ? "v_B" : "a_B")) b = each.axes[0].tip;
+        int through = 0;
+        for (const auto& [from, to] : thin_lines(figure, theme)) {
+            const Spot along = unit(to - from);
+            if (std::abs(cross(along, b - from)) > 1e-6) continue;
+            ++through;
+            EXPECT_GT(dot(b - from, along), 3);
+            EXPECT_GT(dot(to - b, along), 3);
+        }
+        EXPECT_EQ(through, 2);
+    }
+}
+
+/// As a′b′ with p′ on it, where no vector runs from the one to the other; a closed figure of more points has its tint.
+TEST(PolygonConstruction, TheImageOfALinkWithItsPointsOnOneLineIsALine) {
+    const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
+        "points": {"O": [0, 0], "C": [150, 0], "A": {"from": "O", "distance": 50, "angle": 60},
+                   "B": {"meet": [{"circle": "A", "radius": 140}, {"circle": "C", "radius": 90}], "side": "left"},
+                   "P": {"from": "A", "to": "B", "distance": 70}},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B", "P"], "4": ["C", "B"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+                   {"revolute": "B", "bodies": [3, 4]}, {"revolute": "C", "bodies": [4, 1]}],
+        "drivers": [{"body": 2, "omega": 10}]})");
+    const Theme theme;
+    for (const auto& [polygon, lines] : {std::pair{0, 0}, std::pair{1, 1}}) {
+        const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, polygon, 150, 100);
+        std::map<std::string, Spot> tips;
+        for (const VectorGroup& each : vectors_of(figure)) tips[each.name()] = each.axes[0].tip;
+        const Spot a = tips[polygon == 0 ? "v_A" : "a_A"], b = tips[polygon == 0 ? "v_B" : "a_B"];
+        int images = 0;
+        for (const auto& [from, to] : thin_lines(figure, theme))
+            if ((length(from - a) < 1e-6 && length(to - b) < 1e-6) || (length(from - b) < 1e-6 && length(to - a) < 1e-6))
+                ++images;
+        EXPECT_EQ(images, lines) << "v_BA lies there already, a_BA does not";
+    }
+}
+
+/// The marks of right angles: end of one leg, corner, end of the other.
+std::vector<std::vector<Spot>> corners_of(const Figure& figure, const Theme& theme) {
+    std::vector<std::vector<Spot>> corners;
+    for (const Mark& mark : figure.marks) {
+        const auto* path = std::get_if<Path>(&mark);
+        if (!path || !path->stroked || path->filled || path->pen.width != theme.thin || path->segments.size() != 3) continue;
+        std::vector<Spot> spots;
+        for (const render::Segment& segment : path->segments) {
+            if (const auto* m = std::get_if<MoveTo>(&segment)) spots.push_back(m->to);
+            if (const auto* l = std::get_if<LineTo>(&segment)) spots.push_back(l->to);
+        }
+        if (spots.size() == 3) corners.push_back(std::move(spots));
+    }
+    return corners;
+}
+
+/// A square of 1.8 mm that stands at `foot` between the directions `first` and one across it.
+void expect_corner(const std::vector<Spot>& corner, Spot foot, Spot first) {
+    EXPECT_NEAR(length(corner[0] - foot), 1.8, 1e-6);
+    EXPECT_NEAR(dot(corner[0] - foot, first), 1.8, 1e-6);
+    EXPECT_NEAR(dot(corner[2] - foot, first), 0, 1e-6);
+    EXPECT_NEAR(length(corner[2] - foot), 1.8, 1e-6);
+    EXPECT_NEAR(length(corner[1] - foot), 1.8 * std::sqrt(2.0), 1e-6);
+}
+
+TEST(PolygonConstruction, TheRightAngleOfNormalAndTangentialTermIsMarked) {
+    const Solution solution = example("slider_crank");
+    const Theme theme;
+    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 150, 120);
+    const auto corners = corners_of(figure, theme);
+    ASSERT_EQ(corners.size(), 1u);
+    for (const VectorGroup& each : vectors_of(figure))
+        if (each.name() == "a_BA_n") expect_corner(corners[0], each.axes[0].tip, unit(each.axes[0].tail - each.axes[0].tip));
+}
+
+TEST(PolygonConstruction, TheRightAngleToTheCoriolisTermIsMarkedWhereTheRelativeOneEnds) {
+    const Solution solution = example("inverted_slider_crank");
+    const Theme theme;
+    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 150, 120);
+    for (const VectorGroup& each : vectors_of(figure)) {
+        if (each.name() != "a_AA*_cor") continue;
+        const auto corners = corners_of(figure, theme);
+        const auto at_tail = std::find_if(corners.begin(), corners.end(), [&](const std::vector<Spot>& corner) {
+            return length(corner[0] - each.axes[0].tail) < 2;
+        });
+        ASSERT_NE(at_tail, corners.end());
+        expect_corner(*at_tail, each.axes[0].tail, unit(each.axes[0].tip - each.axes[0].tail));
+    }
+}
+
+}  // namespace

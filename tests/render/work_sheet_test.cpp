@@ -1,0 +1,75 @@
+// Sheets of virtual work and of relative motions taken apart: figures and tables are there in both languages, nothing is cut or
+// covered; what a question says of them.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "render/figures/figure.hpp"
+#include "render/sheet/sheet.hpp"
+#include "tests/support/pages.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using pages::says;
+
+std::vector<Page> sheet_of(const Solution& solution, Language language, SheetKind kind = SheetKind::solution) {
+    SheetOptions options;
+    options.language = language;
+    options.kind = kind;
+    return lay_out(solution, options, tests::fonts());
+}
+std::set<std::string> classes_of(const Figure& figure) {
+    std::set<std::string> classes;
+    for (const Mark& mark : figure.marks)
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) classes.insert(group->cls);
+    return classes;
+}
+
+TEST(VirtualWorkSheet, HasDisplacementsTableAndEffort) {
+    const Solution solution = tests::example("virtual_work");
+    for (const Language language : {Language::en, Language::it}) {
+        const std::vector<Page> sheet = sheet_of(solution, language);
+        pages::expect_clean(sheet);
+        for (const Page& page : sheet) pages::expect_sound_groups(page);
+        EXPECT_TRUE(says(sheet, language == Language::en ? "Virtual work" : "Lavori virtuali"));
+        EXPECT_TRUE(says(sheet, language == Language::en ? "20.642 MN" : "20,642 MN")) << "F_G";
+    }
+    const Figure figure = displacement_figure({solution, Theme{}, tests::fonts(), Language::en}, 0, 120, 120);
+    const std::set<std::string> classes = classes_of(figure);
+    EXPECT_TRUE(classes.contains("displacement") && classes.contains("force"));
+    EXPECT_LE(figure.box.width(), 120.01);
+}
+
+class ApartSheet : public testing::TestWithParam<const char*> {};
+
+TEST_P(ApartSheet, HasNothingCutOrCovered) {
+    const Solution solution = tests::example(GetParam());
+    const bool italian = std::string_view(GetParam()).size() % 2 == 0;
+    const std::vector<Page> sheet = sheet_of(solution, italian ? Language::it : Language::en);
+    pages::expect_clean(sheet);
+    for (const Page& page : sheet) pages::expect_sound_groups(page);
+    EXPECT_TRUE(says(sheet, italian ? "Poisson" : "Poisson’s"));
+    EXPECT_TRUE(classes_of(moving_axes_figure({solution, Theme{}, tests::fonts(), Language::en},
+                                              solution.relative_motion.size() - 1, 100, 100))
+                    .contains("axis"));
+}
+INSTANTIATE_TEST_SUITE_P(Examples, ApartSheet, testing::Values("moving_frame", "slider_on_moving_guide", "scara"),
+                         [](const auto& each) { return std::string(each.param); });
+
+TEST(QuestionOfEquations, ShowsTheLoopsThatGiveTheLetters) {
+    auto mechanism = read_mechanism(tests::contents(tests::example_file("four_bar")), "four_bar.json");
+    mechanism->find.stated = mechanism->find.equations = true;
+    const Solution solution = *solve(*std::move(mechanism));
+    const std::vector<Page> question = sheet_of(solution, Language::en, SheetKind::question);
+    pages::expect_clean(question);
+    EXPECT_TRUE(says(question, "Jacobian"));
+    bool loops = false;
+    for (const Mark& mark : question.back().marks)
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) loops = loops || group->cls == "side";
+    EXPECT_TRUE(loops);
+    EXPECT_EQ(question.size(), 2U);
+}
+
+}  // namespace
+}  // namespace kinegraph::render

@@ -1,0 +1,34 @@
+// What the tests of contact, wear and impact have in common: their solutions by kind, and the results held against the checks.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "engine/solution/problem_solution.hpp"
+#include "tests/support/solved.hpp"
+
+namespace kinegraph::tests {
+
+/// What was found, of the kind that the file states.
+template <class Found>
+const Found& found_in(const Solution& solution) {
+    return std::get<Found>(solution.problem->of);
+}
+/// A file that states a problem, lengths in mm; `members` are those of its section.
+inline Solution stated(const std::string& section, const std::string& members) {
+    return solved(R"({"kinegraph": 1, "units": {"length": "mm"}, ")" + section + R"(": {)" + members + "}}");
+}
+/// Each value within a share of the check's, of itself or of the largest.
+enum class Against { itself, largest };
+inline void expect_near_check(const ProblemSolution& found, double share, Against against) {
+    double largest = 0;
+    for (const ProblemValue& each : found.values) largest = std::max(largest, std::abs(each.value));
+    for (const ProblemValue& each : found.values)
+        EXPECT_NEAR(each.value, *each.numeric, share * (against == Against::itself ? std::abs(each.value) : largest))
+            << each.name.en;
+}
+
+}  // namespace kinegraph::tests
