@@ -1,5 +1,5 @@
-// The command line: what may be typed, and how a run ends. A further command is one function here that declares its options
-// and hands its request to a file of its own. Faults of ours are caught here and nowhere else.
+// The command line: what may be typed, and how a run ends. A further command is one function here that declares its
+// options and hands its request to a file of its own. Faults of ours are caught here and nowhere else.
 #include <fcntl.h>
 #include <unistd.h>
 #if __has_include(<malloc.h>)
@@ -32,7 +32,8 @@ namespace {
 
 constexpr const char* version = "kinegraph " KINEGRAPH_VERSION;
 constexpr const char* statuses =
-    "Exit status: 0 done; 1 diff found a difference; 2 the command line or the file is wrong, nothing is written; 3 no unique answer\n"
+    "Exit status: 0 done; 1 diff found a difference; 2 the command line or the file is wrong, nothing is written; 3 no "
+    "unique answer\n"
     "(locked, dead point): what could be found is written; 4 the output can't be written, or the font or a\n"
     "module of the program is missing, or the port can't be had; 70 a fault of ours.";
 
@@ -51,7 +52,8 @@ constexpr std::array<Translation, 17> option_faults{{
     {" is not a whole number from ", " non è un numero intero da "},
     {" up to ", " fino a "},
     {" is not NAME=VALUE", " non è NOME=VALORE"},
-    {" is not a share: a number from 0 to 1, or from 0% to 100%", " non è una quota: un numero da 0 a 1, o da 0% a 100%"},
+    {" is not a share: a number from 0 to 1, or from 0% to 100%",
+     " non è una quota: un numero da 0 a 1, o da 0% a 100%"},
     {"20 to 1200", "20 a 1200"},
     {"0 to 1", "0 a 1"},
     {"A subcommand is required", "manca un comando"},
@@ -76,15 +78,16 @@ std::optional<double> number_within(const std::string& text, double least, doubl
     return value;
 }
 
-/// A check that the whole of a text is a whole number from `least` to `most`, digits alone: the parser of options takes what is
-/// beyond its largest number for that number, and nothing for 0.
+/// A check that the whole of a text is a whole number from `least` to `most`, digits alone: the parser of options takes
+/// what is beyond its largest number for that number, and nothing for 0.
 auto whole_number(std::uint64_t least, std::uint64_t most) {
     return [least, most](const std::string& text) {
         std::uint64_t value = 0;
         const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
         const bool whole = end.ec == std::errc() && end.ptr == text.data() + text.size();
         if (whole && value >= least && value <= most) return std::string();
-        return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " up to " + std::to_string(most);
+        return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " up to " +
+               std::to_string(most);
     };
 }
 
@@ -104,8 +107,8 @@ std::string resolution_fits(const std::string& text) {
 }
 
 /// An option that takes one of several words, in small or large letters.
-void add_choice(CLI::App& command, const char* name, std::string& chosen, const char* help, std::vector<std::string> words,
-                const char* type) {
+void add_choice(CLI::App& command, const char* name, std::string& chosen, const char* help,
+                std::vector<std::string> words, const char* type) {
     command.add_option(name, chosen, help)
         ->transform(CLI::IsMember(std::move(words), CLI::ignore_case))
         ->type_name(type)
@@ -173,10 +176,10 @@ struct SolveWords {
 void add_outputs(CLI::App& command, SolveRequest& request) {
     command.add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
     command
-        .add_option(
-            "-o,--output", request.outputs,
-            "OUT.svg, .png, .pdf, .tex, .json or .html (the live page); may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
-            "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
+        .add_option("-o,--output", request.outputs,
+                    "OUT.svg, .png, .pdf, .tex, .json or .html (the live page); may be given again. Further pages are "
+                    "OUT-2.svg, OUT-3.svg. "
+                    "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
         ->allow_extra_args(false)
         ->type_name("OUT");
     command.add_option("--format", request.format, "What to write where the name of the output does not say it")
@@ -194,21 +197,26 @@ void add_paper(CLI::App& command, SolveWords& words) {
 /// What is drawn.
 void add_sheet(CLI::App& command, SolveWords& words) {
     command
-        .add_option("--figure", words.request.figure,
-                    "One figure alone, on a page of its size: mechanism, centres, velocity, acceleration, forces, closure, "
-                    "body-3 …; of a wrong name the message lists those there are")
+        .add_option(
+            "--figure", words.request.figure,
+            "One figure alone, on a page of its size: mechanism, centres, velocity, acceleration, forces, closure, "
+            "body-3 …; of a wrong name the message lists those there are")
         ->type_name("NAME");
-    add_choice(command, "--dimensions", words.dimensions,
-               "Given lengths, radii and angles on the mechanism figure: auto (each that finds a free place), on (all) or off",
-               {"auto", "on", "off"}, "WHICH");
-    add_choice(command, "--detail", words.detail,
-               "How much of the solution is told: full, or brief (mechanism, polygons, the decisive sentences, answers)",
-               {"full", "brief"}, "HOW");
-    add_choice(command, "--sheet", words.sheet,
-               "What is handed out: the solution, the question (the mechanism with its data, what is sought, scales) or the "
-               "answers (the key, with tolerances)",
-               {"solution", "question", "answers"}, "WHICH");
-    command.add_flag("--grid", words.request.grid, "With --sheet question: blank rooms for the polygons, with pole and grid");
+    add_choice(
+        command, "--dimensions", words.dimensions,
+        "Given lengths, radii and angles on the mechanism figure: auto (each that finds a free place), on (all) or off",
+        {"auto", "on", "off"}, "WHICH");
+    add_choice(
+        command, "--detail", words.detail,
+        "How much of the solution is told: full, or brief (mechanism, polygons, the decisive sentences, answers)",
+        {"full", "brief"}, "HOW");
+    add_choice(
+        command, "--sheet", words.sheet,
+        "What is handed out: the solution, the question (the mechanism with its data, what is sought, scales) or the "
+        "answers (the key, with tolerances)",
+        {"solution", "question", "answers"}, "WHICH");
+    command.add_flag("--grid", words.request.grid,
+                     "With --sheet question: blank rooms for the polygons, with pole and grid");
     command
         .add_flag("--steps", words.request.steps,
                   "The solution as a sequence, each page adding one step: pages of a PDF, or OUT.svg, OUT-2.svg …")
@@ -220,8 +228,9 @@ void add_print(CLI::App& command, std::string& date, std::string& author, std::s
     command.add_option("--date", date, "A date for the title block, as it is to be printed")->type_name("TEXT");
     command.add_option("--author", author, "A name for the title block")->type_name("TEXT");
     command
-        .add_option("--theme", theme,
-                    "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
+        .add_option(
+            "--theme", theme,
+            "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
         ->type_name("THEME")
         ->capture_default_str();
     command.add_option("--dpi", dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
@@ -248,7 +257,8 @@ void add_look(CLI::App& command, SolveRequest& request) {
         .add_option(
             "--with", request.with,
             "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
-            "moments about the pole of the velocities; equations: the closure equations with their Jacobian; virtual work: virtual displacements and "
+            "moments about the pole of the velocities; equations: the closure equations with their Jacobian; virtual "
+            "work: virtual displacements and "
             "what they say of the efforts")
         ->allow_extra_args(false)
         ->check(CLI::IsMember({"joukowsky", "equations", "virtual work"}))
@@ -259,22 +269,24 @@ void add_look(CLI::App& command, SolveRequest& request) {
 void add_driver(CLI::App& command, std::string& driver) {
     command
         .add_option("--driver", driver,
-                    "Which driver moves, by the name of its body, joint or point; without it the first of the file. Others rest")
+                    "Which driver moves, by the name of its body, joint or point; without it the first of the file. "
+                    "Others rest")
         ->type_name("NAME");
 }
 
 void add_branch(CLI::App& command, int& branch) {
     command
-        .add_option(
-            "--branch", branch,
-            "Out of a change point that is drawn: which of the branches that the results list, from 1; without it the one "
-            "on which the bodies move least")
+        .add_option("--branch", branch,
+                    "Out of a change point that is drawn: which of the branches that the results list, from 1; without "
+                    "it the one "
+                    "on which the bodies move least")
         ->check(whole_number(1, 1000))
         ->type_name("N");
 }
 
 void add_solve(CLI::App& program, Action& action) {
-    CLI::App* command = add_command(program, "solve", "Solve a mechanism: the sheet and the results, or a table on the terminal");
+    CLI::App* command =
+        add_command(program, "solve", "Solve a mechanism: the sheet and the results, or a table on the terminal");
     auto words = std::make_shared<SolveWords>();
     add_outputs(*command, words->request);
     add_settings(*command, words->request.set);
@@ -282,9 +294,10 @@ void add_solve(CLI::App& program, Action& action) {
     add_sheet(*command, *words);
     add_look(*command, words->request);
     command
-        ->add_option("--at", words->request.at,
-                     "The position in which it is solved: the driver's turn or slide from the drawn one, 30°, 0.5 rad, 20 mm; "
-                     "may be given again, a sheet each; every 30° for a whole turn")
+        ->add_option(
+            "--at", words->request.at,
+            "The position in which it is solved: the driver's turn or slide from the drawn one, 30°, 0.5 rad, 20 mm; "
+            "may be given again, a sheet each; every 30° for a whole turn")
         ->allow_extra_args(false)
         ->type_name("TURN");
     add_driver(*command, words->request.driver);
@@ -293,18 +306,20 @@ void add_solve(CLI::App& program, Action& action) {
 }
 
 void add_batch(CLI::App& program, Action& action) {
-    CLI::App* command = add_command(program, "batch",
-                                    "A filter: requests as JSON Lines on standard input, an answer for each, in their order, on "
-                                    "standard output (docs/format.md)");
+    CLI::App* command =
+        add_command(program, "batch",
+                    "A filter: requests as JSON Lines on standard input, an answer for each, in their order, on "
+                    "standard output (docs/format.md)");
     auto request = std::make_shared<BatchRequest>();
     auto words = std::make_shared<SolveWords>();
-    command->add_option("--jobs", request->jobs, "So many lines are worked on at a time, each on a processor of its own")
+    command
+        ->add_option("--jobs", request->jobs, "So many lines are worked on at a time, each on a processor of its own")
         ->check(whole_number(1, 1024))
         ->type_name("N")
         ->capture_default_str();
-    command->add_flag(
-        "--resume", request->resume,
-        "What the same line, the same files and the same options have made before is known by its hash and not made again");
+    command->add_flag("--resume", request->resume,
+                      "What the same line, the same files and the same options have made before is known by its hash "
+                      "and not made again");
     add_settings(*command, words->request.set);
     add_paper(*command, *words);
     add_sheet(*command, *words);
@@ -333,16 +348,16 @@ struct WordsOf {
 
 void add_drivers(CLI::App& command, SweepRequest& request) {
     command
-        .add_option(
-            "--driver", request.drivers,
-            "Which driver moves, by the name of its body, joint or point; without it the first of the file. Given again: a "
-            "driver that goes along, by its --step. Others rest")
+        .add_option("--driver", request.drivers,
+                    "Which driver moves, by the name of its body, joint or point; without it the first of the file. "
+                    "Given again: a "
+                    "driver that goes along, by its --step. Others rest")
         ->allow_extra_args(false)
         ->type_name("NAME");
     command
-        .add_option(
-            "--step", request.step,
-            "By how much a driver that goes along moves at each step of the first: 2°, -1 mm; one for each, in their order")
+        .add_option("--step", request.step,
+                    "By how much a driver that goes along moves at each step of the first: 2°, -1 mm; one for each, in "
+                    "their order")
         ->allow_extra_args(false)
         ->type_name("TURN");
     add_branch(command, request.branch);
@@ -350,10 +365,10 @@ void add_drivers(CLI::App& command, SweepRequest& request) {
 
 void add_travel(CLI::App& command, SweepRequest& request) {
     command
-        .add_option(
-            "--from", request.from,
-            "Where it starts, from the drawn position: 90°, 1.57 rad, 20 mm; without --from and --to a full turn, or from "
-            "limit to limit")
+        .add_option("--from", request.from,
+                    "Where it starts, from the drawn position: 90°, 1.57 rad, 20 mm; without --from and --to a full "
+                    "turn, or from "
+                    "limit to limit")
         ->type_name("TURN");
     command.add_option("--to", request.to, "Where it ends")->type_name("TURN");
     command.add_option("--steps", request.steps, "Steps from the first position to the last")
@@ -364,9 +379,10 @@ void add_travel(CLI::App& command, SweepRequest& request) {
 
 void add_plots(CLI::App& command, SweepRequest& request) {
     command
-        .add_option("--plot", request.plots,
-                    "Columns of one unit in one plot, up to four, by their names: \"x B,x C\"; may be given again. Without it "
-                    "what slides or turns last, and the efforts")
+        .add_option(
+            "--plot", request.plots,
+            "Columns of one unit in one plot, up to four, by their names: \"x B,x C\"; may be given again. Without it "
+            "what slides or turns last, and the efforts")
         ->allow_extra_args(false)
         ->type_name("QUANTITIES");
     command
@@ -375,10 +391,10 @@ void add_plots(CLI::App& command, SweepRequest& request) {
         ->allow_extra_args(false)
         ->type_name("P[,on BODY]");
     command
-        .add_option(
-            "--centrodes", request.centrodes,
-            "The centrodes of body j against body i, the fixed and the moving one: on the drawing and in the JSON; may be "
-            "given again")
+        .add_option("--centrodes", request.centrodes,
+                    "The centrodes of body j against body i, the fixed and the moving one: on the drawing and in the "
+                    "JSON; may be "
+                    "given again")
         ->allow_extra_args(false)
         ->type_name("i,j");
     command.add_option("--poses", request.poses, "So many positions thin behind the mechanism")
@@ -389,16 +405,16 @@ void add_plots(CLI::App& command, SweepRequest& request) {
 }
 
 void add_sweep(CLI::App& program, Action& action) {
-    CLI::App* command =
-        add_command(program, "sweep", "The results in one position after another: rows of numbers, plots, paths of points");
+    CLI::App* command = add_command(
+        program, "sweep", "The results in one position after another: rows of numbers, plots, paths of points");
     auto words = std::make_shared<WordsOf<SweepRequest>>();
     SweepRequest& request = words->request;
     command->add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
     command
-        ->add_option(
-            "-o,--output", request.outputs,
-            "OUT.csv or .json (SI units), .svg, .png, .pdf or .tex (the sheet with plots); may be given again. Without it CSV "
-            "goes to standard output")
+        ->add_option("-o,--output", request.outputs,
+                     "OUT.csv or .json (SI units), .svg, .png, .pdf or .tex (the sheet with plots); may be given "
+                     "again. Without it CSV "
+                     "goes to standard output")
         ->allow_extra_args(false)
         ->type_name("OUT");
     command->add_option("--format", request.format, "What to write where the name of the output does not say it")
@@ -407,7 +423,8 @@ void add_sweep(CLI::App& program, Action& action) {
     add_settings(*command, request.set);
     command
         ->add_option("--over", request.over,
-                     "A parameter of the file that is swept in place of a driver, --from … --to … in --steps or by --step: every "
+                     "A parameter of the file that is swept in place of a driver, --from … --to … in --steps or by "
+                     "--step: every "
                      "row is the file solved anew")
         ->type_name("PARAMETER");
     add_drivers(*command, request);
@@ -432,24 +449,30 @@ void add_variants(CLI::App& program, Action& action) {
         ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->type_name("S")
         ->capture_default_str();
-    command->add_option("--roster", request.roster, "A CSV file with a student on each line, who is named in the title block")
-        ->type_name("CSV");
-    command->add_flag("--merge", request.merge, "One PDF of all questions and one of all solutions, in place of a file each");
-    add_choice(*command, "--format", request.format, "What the sheets are: pdf, svg or png", {"pdf", "svg", "png"}, "FORMAT");
     command
-        ->add_option(
-            "--for", request.platforms,
-            "A file for a learning platform besides: moodle (XML), qti (2.1, zipped) or csv; may be given again, or parted "
-            "by commas")
+        ->add_option("--roster", request.roster,
+                     "A CSV file with a student on each line, who is named in the title block")
+        ->type_name("CSV");
+    command->add_flag("--merge", request.merge,
+                      "One PDF of all questions and one of all solutions, in place of a file each");
+    add_choice(*command, "--format", request.format, "What the sheets are: pdf, svg or png", {"pdf", "svg", "png"},
+               "FORMAT");
+    command
+        ->add_option("--for", request.platforms,
+                     "A file for a learning platform besides: moodle (XML), qti (2.1, zipped) or csv; may be given "
+                     "again, or parted "
+                     "by commas")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::IsMember({"moodle", "qti", "csv"}))
         ->type_name("PLATFORM");
-    command->add_flag("--resume", request.resume, "What an earlier run of the same request has written whole is not done again");
+    command->add_flag("--resume", request.resume,
+                      "What an earlier run of the same request has written whole is not done again");
     add_settings(*command, request.set);
-    add_choice(*command, "--detail", words->sheet.detail, "How much of a solution is told: full or brief", {"full", "brief"},
-               "HOW");
-    command->add_flag("--grid", request.sheet.grid, "On the questions: blank rooms for the polygons, with pole and grid");
+    add_choice(*command, "--detail", words->sheet.detail, "How much of a solution is told: full or brief",
+               {"full", "brief"}, "HOW");
+    command->add_flag("--grid", request.sheet.grid,
+                      "On the questions: blank rooms for the polygons, with pole and grid");
     add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
     add_paper(*command, words->sheet);
     command->callback([&action, words] {
@@ -468,19 +491,19 @@ void add_cam(CLI::App& program, Action& action) {
     CamRequest& request = words->request;
     command->add_option("FILE", request.file, "The cam's file; - is standard input")->required();
     command
-        ->add_option(
-            "-o,--output", request.outputs,
-            "OUT.csv (SI units), .svg, .png, .pdf or .tex (the sheet), .json (the mechanism file of one position); may be given "
-            "again. Without it CSV goes to standard output")
+        ->add_option("-o,--output", request.outputs,
+                     "OUT.csv (SI units), .svg, .png, .pdf or .tex (the sheet), .json (the mechanism file of one "
+                     "position); may be given "
+                     "again. Without it CSV goes to standard output")
         ->allow_extra_args(false)
         ->type_name("OUT");
     command->add_option("--format", request.format, "What to write where the name of the output does not say it")
         ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf", "tex"}, CLI::ignore_case))
         ->type_name("FORMAT");
     command
-        ->add_option(
-            "--at", request.at,
-            "The cam's turn at which it is drawn and its mechanism written: 30°, 0.5 rad; without it where the law begins")
+        ->add_option("--at", request.at,
+                     "The cam's turn at which it is drawn and its mechanism written: 30°, 0.5 rad; without it where "
+                     "the law begins")
         ->type_name("TURN");
     command->add_option("--steps", request.steps, "Rows over the whole turn")
         ->check(whole_number(0, most_steps))
@@ -493,7 +516,8 @@ void add_cam(CLI::App& program, Action& action) {
 }
 
 void add_check(CLI::App& program, Action& action) {
-    CLI::App* command = add_command(program, "check", "Read and validate a mechanism file; nothing is solved or written");
+    CLI::App* command =
+        add_command(program, "check", "Read and validate a mechanism file; nothing is solved or written");
     auto request = std::make_shared<CheckRequest>();
     auto language = std::make_shared<std::string>("en");
     command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
@@ -511,17 +535,18 @@ void add_diff(CLI::App& program, Action& action) {
     command->add_option("EXPECTED", request->expected, "The picture as it should be; - is standard input")->required();
     command->add_option("ACTUAL", request->actual, "The picture as it is")->required();
     command
-        ->add_option(
-            "-o,--output", request->output,
-            "Where a PNG goes that shows the expected picture, the difference (red; amber what antialiasing explains) and "
-            "the actual picture side by side")
+        ->add_option("-o,--output", request->output,
+                     "Where a PNG goes that shows the expected picture, the difference (red; amber what antialiasing "
+                     "explains) and "
+                     "the actual picture side by side")
         ->type_name("DIFF.png");
     command
         ->add_option_function<std::string>(
             "--threshold", [request](const std::string& text) { request->threshold = share(text).value_or(0); },
             "The share of pixels that may differ: 0.005 or 0.5%")
         ->check([](const std::string& text) {
-            return share(text) ? std::string() : "\"" + text + "\" is not a share: a number from 0 to 1, or from 0% to 100%";
+            return share(text) ? std::string()
+                               : "\"" + text + "\" is not a share: a number from 0 to 1, or from 0% to 100%";
         })
         ->type_name("SHARE")
         ->default_str("0");
@@ -559,7 +584,8 @@ void add_pairs(CLI::App& program, Action& action) {
     command->add_option("FILE", request.file, "The mechanism file; - is standard input");
     command
         ->add_option("-o,--output", request.outputs,
-                     "The catalogue drawn, OUT.svg, .png or .pdf, or what is printed as .json; may be given again. Further pages "
+                     "The catalogue drawn, OUT.svg, .png or .pdf, or what is printed as .json; may be given again. "
+                     "Further pages "
                      "are OUT-2.svg, OUT-3.svg")
         ->allow_extra_args(false)
         ->type_name("OUT");
@@ -579,17 +605,17 @@ void add_pairs(CLI::App& program, Action& action) {
 }
 
 void add_equations(CLI::App& program, Action& action) {
-    CLI::App* command =
-        add_command(program, "equations",
-                    "The closure equations in complex form, their Jacobian, velocity ratios, accelerations; of the motion of a "
-                    "point the derivatives of its laws");
+    CLI::App* command = add_command(
+        program, "equations",
+        "The closure equations in complex form, their Jacobian, velocity ratios, accelerations; of the motion of a "
+        "point the derivatives of its laws");
     auto request = std::make_shared<EquationsRequest>();
     auto language = std::make_shared<std::string>("en");
     command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
     add_settings(*command, request->set);
     add_language(*command, *language, "Language: en or it");
-    add_choice(*command, "--format", request->format, "text, latex (a document) or json (matrices and unknowns by name)",
-               {"text", "latex", "json"}, "FORMAT");
+    add_choice(*command, "--format", request->format,
+               "text, latex (a document) or json (matrices and unknowns by name)", {"text", "latex", "json"}, "FORMAT");
     command->callback([&action, request, language] {
         request->language = render::language_of(*language);
         action = [request] { return equations_command(*request); };
@@ -602,13 +628,15 @@ void add_watch(CLI::App& program, Action& action) {
     auto request = std::make_shared<WatchRequest>();
     auto language = std::make_shared<std::string>("en");
     command->add_option("FILE", request->file, "The mechanism file")->required();
-    command->add_option("--port", request->port, "The port on 127.0.0.1, 0 to 65535; without it, or 0, any that is free")
+    command
+        ->add_option("--port", request->port, "The port on 127.0.0.1, 0 to 65535; without it, or 0, any that is free")
         ->check(whole_number(0, 65535))
         ->type_name("N");
     add_language(*command, *language, "The language that is shown first, and that of messages: en or it");
     command
-        ->add_option("--theme", request->theme,
-                     "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
+        ->add_option(
+            "--theme", request->theme,
+            "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
         ->type_name("THEME")
         ->capture_default_str();
     command->callback([&action, request, language] {
@@ -644,11 +672,12 @@ Status run(int count, char** arguments, Language language) {
             named = named || command->get_name() == first;
         }
         if (!named) {
-            return refuse({"{0}; there are {1} (kinegraph --help says more)", "{0}; ci sono {1} (kinegraph --help dice di più)",
-                           first.empty() ? Words("a command is missing", "manca un comando")
-                                         : Words("no command is named \"{0}\"", "nessun comando si chiama \"{0}\"", first),
-                           known},
-                          language);
+            return refuse(
+                {"{0}; there are {1} (kinegraph --help says more)", "{0}; ci sono {1} (kinegraph --help dice di più)",
+                 first.empty() ? Words("a command is missing", "manca un comando")
+                               : Words("no command is named \"{0}\"", "nessun comando si chiama \"{0}\"", first),
+                 known},
+                language);
         }
     }
     // "--at every 30°" in two words; CLI11 takes its words from the last to the first.
@@ -676,15 +705,15 @@ Status run(int count, char** arguments, Language language) {
     return action();
 }
 
-/// A closed standard stream would give its number to the next file that is opened, and messages would end in an output. What
-/// takes its place fails as the closed one does: input cannot be read, output cannot be written.
+/// A closed standard stream would give its number to the next file that is opened, and messages would end in an output.
+/// What takes its place fails as the closed one does: input cannot be read, output cannot be written.
 void hold_standard_streams() {
     for (int stream = 0; stream < 3; ++stream)
         if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-/// Memory that is given back only at the end: a run takes milliseconds, and of those the heap's growing and shrinking takes more
-/// than any one figure.
+/// Memory that is given back only at the end: a run takes milliseconds, and of those the heap's growing and shrinking
+/// takes more than any one figure.
 void keep_memory() {
 #ifdef M_TOP_PAD
     constexpr int at_a_time = 4 << 20, large = 64 << 20, never = 1 << 30;

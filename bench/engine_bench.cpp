@@ -1,5 +1,5 @@
-// What solving costs, from the text of a file to the Solution, and each of its parts: kinematics, centres, the check, reading.
-// The figures of docs/performance.md come from here.
+// What solving costs, from the text of a file to the Solution, and each of its parts: kinematics, centres, the check,
+// reading. The figures of docs/performance.md come from here.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 
 #include "constructions/positions/cycle.hpp"
 #include "constructions/solving/solve.hpp"
-#include "engine/check/check.hpp"
-#include "engine/motion/mobility.hpp"
-#include "engine/drawing/pose.hpp"
 #include "engine/board/replay.hpp"
+#include "engine/check/check.hpp"
+#include "engine/drawing/pose.hpp"
+#include "engine/motion/mobility.hpp"
 #include "tests/support/four_bars_in_a_row.hpp"
 
 namespace {
@@ -45,14 +45,16 @@ std::string large_file(std::size_t megabytes) {
 
 Mechanism read(const std::string& text) {
     auto mechanism = read_mechanism(text, "benchmark");
-    if (!mechanism) throw std::runtime_error(mechanism.error().front().where + ": " + mechanism.error().front().message.en);
+    if (!mechanism)
+        throw std::runtime_error(mechanism.error().front().where + ": " + mechanism.error().front().message.en);
     return *std::move(mechanism);
 }
 
 std::size_t most_bits(const Solution& solution) {
     std::size_t bits = 0;
     for (const Value& value : solution.protocol.values) {
-        if (const auto* point = std::get_if<ProjectivePoint>(&value)) bits = std::max({bits, point->x.bits(), point->y.bits()});
+        if (const auto* point = std::get_if<ProjectivePoint>(&value))
+            bits = std::max({bits, point->x.bits(), point->y.bits()});
     }
     return bits;
 }
@@ -95,7 +97,8 @@ void replay(benchmark::State& state, const std::string& text, bool with_forces) 
     }
     const Cut record =
         cut(solution.protocol.program, wanted, with_forces ? solution.settled.forces : solution.settled.accelerations);
-    Replay replay(record.program, givens_of(record.program, solution.mechanism, solution.pose), solution.pose.size.to_double());
+    Replay replay(record.program, givens_of(record.program, solution.mechanism, solution.pose),
+                  solution.pose.size.to_double());
     for (auto _ : state) {
         if (replay.run()) return state.SkipWithError("a guard flipped");
         benchmark::ClobberMemory();
@@ -110,7 +113,8 @@ BENCHMARK(BM_ReplayWattSixBar);
 void BM_ReplayExamWithForces(benchmark::State& state) { replay(state, example("exam_2001"), true); }
 BENCHMARK(BM_ReplayExamWithForces);
 
-/// A row of a cycle: the joints closed by Newton, the record replayed, without the check. `with_values` false: Newton alone.
+/// A row of a cycle: the joints closed by Newton, the record replayed, without the check. `with_values` false: Newton
+/// alone.
 void cycle(benchmark::State& state, const std::string& text, bool with_values) {
     const Mechanism mechanism = read(text);
     const Pose pose = *draw_pose(mechanism);
@@ -163,7 +167,9 @@ void BM_ChainMotionByCompass(benchmark::State& state) {
 BENCHMARK(BM_ChainMotionByCompass)->Arg(10)->Arg(49)->Unit(benchmark::kMillisecond);
 
 /// Twelve bodies: all 66 centres by Aronhold and Kennedy, nothing else (pose and mobility included).
-void BM_TwelveBodiesCentres(benchmark::State& state) { solve_text(state, four_bars_in_a_row(5, R"(["instant centres"])")); }
+void BM_TwelveBodiesCentres(benchmark::State& state) {
+    solve_text(state, four_bars_in_a_row(5, R"(["instant centres"])"));
+}
 BENCHMARK(BM_TwelveBodiesCentres)->Unit(benchmark::kMicrosecond);
 void BM_TwelveBodiesCentresByCompass(benchmark::State& state) {
     solve_text(state, four_bars_in_a_row(5, R"(["instant centres"])", true));
@@ -172,7 +178,8 @@ BENCHMARK(BM_TwelveBodiesCentresByCompass)->Unit(benchmark::kMicrosecond);
 void BM_TwelveBodiesAll(benchmark::State& state) { solve_text(state, four_bars_in_a_row(5)); }
 BENCHMARK(BM_TwelveBodiesAll)->Unit(benchmark::kMicrosecond);
 
-// --- the parts -----------------------------------------------------------------------------------------------------------------
+// --- the parts
+// -----------------------------------------------------------------------------------------------------------------
 void BM_FourBarPose(benchmark::State& state) {
     const Mechanism mechanism = read(example("four_bar"));
     for (auto _ : state) benchmark::DoNotOptimize(draw_pose(mechanism));
@@ -193,7 +200,8 @@ void BM_ChainCheck(benchmark::State& state) {
 }
 BENCHMARK(BM_ChainCheck)->Arg(1)->Arg(5)->Arg(49)->Unit(benchmark::kMicrosecond);
 
-// --- reading -------------------------------------------------------------------------------------------------------------------
+// --- reading
+// -------------------------------------------------------------------------------------------------------------------
 void read_text(benchmark::State& state, const std::string& text) {
     for (auto _ : state) {
         auto mechanism = read_mechanism(text, "benchmark");

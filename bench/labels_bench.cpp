@@ -1,4 +1,5 @@
-// What lettering costs on the richest example's sheet: each of its figures once, and a drawing with far more names than room.
+// What lettering costs on the richest example's sheet: each of its figures once, and a drawing with far more names than
+// room.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -27,7 +28,8 @@ kinegraph::Solution solved(const char* name) {
     return kinegraph::solve(std::move(*mechanism)).value();
 }
 
-/// A finished figure with its names taken off again: each asks for a place at the middle of where it stood, of the same size.
+/// A finished figure with its names taken off again: each asks for a place at the middle of where it stood, of the same
+/// size.
 Figure unlettered(Figure figure) {
     std::vector<Mark> marks;
     for (Mark& mark : figure.marks) {
@@ -43,7 +45,8 @@ Figure unlettered(Figure figure) {
         request.text = {words};
         request.anchor = text->pivot;
         if (text->angle != 0) {
-            request.toward = Spot{text->pivot.x + 10 * std::cos(text->angle), text->pivot.y + 10 * std::sin(text->angle)};
+            request.toward =
+                Spot{text->pivot.x + 10 * std::cos(text->angle), text->pivot.y + 10 * std::sin(text->angle)};
             request.along = true;
         }
         figure.labels.push_back(std::move(request));
@@ -64,7 +67,8 @@ std::vector<Figure> richest_figures() {
         if (solution.protocol.polygons[p].plane != kinegraph::Plane::force)
             figures.push_back(polygon_figure(context, static_cast<int>(p), 124, 80));
     for (const int p : closed_polygons(solution)) figures.push_back(closed_polygon_figure(context, p, 124, 80));
-    for (std::size_t i = 0; i < solution.free_bodies.size(); ++i) figures.push_back(free_body_figure(context, i, 80, 85));
+    for (std::size_t i = 0; i < solution.free_bodies.size(); ++i)
+        figures.push_back(free_body_figure(context, i, 80, 85));
     for (Figure& figure : figures) figure = unlettered(std::move(figure));
     return figures;
 }

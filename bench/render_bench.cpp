@@ -1,4 +1,5 @@
-// What type and the backends cost, on an A4 sheet fuller than ours get: 2000 glyphs in four sizes and their scripts, 800 paths.
+// What type and the backends cost, on an A4 sheet fuller than ours get: 2000 glyphs in four sizes and their scripts,
+// 800 paths.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -10,7 +11,8 @@ namespace {
 
 using namespace kinegraph::render;
 
-const Colour body_colours[] = {{200, 64, 15}, {230, 168, 23}, {11, 68, 132}, {37, 155, 122}, {58, 15, 44}, {107, 107, 115}};
+const Colour body_colours[] = {{200, 64, 15},  {230, 168, 23}, {11, 68, 132},
+                               {37, 155, 122}, {58, 15, 44},   {107, 107, 115}};
 
 void write(Page& page, const ShapedLine& line, double x, double y, Colour colour) {
     for (const auto& part : line.parts) {
@@ -27,7 +29,8 @@ void write(Page& page, const ShapedLine& line, double x, double y, Colour colour
     }
 }
 
-Piece piece(const std::string& text, Face face = Face::regular, const std::string& sub = "", const std::string& sup = "") {
+Piece piece(const std::string& text, Face face = Face::regular, const std::string& sub = "",
+            const std::string& sup = "") {
     Piece made;
     made.text = text;
     made.face = face;
@@ -41,18 +44,10 @@ std::vector<RichText> two_hundred_labels() {
     for (int i = 0; i < 200; ++i) {
         const std::string number = std::to_string(i);
         switch (i % 4) {
-            case 0:
-                labels.push_back({piece("P", Face::italic, number)});
-                break;
-            case 1:
-                labels.push_back({piece("a", Face::bold_italic, "B" + number, "t")});
-                break;
-            case 2:
-                labels.push_back({piece("ω", Face::italic, number), piece(" = ")});
-                break;
-            default:
-                labels.push_back({piece("0." + number + " m/s")});
-                break;
+            case 0: labels.push_back({piece("P", Face::italic, number)}); break;
+            case 1: labels.push_back({piece("a", Face::bold_italic, "B" + number, "t")}); break;
+            case 2: labels.push_back({piece("ω", Face::italic, number), piece(" = ")}); break;
+            default: labels.push_back({piece("0." + number + " m/s")}); break;
         }
         labels.back().front().dots = i % 4 == 2 ? 1 : 0;
     }
@@ -80,7 +75,8 @@ Page full_sheet(const Fonts& fonts, bool coloured) {
             const auto at = [&](double l, double w) {
                 return Spot{centre.x + l * std::cos(a) - w * std::sin(a), centre.y + l * std::sin(a) + w * std::cos(a)};
             };
-            path.segments = {MoveTo{centre}, LineTo{at(4.6, 0.85)}, LineTo{at(3.8, 0)}, LineTo{at(4.6, -0.85)}, Close{}};
+            path.segments = {MoveTo{centre}, LineTo{at(4.6, 0.85)}, LineTo{at(3.8, 0)}, LineTo{at(4.6, -0.85)},
+                             Close{}};
             path.filled = true;
             path.fill = colour(i);
         }
@@ -91,8 +87,8 @@ Page full_sheet(const Fonts& fonts, bool coloured) {
     }
     double y = 20;
     for (int i = 0; i < 20; ++i) {
-        const RichText sentence = {piece("From O set off v, normal to the rocker, up to the line of "), piece("a", Face::italic),
-                                   piece(": ")};
+        const RichText sentence = {piece("From O set off v, normal to the rocker, up to the line of "),
+                                   piece("a", Face::italic), piece(": ")};
         write(page, fonts.shape(sentence, 9), 20, y += 4.1, ink);
     }
     int i = 0;
@@ -154,7 +150,12 @@ void png(benchmark::State& state) {
     for (auto _ : state) bytes = to_png(page, fonts, static_cast<double>(state.range(1))).size();
     state.counters["bytes"] = static_cast<double>(bytes);
 }
-BENCHMARK(png)->ArgNames({"coloured", "dpi"})->Args({1, 150})->Args({0, 150})->Args({1, 300})->Unit(benchmark::kMillisecond);
+BENCHMARK(png)
+    ->ArgNames({"coloured", "dpi"})
+    ->Args({1, 150})
+    ->Args({0, 150})
+    ->Args({1, 300})
+    ->Unit(benchmark::kMillisecond);
 
 void pdf(benchmark::State& state) {
     const Fonts fonts = opened();

@@ -1,5 +1,5 @@
-// batch: lines from standard input through the workers to standard output, in their order. A line that is wrong has an answer
-// that says so; what ends a run is the end of its input, a signal, or answers that nobody takes.
+// batch: lines from standard input through the workers to standard output, in their order. A line that is wrong has an
+// answer that says so; what ends a run is the end of its input, a signal, or answers that nobody takes.
 #include <csignal>
 #include <cstdint>
 #include <memory>
@@ -10,8 +10,8 @@
 
 #include "app/commands/batch_worker.hpp"
 #include "app/commands/commands.hpp"
-#include "app/files/files.hpp"
 #include "app/commands/in_order.hpp"
+#include "app/files/files.hpp"
 #include "app/files/line_reader.hpp"
 
 namespace kinegraph::app {
@@ -35,7 +35,8 @@ LineReader::Event feed(LineReader& lines, InOrder& workers) {
 void sum_up(const BatchTally& tally, Language language) {
     const auto number = [](long count) { return std::to_string(count); };
     if (tally.resumed > 0)
-        refuse({"lines done before: {1} of {0}", "righe già svolte: {1} su {0}", number(tally.answered), number(tally.resumed)},
+        refuse({"lines done before: {1} of {0}", "righe già svolte: {1} su {0}", number(tally.answered),
+                number(tally.resumed)},
                language);
     if (tally.refused > 0)
         refuse({"lines that could not be carried out: {1} of {0} (\"errors\" in their answers say why)",
@@ -54,8 +55,9 @@ Status batch_command(const BatchRequest& request) {
     std::optional<NotWritten> failure;
     std::vector<InOrder::Worker> workers;
     for (int job = 0; job < request.jobs; ++job)
-        workers.emplace_back(
-            [worker = std::make_shared<BatchWorker>(request, tally)](const std::string& line) { return worker->answer(line); });
+        workers.emplace_back([worker = std::make_shared<BatchWorker>(request, tally)](const std::string& line) {
+            return worker->answer(line);
+        });
     int signal = 0;
     {
         LineReader lines;
@@ -75,8 +77,8 @@ Status batch_command(const BatchRequest& request) {
     sum_up(tally, language);
     if (failure) return fail_to_write(*failure, language);
     if (signal != 0) {
-        refuse({"stopped, lines answered: {0}; --resume does the rest", "interrotto, righe svolte: {0}; --resume fa il resto",
-                std::to_string(tally.answered)},
+        refuse({"stopped, lines answered: {0}; --resume does the rest",
+                "interrotto, righe svolte: {0}; --resume fa il resto", std::to_string(tally.answered)},
                language);
         std::raise(signal);
     }

@@ -14,7 +14,8 @@
 namespace kinegraph::app {
 namespace {
 
-constexpr std::array<std::string_view, 6> endings{".svg", ".png", ".pdf", ".tex", ".json", ".csv"};  // in the order of Format
+constexpr std::array<std::string_view, 6> endings{".svg", ".png",  ".pdf",
+                                                  ".tex", ".json", ".csv"};  // in the order of Format
 
 std::string_view ending_of(Format format) { return endings.at(static_cast<std::size_t>(format)); }
 
@@ -46,10 +47,13 @@ private:
 
     static Choices<render::Language> languages_by_code() {
         Choices<render::Language> all;
-        for (const render::Language language : render::languages) all.emplace_back(render::notation(language).code, language);
+        for (const render::Language language : render::languages)
+            all.emplace_back(render::notation(language).code, language);
         return all;
     }
-    void fault(JsonValue at, Words message) { line_.errors.push_back({ErrorCode::bad_input, at.pointer(), std::move(message)}); }
+    void fault(JsonValue at, Words message) {
+        line_.errors.push_back({ErrorCode::bad_input, at.pointer(), std::move(message)});
+    }
     void wrong(JsonValue at, const Words& wanted) {
         fault(at, {"{0} is wanted here, not {1}", "qui ci vuole {0}, non {1}", wanted, described(at)});
     }
@@ -87,8 +91,8 @@ private:
         const std::string_view digits = value.is_number() ? value.text() : std::string_view();
         const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), read);
         if (digits.empty() || end.ec != std::errc{} || !(read >= least && read <= most))
-            return wrong(value, {"a number from {0} to {1}", "un numero da {0} a {1}", std::to_string(static_cast<int>(least)),
-                                 std::to_string(static_cast<int>(most))});
+            return wrong(value, {"a number from {0} to {1}", "un numero da {0} a {1}",
+                                 std::to_string(static_cast<int>(least)), std::to_string(static_cast<int>(most))});
         into = read;
     }
 
@@ -123,13 +127,16 @@ private:
             choice<Orientation>(value, {{"landscape", Orientation::landscape}, {"portrait", Orientation::portrait}},
                                 request.orientation);
         else if (key == "dimensions")
-            choice<Dimensions>(value, {{"auto", Dimensions::automatic}, {"on", Dimensions::on}, {"off", Dimensions::off}},
+            choice<Dimensions>(value,
+                               {{"auto", Dimensions::automatic}, {"on", Dimensions::on}, {"off", Dimensions::off}},
                                request.dimensions);
         else if (key == "detail")
-            choice<SolutionDetail>(value, {{"full", SolutionDetail::full}, {"brief", SolutionDetail::brief}}, request.detail);
+            choice<SolutionDetail>(value, {{"full", SolutionDetail::full}, {"brief", SolutionDetail::brief}},
+                                   request.detail);
         else if (key == "sheet")
             choice<SheetKind>(
-                value, {{"solution", SheetKind::solution}, {"question", SheetKind::question}, {"answers", SheetKind::answers}},
+                value,
+                {{"solution", SheetKind::solution}, {"question", SheetKind::question}, {"answers", SheetKind::answers}},
                 request.sheet);
         else
             return read_plain_option(value);
@@ -172,8 +179,9 @@ private:
              "orientation", "dimensions", "detail",    "sheet",  "grid",  "steps", "figure", "with",
              "theme",       "dpi",        "date",      "author", "exact", "at",    "driver", "branch"});
         Speller speller;
-        fault(member, Words("a line has no key \"{0}\"", "una riga non ha la chiave \"{0}\"", std::string(member.key())) +
-                          did_you_mean(speller.nearest(member.key(), known)));
+        fault(member,
+              Words("a line has no key \"{0}\"", "una riga non ha la chiave \"{0}\"", std::string(member.key())) +
+                  did_you_mean(speller.nearest(member.key(), known)));
     }
 
     void read_id(JsonValue value) {
@@ -181,7 +189,8 @@ private:
         line_.id = copied(value);
     }
     void read_settings(JsonValue value) {
-        if (!value.is_object()) return wrong(value, {"an object of parameters by name", "un oggetto di parametri per nome"});
+        if (!value.is_object())
+            return wrong(value, {"an object of parameters by name", "un oggetto di parametri per nome"});
         for (const JsonValue each : value) {
             if (each.is_string() || each.is_number())
                 line_.request.set.push_back({std::string(each.key()), std::string(each.text())});
@@ -195,11 +204,15 @@ private:
             return wrong(value, {"an array of json, svg, png, pdf, tex", "un array di json, svg, png, pdf, tex"});
         for (const JsonValue each : value) {
             Format format = Format::json;
-            choice<Format>(
-                each,
-                {{"json", Format::json}, {"svg", Format::svg}, {"png", Format::png}, {"pdf", Format::pdf}, {"tex", Format::tex}},
-                format);
-            if (std::find(line_.want.begin(), line_.want.end(), format) == line_.want.end()) line_.want.push_back(format);
+            choice<Format>(each,
+                           {{"json", Format::json},
+                            {"svg", Format::svg},
+                            {"png", Format::png},
+                            {"pdf", Format::pdf},
+                            {"tex", Format::tex}},
+                           format);
+            if (std::find(line_.want.begin(), line_.want.end(), format) == line_.want.end())
+                line_.want.push_back(format);
         }
     }
     void read_target(JsonValue value) {
@@ -230,10 +243,12 @@ private:
             line_.request.text = copied(mechanism);
         } else if (text(file, line_.request.file)) {
             const std::string& path = line_.request.file;
-            if (path.empty() || path.find('\0') != std::string::npos) fault(file, {"names no file", "non indica un file"});
+            if (path.empty() || path.find('\0') != std::string::npos)
+                fault(file, {"names no file", "non indica un file"});
             if (path == "-")
                 fault(file,
-                      {"standard input carries the lines: give the mechanism's file, or the mechanism itself as \"mechanism\"",
+                      {"standard input carries the lines: give the mechanism's file, or the mechanism itself as "
+                       "\"mechanism\"",
                        "l’ingresso standard porta le righe: dare il file del meccanismo, o il meccanismo stesso come "
                        "\"mechanism\""});
         }

@@ -1,4 +1,5 @@
-// A line of `kinegraph batch`: what it asks, read and held against its form (docs/format.md). Solves and writes nothing.
+// A line of `kinegraph batch`: what it asks, read and held against its form (docs/format.md). Solves and writes
+// nothing.
 #pragma once
 
 #include <string>
@@ -18,7 +19,8 @@ struct BatchLine {
     std::string to;            ///< where files go, without the ending; empty: all goes into the answer
     Errors errors;             ///< every fault of the line; where there is one the rest is not to be used
 
-    /// Where what is wanted goes: TO.json, TO.svg …; of a line without "to" a name for each, under which nothing is written.
+    /// Where what is wanted goes: TO.json, TO.svg …; of a line without "to" a name for each, under which nothing is
+    /// written.
     std::vector<Target> targets() const;
 };
 

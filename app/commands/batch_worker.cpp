@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/json_text.hpp"
 #include "app/commands/receipt.hpp"
+#include "app/files/json_text.hpp"
 #include "engine/file/units.hpp"
 
 namespace kinegraph::app {
@@ -57,7 +57,8 @@ std::string BatchWorker::answer(const std::string& line) {
     if (refused) answer.members = member("errors", errors);
     if (refused && read.id == "null") answer.members += ", \"line\": " + quoted(shown(line, shown_of_a_line));
     std::string text = R"({"id": )" + read.id;
-    if (!answer.members.starts_with(", \"status\"")) text += ", \"status\": " + std::to_string(static_cast<int>(answer.status));
+    if (!answer.members.starts_with(", \"status\""))
+        text += ", \"status\": " + std::to_string(static_cast<int>(answer.status));
     return text + answer.members + "}\n";
 }
 

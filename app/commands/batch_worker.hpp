@@ -1,4 +1,5 @@
-// One worker of `kinegraph batch`: a line to its answer. Fonts and modules are opened by the first line that draws and stay.
+// One worker of `kinegraph batch`: a line to its answer. Fonts and modules are opened by the first line that draws and
+// stay.
 #pragma once
 
 #include <array>

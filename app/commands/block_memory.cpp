@@ -1,12 +1,12 @@
-// Block memory: where the blocks come from that C++ asks for with new. A sheet makes and drops some fifteen thousand, most of
-// them short strings and lists of a few marks, far more at once than glibc keeps at hand for a thread (seven of a size), and its
-// search for all others takes a seventh of a sheet's time. So each thread keeps what it drops in lists by size and takes it from
-// there again, as numbers do (engine/number/number_memory.hpp).
+// Block memory: where the blocks come from that C++ asks for with new. A sheet makes and drops some fifteen thousand,
+// most of them short strings and lists of a few marks, far more at once than glibc keeps at hand for a thread (seven of
+// a size), and its search for all others takes a seventh of a sheet's time. So each thread keeps what it drops in lists
+// by size and takes it from there again, as numbers do (engine/number/number_memory.hpp).
 //
-// Every block comes from malloc with the size of its class, which is that of malloc's own chunks, and may go back to free() at
-// any time: blocks of a list and others may be mixed, whoever made them (a module has a new and a delete of its own) and
-// whichever thread ends them. Sanitizers must see every block end, and other libraries of C have other chunks: there nothing is
-// replaced.
+// Every block comes from malloc with the size of its class, which is that of malloc's own chunks, and may go back to
+// free() at any time: blocks of a list and others may be mixed, whoever made them (a module has a new and a delete of
+// its own) and whichever thread ends them. Sanitizers must see every block end, and other libraries of C have other
+// chunks: there nothing is replaced.
 #include "app/commands/block_memory.hpp"
 
 #if __has_include(<malloc.h>)
@@ -35,12 +35,12 @@ namespace {
 // A chunk of malloc's is a multiple of 16 bytes, of which 8 are its own; the least has 32.
 constexpr std::size_t grain = 16, own = 8;
 constexpr std::size_t classes = 128;  ///< blocks up to 2 KiB; longer ones are few
-/// Bytes of one class that a thread keeps. A thread that ends what another makes (lines of batch) gets ever more of a class or
-/// two: that must not take the place of all others.
+/// Bytes of one class that a thread keeps. A thread that ends what another makes (lines of batch) gets ever more of a
+/// class or two: that must not take the place of all others.
 constexpr std::size_t most_of_a_class = std::size_t{1} << 20U;
 
-/// Blocks of one class that are not in use. Their places stand here and not in themselves: a block that was dropped long ago is
-/// far away, and to read the next one's place from it would wait for it.
+/// Blocks of one class that are not in use. Their places stand here and not in themselves: a block that was dropped
+/// long ago is far away, and to read the next one's place from it would wait for it.
 struct List {
     void** blocks;
     std::uint32_t count, room;

@@ -1,4 +1,5 @@
-// Block memory: where the blocks come from that the program asks for with new. Each thread keeps what it drops in lists by size.
+// Block memory: where the blocks come from that the program asks for with new. Each thread keeps what it drops in lists
+// by size.
 #pragma once
 
 namespace kinegraph::app {

@@ -1,4 +1,5 @@
-// cam FILE: the disc cam that gives its follower a law; every position of it solved as a mechanism, and held against the law.
+// cam FILE: the disc cam that gives its follower a law; every position of it solved as a mechanism, and held against
+// the law.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -11,9 +12,9 @@
 #include "app/commands/driver_choice.hpp"
 #include "app/commands/outputs.hpp"
 #include "constructions/solving/solve.hpp"
+#include "engine/file/units.hpp"
 #include "engine/mechanism/cam.hpp"
 #include "engine/motion/closure.hpp"
-#include "engine/file/units.hpp"
 #include "render/sheet/cam_notes.hpp"
 #include "render/sheet/cycle_sheet.hpp"
 #include "render/text/words.hpp"
@@ -43,8 +44,8 @@ std::optional<Found> follower_of(const Solution& solution, bool translates, doub
 tl::expected<Solution, Errors> solved_at(const Cam& cam, const CamGeometry& geometry, double turn) {
     auto mechanism = read_mechanism(mechanism_file_of(cam, geometry, turn), cam.source);
     if (!mechanism) return tl::unexpected(mechanism.error());
-    // The numbers are those of the file as written; to ask of each position what its last digits leave open takes twice as long
-    // again.
+    // The numbers are those of the file as written; to ask of each position what its last digits leave open takes twice
+    // as long again.
     mechanism->precision.reset();
     mechanism->find.instant_centres = false;
     return solve(*std::move(mechanism));
@@ -82,17 +83,20 @@ public:
         confirm();
         for (const Words& jump : jumps()) remarks_.push_back(render::in(jump, language()));
         std::vector<Output> outputs;
-        const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+        const bool draws =
+            std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
         for (const Target& target : targets) {
             if (target.format == Format::csv) outputs.push_back({target.path, csv()});
-            if (target.format == Format::json) outputs.push_back({target.path, mechanism_file_of(cam_, geometry_, at_)});
+            if (target.format == Format::json)
+                outputs.push_back({target.path, mechanism_file_of(cam_, geometry_, at_)});
         }
         if (draws)
             if (const auto status = draw(targets, *theme, outputs)) return *status;
         if (names_clash(outputs, request_.file, language())) return Status::bad_input;
         if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language());
         for (const Words& line : facts()) say_line(line);
-        for (const std::string& remark : remarks_) say_line(Words(render::word("a remark", language()) + ": " + remark));
+        for (const std::string& remark : remarks_)
+            say_line(Words(render::word("a remark", language()) + ": " + remark));
         say_confirmed();
         return !summary_.undercuts.empty() || not_solved_ > 0 ? Status::unsolved : Status::done;
     }
@@ -134,17 +138,20 @@ private:
         std::array<char, 32> share{};
         std::snprintf(share.data(), share.size(), "%.1e", difference_);
         say_line(
-            {"{0} positions solved as mechanisms: speed and acceleration of the follower differ from the law by {1} of the "
+            {"{0} positions solved as mechanisms: speed and acceleration of the follower differ from the law by {1} of "
+             "the "
              "largest at most",
-             "{0} posizioni risolte come meccanismi: velocità e accelerazione della punteria differiscono dalla legge al più di "
+             "{0} posizioni risolte come meccanismi: velocità e accelerazione della punteria differiscono dalla legge "
+             "al più di "
              "{1} della maggiore",
              std::to_string(solved_), decimal(share.data())});
         if (not_solved_ > 0)
-            say_line(
-                {"{0} positions have no unique answer", "{0} posizioni non hanno risposta unica", std::to_string(not_solved_)});
+            say_line({"{0} positions have no unique answer", "{0} posizioni non hanno risposta unica",
+                      std::to_string(not_solved_)});
     }
 
-    // --- what a designer asks -----------------------------------------------------------------------------------------------
+    // --- what a designer asks
+    // -----------------------------------------------------------------------------------------------
     Words turn_text(double turn) const {
         std::array<char, 32> text{};
         std::snprintf(text.data(), text.size(), "%.4g°", turn * 180 / pi_);
@@ -162,15 +169,16 @@ private:
         for (const auto& [from, to] : summary_.undercuts) said.push_back(undercut(from, to));
         if (summary_.least_convex && summary_.undercuts.empty())
             said.emplace_back("least radius of curvature of the profile, convex: {0} at {1}",
-                              "minimo raggio di curvatura del profilo, convesso: {0} a {1}", length_text(*summary_.least_convex),
-                              turn_text(summary_.least_convex_at));
+                              "minimo raggio di curvatura del profilo, convesso: {0} a {1}",
+                              length_text(*summary_.least_convex), turn_text(summary_.least_convex_at));
         if (summary_.least_concave)
             said.emplace_back("least radius of curvature of the profile, hollow: {0} at {1}",
-                              "minimo raggio di curvatura del profilo, concavo: {0} a {1}", length_text(*summary_.least_concave),
-                              turn_text(summary_.least_concave_at));
+                              "minimo raggio di curvatura del profilo, concavo: {0} a {1}",
+                              length_text(*summary_.least_concave), turn_text(summary_.least_concave_at));
         if (summary_.face)
             said.emplace_back(
-                "the flat face is touched from {0} to {1}, counted from the foot of its normal through the cam’s centre",
+                "the flat face is touched from {0} to {1}, counted from the foot of its normal through the cam’s "
+                "centre",
                 "il piattello è toccato da {0} a {1}, contati dal piede della sua normale per il centro della camma",
                 length_text((*summary_.face)[0]), length_text((*summary_.face)[1]));
         return said;
@@ -180,9 +188,11 @@ private:
         const Words from = turn_text(first), to = turn_text(last);
         if (is_flat())
             return {
-                "undercut between {0} and {1}: the profile turns back there, and the follower will not keep its law; take a "
+                "undercut between {0} and {1}: the profile turns back there, and the follower will not keep its law; "
+                "take a "
                 "larger base radius",
-                "sottotaglio fra {0} e {1}: lì il profilo torna indietro, e la punteria non seguirà la legge; prendere un raggio "
+                "sottotaglio fra {0} e {1}: lì il profilo torna indietro, e la punteria non seguirà la legge; prendere "
+                "un raggio "
                 "di base maggiore",
                 from, to};
         const auto lies_within = [&](double turn) {
@@ -191,15 +201,19 @@ private:
         if (std::any_of(summary_.corners.begin(), summary_.corners.end(),
                         [&](const CamCorner& corner) { return corner.is_cut && lies_within(corner.after.turn); }))
             return {
-                "undercut between {0} and {1}: the pitch curve has a convex corner there, which no roller leaves, and the follower "
+                "undercut between {0} and {1}: the pitch curve has a convex corner there, which no roller leaves, and "
+                "the follower "
                 "will not keep its law; take a law whose speed does not jump",
-                "sottotaglio fra {0} e {1}: lì la curva primitiva ha uno spigolo convesso, che nessuna rotella può percorrere, e la "
+                "sottotaglio fra {0} e {1}: lì la curva primitiva ha uno spigolo convesso, che nessuna rotella può "
+                "percorrere, e la "
                 "punteria non seguirà la legge; prendere una legge senza salti di velocità",
                 from, to};
         return {
-            "undercut between {0} and {1}: the pitch curve is tighter than the roller there, and the follower will not keep its "
+            "undercut between {0} and {1}: the pitch curve is tighter than the roller there, and the follower will not "
+            "keep its "
             "law; take a larger base radius or a smaller roller",
-            "sottotaglio fra {0} e {1}: lì la curva primitiva è più stretta della rotella, e la punteria non seguirà la legge; "
+            "sottotaglio fra {0} e {1}: lì la curva primitiva è più stretta della rotella, e la punteria non seguirà "
+            "la legge; "
             "prendere un raggio di base maggiore o una rotella minore",
             from, to};
     }
@@ -219,7 +233,8 @@ private:
         return said;
     }
 
-    // --- rows ---------------------------------------------------------------------------------------------------------------
+    // --- rows
+    // ---------------------------------------------------------------------------------------------------------------
     std::string csv() const {
         std::string text = "turn,time,s,v,a,";
         if (!is_flat()) text += "x pitch,y pitch,";
@@ -240,7 +255,8 @@ private:
         return text;
     }
 
-    // --- the sheet ----------------------------------------------------------------------------------------------------------
+    // --- the sheet
+    // ----------------------------------------------------------------------------------------------------------
     CycleTable table(const Solution& drawn) const {
         CycleTable table;
         table.driver = drawn.mechanism.bodies[1].name;
@@ -252,7 +268,8 @@ private:
         using Kind = Quantity::Kind;
         add(Column::Kind::turn, {}, "turn", QuantityKind::angle);
         if (translates()) {
-            const Quantity slides{.kind = Kind::sliding_velocity, .joint = JointIndex(drawn.mechanism.joints.size() - 1)};
+            const Quantity slides{.kind = Kind::sliding_velocity,
+                                  .joint = JointIndex(drawn.mechanism.joints.size() - 1)};
             add(Column::Kind::slid, slides, "s", QuantityKind::length);
             add(Column::Kind::along, slides, "v", QuantityKind::velocity);
             add(Column::Kind::along, {.kind = Kind::sliding_acceleration, .joint = slides.joint}, "a",
@@ -293,10 +310,13 @@ private:
         const double angle = geometry_.sense() * at_;
         return faced(Spot{std::cos(angle), std::sin(angle)}, on_cam);
     }
-    Spot placed(const CamState& state, const Spot& place) const { return placed(state.on_cam(place, geometry_.sense())); }
+    Spot placed(const CamState& state, const Spot& place) const {
+        return placed(state.on_cam(place, geometry_.sense()));
+    }
     render::RichText named(const char* key) const { return render::one_piece(render::word(key, language())); }
 
-    /// Working profile, pitch curve and base circle, as they lie in the position that is drawn, and the construction behind them.
+    /// Working profile, pitch curve and base circle, as they lie in the position that is drawn, and the construction
+    /// behind them.
     std::vector<render::Way> curves() const {
         constexpr int samples = 1440;
         render::Way profile{.name = "profile", .is_path = true, .places = {}, .outline = BodyIndex(1)},
@@ -320,13 +340,15 @@ private:
     static Spot circle_about(const Spot& centre, double radius, double angle) {
         return centre + radius * Spot{std::cos(angle), std::sin(angle)};
     }
-    /// The cam held, the follower led round it against its sense: twelve positions with their numbers, from the law's beginning.
+    /// The cam held, the follower led round it against its sense: twelve positions with their numbers, from the law's
+    /// beginning.
     std::vector<render::Way> inversion() const {
         constexpr int positions = 12, corners = 48;
         std::vector<render::Way> ways;
         for (int k = 0; k < positions; ++k) {
             const CamState state = geometry_.at(2 * pi_ * k / positions);
-            render::Way way{.name = "3", .places = line_of_follower(state), .label = render::one_piece(std::to_string(k))};
+            render::Way way{
+                .name = "3", .places = line_of_follower(state), .label = render::one_piece(std::to_string(k))};
             for (Spot& place : way.places) place = placed(state, place);
             way.label_at = way.places.size() - 1;
             ways.push_back(std::move(way));
@@ -339,7 +361,8 @@ private:
         }
         return ways;
     }
-    /// Where it moves, seen from the frame: from where its law begins past where it is; the face; the arm from its pivot.
+    /// Where it moves, seen from the frame: from where its law begins past where it is; the face; the arm from its
+    /// pivot.
     std::vector<Spot> line_of_follower(const CamState& state) const {
         const double base = cam_.base_circle.to_double();
         if (is_flat()) {
@@ -361,10 +384,12 @@ private:
         const Spot from = foot + ((*summary_.face)[0] - beyond * radius) * along;
         const Spot to = foot + ((*summary_.face)[1] + beyond * radius) * along;
         const Spot up = thickness * radius * state.outward;
-        return {.name = "plate", .is_path = true, .places = {from, to, to + up, from + up, from}, .outline = BodyIndex(2)};
+        return {
+            .name = "plate", .is_path = true, .places = {from, to, to + up, from + up, from}, .outline = BodyIndex(2)};
     }
     /// A status where something is missing, which has been said.
-    std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme, std::vector<Output>& outputs) {
+    std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme,
+                               std::vector<Output>& outputs) {
         auto drawn = drawn_at(cam_, geometry_, at_);
         if (!drawn) return say(spoken(request_.file), drawn.error(), language());
         const auto press = Press::open(targets, language(), request_.live_text ? Lettering::live : Lettering::outlines);
@@ -373,7 +398,8 @@ private:
         options.theme = theme;
         const CycleTable rows = table(*drawn);
         const render::CamNotes notes = render::notes_of(cam_, geometry_, at_, rows, drawn->mechanism, language());
-        const auto pages = render::lay_out_cycle(*drawn, rows, {{1}, {2}, {3}, {4}}, curves(), options, press->fonts(), &notes);
+        const auto pages =
+            render::lay_out_cycle(*drawn, rows, {{1}, {2}, {3}, {4}}, curves(), options, press->fonts(), &notes);
         for (const Target& target : targets)
             if (target.is_drawn()) press->print(pages, target, request_.dpi, outputs, remarks_);
         press->remark_missing(remarks_);
@@ -393,7 +419,8 @@ private:
 
 /// The turn at which the mechanism is written and drawn, rad.
 tl::expected<double, Words> turn_asked(const CamRequest& request, const Cam& cam) {
-    if (request.steps < 2) return tl::unexpected(Words("--steps: at least 2 are needed", "--steps: ne occorrono almeno 2"));
+    if (request.steps < 2)
+        return tl::unexpected(Words("--steps: at least 2 are needed", "--steps: ne occorrono almeno 2"));
     if (request.at.empty()) return 0.0;
     const auto turn = quantity_of(request.at, QuantityKind::angle, cam.units.angle.si);
     if (!turn) return tl::unexpected(std::string("--at ") + turn.error());

@@ -1,18 +1,21 @@
-// check FILE: reads and validates a mechanism file, curves that cannot meet included, and says what was probably forgotten.
+// check FILE: reads and validates a mechanism file, curves that cannot meet included, and says what was probably
+// forgotten.
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
-#include "constructions/positions/conditions.hpp"
 #include "constructions/kinematics/degeneracy.hpp"
-#include "constructions/verdicts/oversights.hpp"
+#include "constructions/positions/conditions.hpp"
 #include "constructions/solving/solve.hpp"
-#include "engine/mechanism/mechanism.hpp"
+#include "constructions/verdicts/oversights.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/mechanism/mechanism.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "render/text/words.hpp"
 
 namespace kinegraph::app {
 
-Words spoken(const std::string& file) { return file == "-" ? Words("standard input", "ingresso standard") : Words(file); }
+Words spoken(const std::string& file) {
+    return file == "-" ? Words("standard input", "ingresso standard") : Words(file);
+}
 
 std::string bare_name(const std::string& file) {
     const std::string name = spoken(file).en;
@@ -40,8 +43,8 @@ Words no_mechanism(const char* command) {
 
 namespace {
 
-/// What an exercise asks for and requires, held against its own values: a fault where there is no such result, a remark where a
-/// condition does not hold. Polygons are not drawn for it.
+/// What an exercise asks for and requires, held against its own values: a fault where there is no such result, a remark
+/// where a condition does not hold. Polygons are not drawn for it.
 std::optional<Status> check_exercise(const Mechanism& mechanism, const Words& name, Language language) {
     if (!mechanism.exercise) return std::nullopt;
     const auto solution = solve(mechanism);
@@ -71,7 +74,8 @@ Status check_problem(const Mechanism& mechanism, const Words& name, Language lan
     if (!solution) return say(name, solution.error(), language);
     for (const Words& remark : solution->problem->remarks)
         say(name, Words(render::word("a remark", language) + ": " + in(remark, language)), language);
-    const Words line("{0}: in order ({1})\n", "{0}: in ordine ({1})\n", one_line(in(name, language)), solution->problem->subject);
+    const Words line("{0}: in order ({1})\n", "{0}: in ordine ({1})\n", one_line(in(name, language)),
+                     solution->problem->subject);
     return print(in(line, language), language);
 }
 
@@ -88,17 +92,19 @@ Status check_command(const CheckRequest& request) {
     if (stands_for_joints(*mechanism)) return check_problem(*mechanism, name, language);
     std::vector<Message> remarks = pose->remarks;
     for (Message& each : remarks_on_lengths(*mechanism, *pose)) remarks.push_back(std::move(each));
-    for (Message& each : oversights(*mechanism, *pose, mobility_of(*mechanism, *pose))) remarks.push_back(std::move(each));
+    for (Message& each : oversights(*mechanism, *pose, mobility_of(*mechanism, *pose)))
+        remarks.push_back(std::move(each));
     for (const Message& remark : remarks)
         say(name, Words(render::word("a remark", language) + ": " + render::tell(remark, language)), language);
     const auto counted = [](std::size_t count, const Words& one, const Words& more) {
         return Words(std::to_string(count) + ' ') + (count == 1 ? one : more);
     };
     const std::size_t bodies = mechanism->bodies.size();
-    const Words line("{0}: in order ({1}, {2}, {3})\n", "{0}: in ordine ({1}, {2}, {3})\n", one_line(in(name, language)),
-                     bodies == 1 ? Words("one body", "un corpo") : counted(bodies, {"body", "corpo"}, {"bodies", "corpi"}),
-                     counted(mechanism->joints.size(), {"joint", "coppia"}, {"joints", "coppie"}),
-                     counted(mechanism->drivers.size(), {"driver", "movente"}, {"drivers", "moventi"}));
+    const Words line(
+        "{0}: in order ({1}, {2}, {3})\n", "{0}: in ordine ({1}, {2}, {3})\n", one_line(in(name, language)),
+        bodies == 1 ? Words("one body", "un corpo") : counted(bodies, {"body", "corpo"}, {"bodies", "corpi"}),
+        counted(mechanism->joints.size(), {"joint", "coppia"}, {"joints", "coppie"}),
+        counted(mechanism->drivers.size(), {"driver", "movente"}, {"drivers", "moventi"}));
     return print(in(line, language), language);
 }
 

@@ -1,5 +1,5 @@
-// The program's commands, each a request as the command line gives it and a function that carries it out and says how it
-// ended. One file for each command; main.cpp alone knows the options' spelling.
+// The program's commands, each a request as the command line gives it and a function that carries it out and says how
+// it ended. One file for each command; main.cpp alone knows the options' spelling.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,10 @@ namespace kinegraph::app {
 
 /// solve FILE: the table on the terminal, or sheets and results in files.
 struct SolveRequest {
-    std::string file;                  ///< "-" is standard input
-    std::optional<std::string> text;   ///< what the file holds, where it is at hand: `file` is then its name and is not opened
-    std::vector<Setting> set;          ///< parameters in place of the file's
+    std::string file;  ///< "-" is standard input
+    std::optional<std::string>
+        text;                  ///< what the file holds, where it is at hand: `file` is then its name and is not opened
+    std::vector<Setting> set;  ///< parameters in place of the file's
     std::vector<std::string> outputs;  ///< "-" is standard output
     std::string format;                ///< svg, png, pdf, json: for outputs whose name does not say; may be empty
     Language language = Language::en;
@@ -34,9 +35,9 @@ struct SolveRequest {
     bool grid = false;  ///< blank rooms with pole and grid on a question
     double dpi = 150;
     bool exact = false;
-    std::vector<std::string> at;    ///< positions: "30°", "every 30°"; empty: the drawn one
-    std::string driver;             ///< whose coordinate `at` is; empty: the first of the file
-    int branch = 0;                 ///< out of a change point that is drawn: from 1, as results list them; 0: none is asked for
+    std::vector<std::string> at;  ///< positions: "30°", "every 30°"; empty: the drawn one
+    std::string driver;           ///< whose coordinate `at` is; empty: the first of the file
+    int branch = 0;  ///< out of a change point that is drawn: from 1, as results list them; 0: none is asked for
     std::vector<std::string> with;  ///< figures on request: "joukowsky"
     render::Crew* crew = nullptr;   ///< draws figures side by side, where there is one
 };
@@ -56,11 +57,12 @@ struct SweepRequest {
     std::vector<Setting> set;  ///< parameters in place of the file's
     std::vector<std::string> outputs;
     std::string format;
-    std::string over;                  ///< a parameter that takes the place of the driver; empty: none
-    std::vector<std::string> drivers;  ///< by name: the one that moves, and those that go along; empty: the first of the file
-    std::vector<std::string> step;     ///< quantities: by how much those that go along move at each step, or the parameter
-    int branch = 0;                    ///< out of a change point that is drawn: from 1; 0: none is asked for
-    std::string from, to;              ///< quantities, as a file writes them; empty: a full turn, or from limit to limit
+    std::string over;  ///< a parameter that takes the place of the driver; empty: none
+    std::vector<std::string>
+        drivers;  ///< by name: the one that moves, and those that go along; empty: the first of the file
+    std::vector<std::string> step;  ///< quantities: by how much those that go along move at each step, or the parameter
+    int branch = 0;                 ///< out of a change point that is drawn: from 1; 0: none is asked for
+    std::string from, to;           ///< quantities, as a file writes them; empty: a full turn, or from limit to limit
     long steps = 360;
     std::vector<std::string> plots;      ///< columns by name, parted by commas; empty: what suits
     std::vector<std::string> traces;     ///< "P" or "P,on BODY"
@@ -105,7 +107,8 @@ struct CamRequest {
 };
 Status cam_command(const CamRequest& request);
 
-/// check FILE: the file is read, its points are found, what was probably forgotten is said; nothing is solved or written.
+/// check FILE: the file is read, its points are found, what was probably forgotten is said; nothing is solved or
+/// written.
 struct CheckRequest {
     std::string file;
     std::vector<Setting> set;
@@ -157,7 +160,8 @@ Status watch_command(const WatchRequest& request);
 /// How messages call a file: its path as given, or "standard input".
 Words spoken(const std::string& file);
 /// A mechanism file read; else it has been said what is wrong.
-tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language language, std::span<const Setting> set = {});
+tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language language,
+                                             std::span<const Setting> set = {});
 /// The same without its folder: what a sheet may show, the same wherever it is made.
 std::string bare_name(const std::string& file);
 /// Why a command that moves or counts joints has nothing to do with a file that states a problem in place of them.

@@ -56,8 +56,8 @@ Status draw(Side& side, double dpi) {
     if (!png) return fails(side, png.error().why, png.error().status);
     auto picture = render::decode_png(*png);
     if (!picture)
-        return fails(side,
-                     {"drawn at {0} dpi {1}", "disegnato a {0} dpi {1}", std::to_string(std::lround(dpi)), picture.error()});
+        return fails(side, {"drawn at {0} dpi {1}", "disegnato a {0} dpi {1}", std::to_string(std::lround(dpi)),
+                            picture.error()});
     side.picture = *std::move(picture);
     return Status::done;
 }
@@ -71,7 +71,9 @@ std::string digits(double value) {
     return written;
 }
 
-std::string size_of(const Picture& picture) { return std::to_string(picture.width) + " × " + std::to_string(picture.height); }
+std::string size_of(const Picture& picture) {
+    return std::to_string(picture.width) + " × " + std::to_string(picture.height);
+}
 
 /// What was found, as one line.
 std::string verdict(const Side& expected, const Side& actual, const PictureDifference& difference, double threshold) {
@@ -84,7 +86,8 @@ std::string verdict(const Side& expected, const Side& actual, const PictureDiffe
     if (difference.differing == 0) {
         line += {"the same", "uguali"};
         if (difference.forgiven > 0)
-            line += {" but for antialiasing ({0} pixels)", " salvo l’antialiasing ({0} pixel)", text(difference.forgiven)};
+            line +=
+                {" but for antialiasing ({0} pixels)", " salvo l’antialiasing ({0} pixel)", text(difference.forgiven)};
     } else {
         line += {"{0} % of the pixels differ ({1} of {2}), columns {3} to {4}, rows {5} to {6}",
                  "il {0} % dei pixel è diverso ({1} su {2}), colonne da {3} a {4}, righe da {5} a {6}",
@@ -96,7 +99,8 @@ std::string verdict(const Side& expected, const Side& actual, const PictureDiffe
                  text(difference.top),
                  text(difference.bottom)};
         if (difference.forgiven > 0)
-            line += {"; {0} more by antialiasing alone", "; altri {0} solo per l’antialiasing", text(difference.forgiven)};
+            line +=
+                {"; {0} more by antialiasing alone", "; altri {0} solo per l’antialiasing", text(difference.forgiven)};
         if (threshold > 0) line += {"; {0} % may", "; ammesso il {0} %", digits(100 * threshold)};
     }
     return in(line, language) + '\n';
@@ -107,9 +111,9 @@ std::string verdict(const Side& expected, const Side& actual, const PictureDiffe
 Status diff_command(const DiffRequest& request) {
     const Language language = request.language;
     if (request.expected == "-" && request.actual == "-")
-        return refuse(
-            {"standard input can be one of the two pictures only", "l’ingresso standard può essere uno solo dei due disegni"},
-            language);
+        return refuse({"standard input can be one of the two pictures only",
+                       "l’ingresso standard può essere uno solo dei due disegni"},
+                      language);
     if (request.output == "-")
         return refuse({"the difference picture needs a file: standard output carries the verdict",
                        "il disegno delle differenze richiede un file: l’uscita standard porta il giudizio"},
@@ -134,9 +138,11 @@ Status diff_command(const DiffRequest& request) {
     const PictureDifference difference = render::compare(*expected.picture, *actual.picture, request.tolerance);
     std::vector<Output> outputs{{"-", verdict(expected, actual, difference, request.threshold)}};
     if (!request.output.empty())
-        outputs.push_back({request.output, encode_png(render::side_by_side(*expected.picture, *actual.picture, difference))});
+        outputs.push_back(
+            {request.output, encode_png(render::side_by_side(*expected.picture, *actual.picture, difference))});
     if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language);
-    const bool same_size = expected.picture->width == actual.picture->width && expected.picture->height == actual.picture->height;
+    const bool same_size =
+        expected.picture->width == actual.picture->width && expected.picture->height == actual.picture->height;
     return same_size && difference.share() <= request.threshold ? Status::done : Status::difference;
 }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/mechanism/drivers.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/file/units.hpp"
+#include "engine/mechanism/drivers.hpp"
 
 namespace kinegraph::app {
 
@@ -20,12 +20,15 @@ std::string name_of_driver(const Mechanism& mechanism, int driver) {
 }
 
 bool turns(const Mechanism& mechanism, int driver) { return kinegraph::turns(mechanism.drivers[at_index(driver)]); }
-const Law* law_of(const Mechanism& mechanism, int driver) { return kinegraph::law_of(mechanism.drivers[at_index(driver)]); }
+const Law* law_of(const Mechanism& mechanism, int driver) {
+    return kinegraph::law_of(mechanism.drivers[at_index(driver)]);
+}
 
 tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::string& name) {
     if (mechanism.drivers.empty())
-        return tl::unexpected(Words("nothing drives this mechanism, so it has one position only; give it \"drivers\"",
-                                    "nulla comanda questo meccanismo, che ha quindi una sola posizione; dargli \"drivers\""));
+        return tl::unexpected(
+            Words("nothing drives this mechanism, so it has one position only; give it \"drivers\"",
+                  "nulla comanda questo meccanismo, che ha quindi una sola posizione; dargli \"drivers\""));
     if (name.empty()) return 0;
     std::vector<std::string> known;
     std::string list;
@@ -76,12 +79,13 @@ Words coordinate_text(const Mechanism& mechanism, int driver, double coordinate,
     double value = coordinate / unit.si.to_double();
     value = std::round(value / grain) * grain;
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
-    return decimal(std::string(text.data(), end.ptr) + (unit.symbol == "deg" || unit.symbol == "°" ? "°" : " " + unit.symbol));
+    return decimal(std::string(text.data(), end.ptr) +
+                   (unit.symbol == "deg" || unit.symbol == "°" ? "°" : " " + unit.symbol));
 }
 
 Words out_of_reach(const Words& wanted, const std::string& driver, const Words& limit) {
-    return {"{0} is out of reach: driver {1} stops at {2}", "{0} è fuori portata: il movente {1} si ferma a {2}", wanted, driver,
-            limit};
+    return {"{0} is out of reach: driver {1} stops at {2}", "{0} è fuori portata: il movente {1} si ferma a {2}",
+            wanted, driver, limit};
 }
 
 Words decimal(std::string text) {

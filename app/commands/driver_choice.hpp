@@ -7,13 +7,14 @@
 
 #include <tl/expected.hpp>
 
+#include "engine/file/units.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/motion/positions.hpp"
-#include "engine/file/units.hpp"
 
 namespace kinegraph::app {
 
-/// A driver by its body's, joint's or point's name; the first where the name is empty. Error: a line that names those there are.
+/// A driver by its body's, joint's or point's name; the first where the name is empty. Error: a line that names those
+/// there are.
 tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::string& name);
 std::string name_of_driver(const Mechanism& mechanism, int driver);
 bool turns(const Mechanism& mechanism, int driver);
@@ -22,7 +23,8 @@ const Law* law_of(const Mechanism& mechanism, int driver);  ///< null: it has no
 /// `branch` as the command line says it: from 1; 0: none is asked for.
 Course course_of(int driver, int branch);
 
-/// "90°", "1.57 rad", "20 mm", or a bare number in the file's unit: rad or m, exactly. Error: a line that says what is wrong.
+/// "90°", "1.57 rad", "20 mm", or a bare number in the file's unit: rad or m, exactly. Error: a line that says what is
+/// wrong.
 tl::expected<Exact, Words> coordinate_of(const Mechanism& mechanism, int driver, const std::string& text);
 /// A quantity of one kind, or a bare number of units of so much. Error: a line that says what is wrong.
 tl::expected<Exact, Words> quantity_of(const std::string& text, QuantityKind kind, const Exact& unit);

@@ -1,4 +1,5 @@
-// equations FILE: the closure equations as they are worked by hand, or the derivatives of a point's laws, as text, LaTeX or JSON.
+// equations FILE: the closure equations as they are worked by hand, or the derivatives of a point's laws, as text,
+// LaTeX or JSON.
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
 #include "constructions/solving/solve.hpp"
@@ -38,10 +39,12 @@ Status equations_command(const EquationsRequest& request) {
     if (of_point) return print_motion(*solution, request);
     const Equations& equations = *solution->equations;
     if (!equations.why_not.empty()) {
-        say(spoken(request.file), Words("no equations: {0}", "nessuna equazione: {0}", equations.why_not), request.language);
+        say(spoken(request.file), Words("no equations: {0}", "nessuna equazione: {0}", equations.why_not),
+            request.language);
         return Status::bad_input;
     }
-    if (request.format == "json") return print("{\n  \"equations\": " + equations_json(equations) + "\n}\n", request.language);
+    if (request.format == "json")
+        return print("{\n  \"equations\": " + equations_json(equations) + "\n}\n", request.language);
     return print_items(render::equation_items(*solution, request.language), request);
 }
 

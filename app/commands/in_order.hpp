@@ -1,5 +1,5 @@
-// Lines through several workers, answers out in the order of the lines. Owns the threads and the window of lines under way; knows
-// nothing of what a line means.
+// Lines through several workers, answers out in the order of the lines. Owns the threads and the window of lines under
+// way; knows nothing of what a line means.
 #pragma once
 
 #include <condition_variable>
@@ -29,8 +29,8 @@ public:
     InOrder& operator=(const InOrder&) = delete;
     ~InOrder() { finish(); }
 
-    /// Waits while so many lines are under way that an answer must come first. False: the sink takes no more, or no further
-    /// line is begun.
+    /// Waits while so many lines are under way that an answer must come first. False: the sink takes no more, or no
+    /// further line is begun.
     bool add(std::string line);
     /// Waits for the answers of all lines that are begun. False: the sink did not take them all.
     bool finish();

@@ -27,8 +27,8 @@ void take_memory_ahead([[maybe_unused]] Ahead ahead) {
     void *const large = first_after(large_page), *const small = first_after(small_page);
     const auto before_large = static_cast<std::size_t>(static_cast<char*>(large) - static_cast<char*>(block));
     std::free(block);
-    // What lies before the first large page is left alone to the end, never touched: it would come in small ones. (Volatile: who
-    // asks for memory and makes nothing of it is not heard.)
+    // What lies before the first large page is left alone to the end, never touched: it would come in small ones.
+    // (Volatile: who asks for memory and makes nothing of it is not heard.)
     [[maybe_unused]] void* volatile const left_alone = std::malloc(before_large);
     if (madvise(large, taken, MADV_HUGEPAGE) == 0)
         madvise(large, taken, MADV_POPULATE_WRITE);

@@ -1,4 +1,5 @@
-// dlopen. It and dlsym wait for each other: so what is loaded ahead is asked for its functions by the thread that loads it.
+// dlopen. It and dlsym wait for each other: so what is loaded ahead is asked for its functions by the thread that loads
+// it.
 #include "app/commands/module.hpp"
 
 #include <dlfcn.h>
@@ -59,7 +60,8 @@ tl::expected<const void*, Words> open_module(const std::string& name, const Word
     if (!loaded && ahead != loaded_ahead().end()) loaded = load(name);
     if (!loaded)
         return tl::unexpected(Words("{0} by a module of the program, which cannot be loaded: {1}",
-                                    "{0} da un modulo del programma, che non si può caricare: {1}", purpose, loaded.error()));
+                                    "{0} da un modulo del programma, che non si può caricare: {1}", purpose,
+                                    loaded.error()));
     return *loaded;
 }
 

@@ -68,9 +68,10 @@ tl::expected<std::vector<Target>, Words> targets_of(const std::vector<std::strin
         if (!found && path == "-")
             return tl::unexpected(Words("-o - needs --format {0}", "-o - richiede --format {0}", listed(formats, "")));
         if (!found)
-            return tl::unexpected(Words("-o {0}: the ending does not say what to write; it may be {1} (or --format says it)",
-                                        "-o {0}: l’estensione non dice che cosa scrivere; può essere {1} (o lo dice --format)",
-                                        path, listed(formats, ".")));
+            return tl::unexpected(
+                Words("-o {0}: the ending does not say what to write; it may be {1} (or --format says it)",
+                      "-o {0}: l’estensione non dice che cosa scrivere; può essere {1} (o lo dice --format)", path,
+                      listed(formats, ".")));
         for (const Target& other : targets)
             if (other.path == path)
                 return tl::unexpected(path == "-" ? Words("standard output can carry one output only",
@@ -110,8 +111,8 @@ bool names_clash(const std::vector<Output>& outputs, const std::string& file, La
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (plain(outputs[i].path) != plain(outputs[j].path)) continue;
-            refuse({"two outputs of this run would both be {0}", "due risultati di questo comando sarebbero entrambi {0}",
-                    outputs[i].path},
+            refuse({"two outputs of this run would both be {0}",
+                    "due risultati di questo comando sarebbero entrambi {0}", outputs[i].path},
                    language);
             return true;
         }
@@ -141,7 +142,8 @@ tl::unexpected<Status> lacks(const Words& why, Language language) {
 std::future<void> Press::load_ahead(const std::vector<Target>& targets) {
     const auto needs = [&](const auto& is) { return std::any_of(targets.begin(), targets.end(), is); };
     const bool type = needs([](const Target& target) { return target.is_drawn(); });
-    const bool cairo = needs([](const Target& target) { return target.format == Format::png || target.format == Format::pdf; });
+    const bool cairo =
+        needs([](const Target& target) { return target.format == Format::png || target.format == Format::pdf; });
     if (!type) return {};
     std::vector<std::string> modules{"kinegraph_type"};
     if (cairo) modules.emplace_back("kinegraph_cairo");
@@ -173,7 +175,8 @@ tl::expected<void, Status> Press::prepare(std::optional<Press>& press, Language 
 
 tl::expected<void, Status> Press::prepare_to_print(const std::vector<Target>& targets) {
     const auto any_is = [&](Format format) {
-        return std::any_of(targets.begin(), targets.end(), [&](const Target& target) { return target.format == format; });
+        return std::any_of(targets.begin(), targets.end(),
+                           [&](const Target& target) { return target.format == format; });
     };
     if ((any_is(Format::png) || any_is(Format::pdf)) && !painter_) {
         auto loaded = Painter::open();
@@ -181,7 +184,8 @@ tl::expected<void, Status> Press::prepare_to_print(const std::vector<Target>& ta
         painter_.emplace(*std::move(loaded));
     }
     if (lettering_ == Lettering::live && any_is(Format::svg) && subset_ == nullptr) {
-        const auto loaded = open_module_as<SubsetFunctions>("kinegraph_subset", {"Fonts are divided", "I font sono divisi"});
+        const auto loaded =
+            open_module_as<SubsetFunctions>("kinegraph_subset", {"Fonts are divided", "I font sono divisi"});
         if (!loaded) return lacks(loaded.error(), language_);
         subset_ = *loaded;
     }
@@ -193,11 +197,12 @@ std::vector<std::string> Press::svg_of(std::span<const render::Page> pages) cons
     return render::to_svg(pages, *fonts_, glyph_paths_);
 }
 
-void Press::print(const std::vector<render::Page>& pages, const Target& target, double dpi, std::vector<Output>& outputs,
-                  std::vector<std::string>& remarks) const {
+void Press::print(const std::vector<render::Page>& pages, const Target& target, double dpi,
+                  std::vector<Output>& outputs, std::vector<std::string>& remarks) const {
     if (target.format == Format::pdf) {
         const bool live = lettering_ == Lettering::live;
-        outputs.push_back({target.path, live ? painter_->to_live_pdf(pages, *fonts_) : painter_->to_pdf(pages, *fonts_)});
+        outputs.push_back(
+            {target.path, live ? painter_->to_live_pdf(pages, *fonts_) : painter_->to_pdf(pages, *fonts_)});
         return;
     }
     if (target.format == Format::tex) {
@@ -207,17 +212,19 @@ void Press::print(const std::vector<render::Page>& pages, const Target& target, 
     const std::size_t count = target.standard() ? std::min<std::size_t>(pages.size(), 1) : pages.size();
     if (target.format == Format::svg) {
         std::vector<std::string> texts = svg_of(std::span(pages).first(count));
-        for (std::size_t page = 0; page < count; ++page) outputs.push_back({target.path_of_page(page), std::move(texts[page])});
+        for (std::size_t page = 0; page < count; ++page)
+            outputs.push_back({target.path_of_page(page), std::move(texts[page])});
     } else {
         for (std::size_t page = 0; page < count; ++page)
             outputs.push_back({target.path_of_page(page), painter_->to_png(pages[page], *fonts_, dpi)});
     }
     if (count < pages.size())
-        remarks.push_back(in(
-            {"the sheet has {0} pages and standard output carries the first only; a PDF has them all, and so has -o with a name",
-             "il foglio ha {0} pagine e l’uscita standard porta solo la prima; un PDF le ha tutte, e così -o con un nome",
-             std::to_string(pages.size())},
-            language_));
+        remarks.push_back(in({"the sheet has {0} pages and standard output carries the first only; a PDF has them all, "
+                              "and so has -o with a name",
+                              "il foglio ha {0} pagine e l’uscita standard porta solo la prima; un PDF le ha tutte, e "
+                              "così -o con un nome",
+                              std::to_string(pages.size())},
+                             language_));
 }
 
 void Press::remark_missing(std::vector<std::string>& remarks) const {

@@ -1,5 +1,5 @@
-// Outputs: what -o and --format ask for, and the drawings that go there: themes, typefaces, pages as bytes. Shared by the
-// commands that draw.
+// Outputs: what -o and --format ask for, and the drawings that go there: themes, typefaces, pages as bytes. Shared by
+// the commands that draw.
 #pragma once
 
 #include <future>
@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/painter.hpp"
 #include "app/files/files.hpp"
 #include "app/modules/subset.hpp"
-#include "app/commands/painter.hpp"
 #include "render/backends/backends.hpp"
 #include "render/page/theme.hpp"
 #include "render/text/text.hpp"
@@ -31,19 +31,20 @@ struct Target {
     std::string path_of_page(std::size_t page) const;        ///< OUT.svg, OUT-2.svg, OUT-3.svg …
 };
 
-/// What is to be written, or why the command line cannot be meant so. Without `outputs` a stated `format` goes to standard
-/// output.
+/// What is to be written, or why the command line cannot be meant so. Without `outputs` a stated `format` goes to
+/// standard output.
 tl::expected<std::vector<Target>, Words> targets_of(const std::vector<std::string>& outputs, const std::string& format,
                                                     const std::string& file, std::span<const Format> formats);
 
 /// A built-in theme, or that of a file; else it has been said what is wrong.
 tl::expected<render::Theme, Status> theme_of(const std::string& name, const std::string& file, Language language);
 
-/// What a live page of that theme turns to on dark screens: a built-in theme of colours goes with the dark one, what was chosen
-/// otherwise is shown as it is.
+/// What a live page of that theme turns to on dark screens: a built-in theme of colours goes with the dark one, what
+/// was chosen otherwise is shown as it is.
 std::optional<render::Theme> dark_beside(const std::string& theme);
 
-/// The names of further pages are known only late; none may be another output's, or the mechanism file's. Says so where one is.
+/// The names of further pages are known only late; none may be another output's, or the mechanism file's. Says so where
+/// one is.
 bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language);
 
 /// Type; where PNG or PDF is asked for, cairo; for SVG with live text what divides fonts.
@@ -54,8 +55,8 @@ public:
     /// All that the targets need; else it has been said what is missing. `language`: of that, and of the remarks.
     static tl::expected<Press, Status> open(const std::vector<Target>& targets, Language language,
                                             Lettering lettering = Lettering::outlines);
-    /// What their sheets need to be laid out, for one that may be open already: for a further sheet, which does not remember the
-    /// one before.
+    /// What their sheets need to be laid out, for one that may be open already: for a further sheet, which does not
+    /// remember the one before.
     static tl::expected<void, Status> prepare(std::optional<Press>& press, Language language,
                                               Lettering lettering = Lettering::outlines);
     /// What is needed to print them. (Loading it takes longer than to lay out a sheet.)

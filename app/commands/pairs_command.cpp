@@ -3,11 +3,11 @@
 #include <array>
 
 #include "app/commands/commands.hpp"
-#include "app/files/files.hpp"
 #include "app/commands/outputs.hpp"
+#include "app/files/files.hpp"
 #include "constructions/kinematics/degeneracy.hpp"
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/mechanism/mechanism.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "render/sheet/pair_sheet.hpp"
 #include "render/tables/pair_tables.hpp"
@@ -28,9 +28,9 @@ tl::expected<std::string, Status> text_of(const PairsRequest& request, render::T
     const auto pose = draw_pose(*mechanism);
     if (!pose) return tl::unexpected(say(spoken(request.file), pose.error(), language));
     const Mobility mobility = mobility_of(*mechanism, *pose);
-    return render::pair_report(*mechanism, mobility,
-                               remarks_on_mobility(*mechanism, mobility, degenerate_motion(*mechanism, *pose, mobility)),
-                               language, form);
+    return render::pair_report(
+        *mechanism, mobility, remarks_on_mobility(*mechanism, mobility, degenerate_motion(*mechanism, *pose, mobility)),
+        language, form);
 }
 
 /// What -o asks for.
@@ -38,11 +38,13 @@ Status write_targets(const PairsRequest& request, const std::vector<Target>& tar
     const Language language = request.sheet.language;
     std::vector<Output> outputs;
     std::vector<std::string> remarks;
-    const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+    const bool draws =
+        std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
     if (draws && !request.file.empty())
-        return refuse({"what pairs draws is the catalogue; leave {0} out, or have its pairs as .json",
-                       "ciò che pairs disegna è il catalogo; togliere {0}, o chiederne le coppie in .json", request.file},
-                      language);
+        return refuse(
+            {"what pairs draws is the catalogue; leave {0} out, or have its pairs as .json",
+             "ciò che pairs disegna è il catalogo; togliere {0}, o chiederne le coppie in .json", request.file},
+            language);
     std::optional<Press> press;
     std::vector<render::Page> pages;
     if (draws) {

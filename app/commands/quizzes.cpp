@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/commands/asked_values.hpp"
-#include "app/files/csv_text.hpp"
 #include "app/commands/module.hpp"
+#include "app/files/csv_text.hpp"
 #include "app/modules/zip.hpp"
 #include "render/backends/quiz_files.hpp"
 #include "render/sheet/quiz_item.hpp"
@@ -32,9 +32,12 @@ std::vector<std::string> unreadable(const std::vector<render::QuizBlank>& blanks
 
 }  // namespace
 
-Quizzes::Quizzes(const std::vector<std::string>& platforms, const Mechanism& original, std::string title, unsigned long long seed)
+Quizzes::Quizzes(const std::vector<std::string>& platforms, const Mechanism& original, std::string title,
+                 unsigned long long seed)
     : title_(std::move(title)), seed_(std::to_string(seed)), units_(original.units) {
-    const auto has = [&](const char* name) { return std::find(platforms.begin(), platforms.end(), name) != platforms.end(); };
+    const auto has = [&](const char* name) {
+        return std::find(platforms.begin(), platforms.end(), name) != platforms.end();
+    };
     moodle_ = has("moodle");
     qti_ = has("qti");
     csv_ = has("csv");
@@ -42,8 +45,10 @@ Quizzes::Quizzes(const std::vector<std::string>& platforms, const Mechanism& ori
 }
 
 std::vector<std::string> Quizzes::add(const std::string& number, const std::string& owner, const Variant& variant,
-                                      const Files& files, const render::SheetOptions& options, double dpi, const Press& press) {
-    render::QuizItem item = render::quiz_item_of(variant.solution, asked_values(variant.results, units_), options, press.fonts());
+                                      const Files& files, const render::SheetOptions& options, double dpi,
+                                      const Press& press) {
+    render::QuizItem item =
+        render::quiz_item_of(variant.solution, asked_values(variant.results, units_), options, press.fonts());
     item.number = number;
     item.owner = owner;
     has_owners_ = has_owners_ || !owner.empty();
@@ -135,7 +140,8 @@ tl::expected<std::vector<Output>, Status> Quizzes::outputs(const std::string& fo
     std::vector<Output> all;
     if (moodle_) all.push_back({folder + "moodle.xml", moodle_file(items_, figures_, title_)});
     if (qti_) {
-        const auto zip = open_module_as<ZipFunctions>("kinegraph_zip", {"Archives are packed", "Gli archivi sono composti"});
+        const auto zip =
+            open_module_as<ZipFunctions>("kinegraph_zip", {"Archives are packed", "Gli archivi sono composti"});
         if (!zip) {
             refuse(zip.error(), language);
             return tl::unexpected(Status::output);

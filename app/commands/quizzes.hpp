@@ -1,5 +1,5 @@
-// Quizzes: the variants of a run gathered for learning platforms, one file for each platform: moodle.xml, qti.zip, answers.csv.
-// Chooses no words and no numbers: those are the items'.
+// Quizzes: the variants of a run gathered for learning platforms, one file for each platform: moodle.xml, qti.zip,
+// answers.csv. Chooses no words and no numbers: those are the items'.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,10 @@ namespace kinegraph::app {
 
 class Quizzes {
 public:
-    /// `platforms`: some of "moodle", "qti", "csv". `original`: the file as it stands; `title` names its questions together.
-    Quizzes(const std::vector<std::string>& platforms, const Mechanism& original, std::string title, unsigned long long seed);
+    /// `platforms`: some of "moodle", "qti", "csv". `original`: the file as it stands; `title` names its questions
+    /// together.
+    Quizzes(const std::vector<std::string>& platforms, const Mechanism& original, std::string title,
+            unsigned long long seed);
 
     bool are_wanted() const { return moodle_ || qti_ || csv_; }
     /// Which files belong to a variant.
@@ -24,8 +26,9 @@ public:
         std::string question, solution, results, file;
     };
     /// Which of the answers no reading tells from zero: their names.
-    std::vector<std::string> add(const std::string& number, const std::string& owner, const Variant& variant, const Files& files,
-                                 const render::SheetOptions& options, double dpi, const Press& press);
+    std::vector<std::string> add(const std::string& number, const std::string& owner, const Variant& variant,
+                                 const Files& files, const render::SheetOptions& options, double dpi,
+                                 const Press& press);
     /// What is to be written; `folder` ends in a slash. Else it has been said what is missing.
     tl::expected<std::vector<Output>, Status> outputs(const std::string& folder, Language language) const;
 

@@ -55,10 +55,11 @@ std::string hash_of(const BatchLine& line, const std::string& theme) {
     for (const Setting& setting : request.set) all << setting.name << setting.value;
     all << static_cast<int>(request.set.size());
     for (const Format format : line.want) all << static_cast<int>(format);
-    all << static_cast<int>(request.language) << static_cast<int>(request.paper) << static_cast<int>(request.orientation)
-        << static_cast<int>(request.dimensions) << static_cast<int>(request.detail) << static_cast<int>(request.sheet)
-        << static_cast<int>(request.steps) << static_cast<int>(request.grid) << static_cast<int>(request.exact) << request.branch
-        << request.author << request.date << request.figure << request.driver << request.at << request.with
+    all << static_cast<int>(request.language) << static_cast<int>(request.paper)
+        << static_cast<int>(request.orientation) << static_cast<int>(request.dimensions)
+        << static_cast<int>(request.detail) << static_cast<int>(request.sheet) << static_cast<int>(request.steps)
+        << static_cast<int>(request.grid) << static_cast<int>(request.exact) << request.branch << request.author
+        << request.date << request.figure << request.driver << request.at << request.with
         << std::to_string(request.dpi);
     return all.hash();
 }
@@ -126,7 +127,8 @@ std::optional<NotWritten> Receipt::make_room() const {
 Output Receipt::of(const std::vector<Output>& outputs, const std::string& answer) const {
     std::string sizes;
     for (const Output& output : outputs) sizes += (sizes.empty() ? "" : ", ") + std::to_string(output.bytes.size());
-    return {path_, "{\"asked\": \"" + asked_ + "\", \"sizes\": [" + sizes + "]" + std::string(before_answer) + answer + "}\n"};
+    return {path_,
+            "{\"asked\": \"" + asked_ + "\", \"sizes\": [" + sizes + "]" + std::string(before_answer) + answer + "}\n"};
 }
 
 }  // namespace kinegraph::app

@@ -1,5 +1,5 @@
-// Receipts: by which work that was done is known again. Beside the files of DIR/NAME lies DIR/.kinegraph/NAME, written with them
-// and last of them: the hash of what was asked, the sizes of the files, the answer.
+// Receipts: by which work that was done is known again. Beside the files of DIR/NAME lies DIR/.kinegraph/NAME, written
+// with them and last of them: the hash of what was asked, the sizes of the files, the answer.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace kinegraph::app {
 
-/// 128 bits in hexadecimal over all that decides the bytes of the files: the mechanism file's text, parameters, options, the
-/// theme's text, what is wanted and where, the program's version. Not the line's id.
+/// 128 bits in hexadecimal over all that decides the bytes of the files: the mechanism file's text, parameters,
+/// options, the theme's text, what is wanted and where, the program's version. Not the line's id.
 std::string hash_of(const BatchLine& line, const std::string& theme);
 
 /// The same over any fields, one after the other, and the program's version.
@@ -27,9 +27,9 @@ public:
 
     /// The answer, where the same was asked before and its files are there as they were.
     std::optional<std::string> answer() const;
-    /// The files of whatever was asked before, as far as they are there with the sizes that they were written with, and nothing
-    /// where this is the receipt of something else than `kind`, which the names of its files begin with. Nothing, too, where the
-    /// answer says that they are of `same`.
+    /// The files of whatever was asked before, as far as they are there with the sizes that they were written with, and
+    /// nothing where this is the receipt of something else than `kind`, which the names of its files begin with.
+    /// Nothing, too, where the answer says that they are of `same`.
     std::vector<std::string> files_of(const std::string& kind, const std::string& same = {}) const;
     /// Makes the folder, and takes away the receipt of what was asked before. What cannot be written, if it cannot.
     std::optional<NotWritten> make_room() const;

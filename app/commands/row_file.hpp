@@ -1,4 +1,5 @@
-// Row files: rows of numbers written while they are found, as CSV or JSON, and how far they have come. Knows no mechanics.
+// Row files: rows of numbers written while they are found, as CSV or JSON, and how far they have come. Knows no
+// mechanics.
 #pragma once
 
 #include <chrono>

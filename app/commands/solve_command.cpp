@@ -13,17 +13,17 @@
 #include "app/commands/driver_choice.hpp"
 #include "app/commands/memory_ahead.hpp"
 #include "app/commands/outputs.hpp"
-#include "constructions/positions/conditions.hpp"
 #include "constructions/moving/moving.hpp"
+#include "constructions/positions/conditions.hpp"
 #include "constructions/solving/solve.hpp"
-#include "engine/solution/displacements.hpp"
-#include "engine/mechanism/drivers.hpp"
 #include "engine/equations/equations.hpp"
-#include "engine/motion/moved.hpp"
-#include "engine/solution/problem_solution.hpp"
 #include "engine/file/units.hpp"
-#include "render/live/live_page.hpp"
+#include "engine/mechanism/drivers.hpp"
+#include "engine/motion/moved.hpp"
+#include "engine/solution/displacements.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "render/layout/crew.hpp"
+#include "render/live/live_page.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/handout.hpp"
 #include "render/sheet/steps.hpp"
@@ -38,8 +38,7 @@ std::string in_english(const Message& message) { return render::tell(message, re
 /// Why Joukowsky's lever cannot be drawn; empty where it can.
 Words why_no_lever(const Solution& solution) {
     switch (render::no_lever(solution)) {
-        case render::NoLever::drawn:
-            return {};
+        case render::NoLever::drawn: return {};
         case render::NoLever::no_forces:
             return {"no forces act, or none are asked for", "nessuna forza agisce o è richiesta"};
         case render::NoLever::no_velocities:
@@ -58,7 +57,8 @@ struct Asked {
     std::optional<Rates> rates;  ///< of a driver with a law
 };
 /// Where the driver has a law: its rates when it first comes to a coordinate.
-tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanism, int driver, const Exact& coordinate) {
+tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanism, int driver,
+                                                       const Exact& coordinate) {
     const Law* law = law_of(mechanism, driver);
     if (law == nullptr) return std::nullopt;
     const auto rates = rates_at(*law, coordinate.to_double());
@@ -66,7 +66,8 @@ tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanis
     const auto text = [&](double end) { return coordinate_text(mechanism, driver, end); };
     return tl::unexpected(Words("{0}: the law of driver {1} goes from {2} to {3}",
                                 "{0}: la legge del movente {1} va da {2} a {3}", text(coordinate.to_double()),
-                                name_of_driver(mechanism, driver), text(rates.error().first), text(rates.error().second)));
+                                name_of_driver(mechanism, driver), text(rates.error().first),
+                                text(rates.error().second)));
 }
 /// A time of a law, zero as drawn; nothing where the text is no time.
 std::optional<Asked> asked_by_time(const Law& law, const std::string& text) {
@@ -77,7 +78,8 @@ std::optional<Asked> asked_by_time(const Law& law, const std::string& text) {
     return Asked{Exact::from_double(here.s - law.at(drawn).s), time_text(written->in_si().to_double()),
                  Rates{Exact::from_double(here.first), Exact::from_double(here.second)}};
 }
-tl::expected<std::vector<Asked>, Words> positions_asked(const SolveRequest& request, const Mechanism& mechanism, int driver) {
+tl::expected<std::vector<Asked>, Words> positions_asked(const SolveRequest& request, const Mechanism& mechanism,
+                                                        int driver) {
     constexpr std::size_t most = 720;
     std::vector<Asked> all;
     std::optional<Words> beyond;
@@ -112,8 +114,8 @@ tl::expected<std::vector<Asked>, Words> positions_asked(const SolveRequest& requ
     }
     if (beyond) return tl::unexpected(std::string("--at ") + *beyond);
     if (all.size() > most)
-        return tl::unexpected(
-            Words("--at: at most {0} positions in one run", "--at: al più {0} posizioni in un comando", std::to_string(most)));
+        return tl::unexpected(Words("--at: at most {0} positions in one run",
+                                    "--at: al più {0} posizioni in un comando", std::to_string(most)));
     return all;
 }
 
@@ -161,11 +163,12 @@ tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism
                 return wrong(std::string("--at: ") +
                              out_of_reach(text, name, coordinate_text(mechanism, *driver, here.limit().value_or(0))));
             if (here.is_singular())
-                return wrong(
-                    {"--at: at {0} the mechanism is at a change point, where it has no one answer; ask for a position beside it",
-                     "--at: a {0} il meccanismo è in un punto di biforcazione, senza risposta unica; chiedere una posizione vicina",
-                     text},
-                    Status::unsolved);
+                return wrong({"--at: at {0} the mechanism is at a change point, where it has no one answer; ask for a "
+                              "position beside it",
+                              "--at: a {0} il meccanismo è in un punto di biforcazione, senza risposta unica; chiedere "
+                              "una posizione vicina",
+                              text},
+                             Status::unsolved);
             Moved moved = mover.moved(here, coordinate);
             put_rates(moved.mechanism);
             const FinerPose finer = [pose = std::move(moved.finer)] { return pose; };
@@ -229,7 +232,8 @@ render::SheetOptions options_of(const SolveRequest& request, const render::Theme
     return options;
 }
 
-/// The sheet, its steps or one figure; remarks on it are added to `remarks`. Else it has been said that there is no such figure.
+/// The sheet, its steps or one figure; remarks on it are added to `remarks`. Else it has been said that there is no
+/// such figure.
 tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solution, const render::Theme& theme,
                                                          const SolveRequest& request, const render::Fonts& fonts,
                                                          std::vector<std::string>& remarks) {
@@ -243,9 +247,11 @@ tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solutio
     if (request.sheet == render::SheetKind::question && !stands_for_joints(solution.mechanism))
         return render::lay_out_handout(solution, options, fonts, asked_values(solution));
     if (request.figure.empty()) return render::lay_out(solution, options, fonts);
-    if (auto page = render::lay_out_alone(solution, options, request.figure, fonts)) return std::vector{*std::move(page)};
+    if (auto page = render::lay_out_alone(solution, options, request.figure, fonts))
+        return std::vector{*std::move(page)};
     std::string names;
-    for (const std::string& each : render::figure_names(solution, options, fonts)) names += (names.empty() ? "" : ", ") + each;
+    for (const std::string& each : render::figure_names(solution, options, fonts))
+        names += (names.empty() ? "" : ", ") + each;
     say(spoken(request.file),
         {"--figure {0}: there is no such figure; there are {1}", "--figure {0}: non c’è questa figura; ci sono {1}",
          request.figure, names},
@@ -255,15 +261,17 @@ tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solutio
 
 /// What of a request has no meaning beside the rest of it; empty where all has.
 Words meaningless(const SolveRequest& request) {
-    const bool solution = request.sheet == render::SheetKind::solution, brief = request.detail == render::SolutionDetail::brief;
+    const bool solution = request.sheet == render::SheetKind::solution,
+               brief = request.detail == render::SolutionDetail::brief;
     const char* const sheet = request.sheet == render::SheetKind::question ? "question" : "answers";
     const auto both = [](const std::string& one, const std::string& other) {
-        return Words("{0} and {1} exclude each other: leave one of them out", "{0} e {1} si escludono: togliere una delle due",
-                     one, other);
+        return Words("{0} and {1} exclude each other: leave one of them out",
+                     "{0} e {1} si escludono: togliere una delle due", one, other);
     };
     const std::string kind = std::string("--sheet ") + sheet;
     if (request.grid && request.sheet != render::SheetKind::question)
-        return {"--grid is for the question: add --sheet question", "--grid è per la domanda: aggiungere --sheet question"};
+        return {"--grid is for the question: add --sheet question",
+                "--grid è per la domanda: aggiungere --sheet question"};
     if (!solution && brief) return both(kind, "--detail brief");
     if (!request.figure.empty() && (!solution || brief)) return both("--figure", solution ? "--detail brief" : kind);
     if (request.steps && (!solution || brief)) return both("--steps", solution ? "--detail brief" : kind);
@@ -283,9 +291,10 @@ Words meaningless_on_page(const SolveRequest& request, const std::vector<Target>
                               : request.sheet != render::SheetKind::solution ? "--sheet"
                                                                              : nullptr;
     if (other == nullptr) return {};
-    return {"{0} has no meaning for a live page, which has every figure and every step: ask for .html in a run of its own",
-            "{0} non ha senso per una pagina viva, che ha ogni figura e ogni passo: chiedere .html in un comando a parte",
-            std::string(other)};
+    return {
+        "{0} has no meaning for a live page, which has every figure and every step: ask for .html in a run of its own",
+        "{0} non ha senso per una pagina viva, che ha ogni figura e ogni passo: chiedere .html in un comando a parte",
+        std::string(other)};
 }
 
 /// What was asked for and has no effect.
@@ -303,9 +312,9 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
     }
     if (wants(request, "equations") && (!solution.equations || !solution.equations->why_not.empty()))
         remark({"no equations: {0}", "nessuna equazione: {0}",
-                solution.equations
-                    ? solution.equations->why_not
-                    : Words("a problem in place of joints has no loops", "un problema al posto delle coppie non ha maglie")});
+                solution.equations ? solution.equations->why_not
+                                   : Words("a problem in place of joints has no loops",
+                                           "un problema al posto delle coppie non ha maglie")});
     if (wants(request, "virtual work") && (!solution.displacements || !solution.displacements->why_not.empty()))
         remark({"no virtual work: {0}", "niente lavori virtuali: {0}",
                 solution.displacements ? solution.displacements->why_not
@@ -314,7 +323,9 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
     if (!request.figure.empty() && !draws)
         remark({"--figure chooses what is drawn, and no drawing is asked for",
                 "--figure sceglie che cosa si disegna, e nessun disegno è richiesto"});
-    const auto can_live = [](const Target& target) { return target.format == Format::svg || target.format == Format::pdf; };
+    const auto can_live = [](const Target& target) {
+        return target.format == Format::svg || target.format == Format::pdf;
+    };
     if (request.live_text && std::none_of(targets.begin(), targets.end(), can_live))
         remark({"--text says how SVG and PDF carry their words, and neither is asked for",
                 "--text dice come SVG e PDF portano le loro parole, e nessuno dei due è richiesto"});
@@ -335,14 +346,17 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
 std::string live_page(const Solution& solution, const render::Theme& theme, const SolveRequest& request,
                       const render::Fonts& fonts) {
     // A position asked for is not the one that the file draws.
-    const Rereading file = request.at.empty() ? rereading_of(*request.text, bare_name(request.file), request.set) : Rereading{};
-    return render::live_page(solution, moving_of(solution, file), options_of(request, theme), dark_beside(request.theme), fonts);
+    const Rereading file =
+        request.at.empty() ? rereading_of(*request.text, bare_name(request.file), request.set) : Rereading{};
+    return render::live_page(solution, moving_of(solution, file), options_of(request, theme),
+                             dark_beside(request.theme), fonts);
 }
 
 /// The table on the terminal, or all that the targets ask for. Remarks are added to `remarks`.
-tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solutions, const std::vector<Target>& targets,
-                                               const render::Theme& theme, const SolveRequest& request,
-                                               std::optional<Press>& press, std::vector<std::string>& remarks) {
+tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solutions,
+                                               const std::vector<Target>& targets, const render::Theme& theme,
+                                               const SolveRequest& request, std::optional<Press>& press,
+                                               std::vector<std::string>& remarks) {
     std::vector<Output> outputs;
     if (targets.empty()) {
         std::string tables;
@@ -351,9 +365,11 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
         return std::vector<Output>{{"-", std::move(tables)}};
     }
     std::vector<render::Page> pages;
-    const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+    const bool draws =
+        std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
     if (draws) {
-        const auto ready = Press::prepare(press, request.language, request.live_text ? Lettering::live : Lettering::outlines);
+        const auto ready =
+            Press::prepare(press, request.language, request.live_text ? Lettering::live : Lettering::outlines);
         if (!ready) return tl::unexpected(ready.error());
         const bool lays_out = std::any_of(targets.begin(), targets.end(),
                                           [](const Target& target) { return target.is_drawn() && !target.is_page(); });
@@ -369,7 +385,8 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
         if (target.is_page()) {
             for (std::size_t i = 0; i < solutions.size(); ++i)
                 if (i == 0 || !target.standard())
-                    outputs.push_back({target.path_of_page(i), live_page(solutions[i], theme, request, press->fonts())});
+                    outputs.push_back(
+                        {target.path_of_page(i), live_page(solutions[i], theme, request, press->fonts())});
             continue;
         }
         if (target.is_drawn()) {
@@ -392,8 +409,8 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
 
 namespace {
 
-/// A file that asks for what it has not got is refused, as `check` and `variants` do. What has no unique answer here is told with
-/// the solution.
+/// A file that asks for what it has not got is refused, as `check` and `variants` do. What has no unique answer here is
+/// told with the solution.
 std::optional<Status> refused_exercise(const std::vector<Solution>& solutions, const SolveRequest& request) {
     for (const Solution& solution : solutions)
         if (const Errors missing = missing_in(solution); !missing.empty())
@@ -403,8 +420,8 @@ std::optional<Status> refused_exercise(const std::vector<Solution>& solutions, c
 
 }  // namespace
 
-tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vector<Target>& targets, const render::Theme& theme,
-                                    std::optional<Press>& press) {
+tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vector<Target>& targets,
+                                    const render::Theme& theme, std::optional<Press>& press) {
     const Language language = request.language;
     if (const Words fault = meaningless(request); !fault.empty()) return tl::unexpected(refuse(fault, language));
     if (!request.text) {
@@ -417,7 +434,8 @@ tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vect
         read.text = *std::move(text);
         return solved(read, targets, theme, press);
     }
-    const bool tells = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+    const bool tells =
+        std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
     const auto solutions = solutions_of(request, tells ? Arithmetic::told : Arithmetic::left_out);
     if (!solutions) return tl::unexpected(solutions.error());
     if (const auto status = refused_exercise(*solutions, request)) return tl::unexpected(*status);

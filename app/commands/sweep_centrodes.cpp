@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "engine/sentences/centre_symbol.hpp"
 #include "engine/file/spelling.hpp"
+#include "engine/sentences/centre_symbol.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -43,8 +43,8 @@ std::string trimmed(std::string text) {
 
 }  // namespace
 
-tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs_of(const std::vector<std::string>& asked,
-                                                                                    const Mechanism& mechanism) {
+tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs_of(
+    const std::vector<std::string>& asked, const Mechanism& mechanism) {
     std::vector<std::string> names;
     for (const Body& body : mechanism.bodies) names.push_back(body.name);
     std::vector<std::pair<BodyIndex, BodyIndex>> pairs;
@@ -52,15 +52,17 @@ tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs
         const std::size_t comma = text.find(',');
         if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
             return tl::unexpected(Words("--centrodes {0} is no pair of bodies; give two as \"1,3\"",
-                                        "--centrodes {0} non è una coppia di corpi; darne due come \"1,3\"", quoted(text)));
+                                        "--centrodes {0} non è una coppia di corpi; darne due come \"1,3\"",
+                                        quoted(text)));
         std::array<BodyIndex, 2> bodies{none, none};
         const std::array parts{trimmed(text.substr(0, comma)), trimmed(text.substr(comma + 1))};
         for (std::size_t i = 0; i < 2; ++i) {
             const auto body = mechanism.body_named(parts[i]);
             Speller speller;
             if (!body)
-                return tl::unexpected(Words("--centrodes: no body is named {0}{1}", "--centrodes: nessun corpo si chiama {0}{1}",
-                                            quoted(parts[i]), did_you_mean(speller.nearest(parts[i], names))));
+                return tl::unexpected(Words("--centrodes: no body is named {0}{1}",
+                                            "--centrodes: nessun corpo si chiama {0}{1}", quoted(parts[i]),
+                                            did_you_mean(speller.nearest(parts[i], names))));
             bodies[i] = *body;
         }
         if (bodies[0] == bodies[1])
@@ -75,9 +77,9 @@ tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs
 std::string json_of(const std::vector<Centrodes>& centrodes, const Mechanism& mechanism) {
     std::string text = "[";
     for (const Centrodes& each : centrodes) {
-        text += std::string(text.size() > 1 ? "," : "") + "\n    {\"bodies\": [" + in_json(mechanism.body(each.first).name) +
-                ", " + in_json(mechanism.body(each.second).name) + "], \"to infinity\": " + list(each.infinities) +
-                ", \"branches\": [";
+        text += std::string(text.size() > 1 ? "," : "") + "\n    {\"bodies\": [" +
+                in_json(mechanism.body(each.first).name) + ", " + in_json(mechanism.body(each.second).name) +
+                "], \"to infinity\": " + list(each.infinities) + ", \"branches\": [";
         for (std::size_t i = 0; i < each.branches.size(); ++i) {
             const Centrodes::Branch& branch = each.branches[i];
             text += std::string(i > 0 ? "," : "") + "\n      {\"turn\": " + list(branch.coordinates) +
@@ -97,8 +99,10 @@ void add_ways(const Centrodes& centrodes, const Mechanism& mechanism, std::vecto
     double nearest = 1e300;
     render::Way pole{centre_symbol(mechanism, centrodes.first, centrodes.second, false).about, false, {}, Kind::pole};
     for (const Centrodes::Branch& branch : centrodes.branches) {
-        ways.push_back({name, false, branch.fixed, Kind::fixed_centrode, branch.comes_from_infinity, branch.goes_to_infinity});
-        ways.push_back({name, false, branch.moving, Kind::moving_centrode, branch.comes_from_infinity, branch.goes_to_infinity});
+        ways.push_back(
+            {name, false, branch.fixed, Kind::fixed_centrode, branch.comes_from_infinity, branch.goes_to_infinity});
+        ways.push_back(
+            {name, false, branch.moving, Kind::moving_centrode, branch.comes_from_infinity, branch.goes_to_infinity});
         for (std::size_t i = 0; i < branch.coordinates.size(); ++i) {
             if (!(std::abs(branch.coordinates[i]) < nearest)) continue;
             nearest = std::abs(branch.coordinates[i]);

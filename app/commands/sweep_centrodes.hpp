@@ -14,8 +14,8 @@
 namespace kinegraph::app {
 
 /// Pairs of bodies. Error, one line: a name that is none, with the nearest; no pair; twice one body.
-tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs_of(const std::vector<std::string>& asked,
-                                                                                    const Mechanism& mechanism);
+tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs_of(
+    const std::vector<std::string>& asked, const Mechanism& mechanism);
 /// The member "centrodes" of the JSON, without its key.
 std::string json_of(const std::vector<Centrodes>& centrodes, const Mechanism& mechanism);
 /// Fixed and moving, piece by piece, and the pole in which they touch as drawn.

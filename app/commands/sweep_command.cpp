@@ -21,16 +21,18 @@
 namespace kinegraph::app {
 namespace {
 
-/// What a file of rows in JSON says before its columns. `along`: the drivers that go along, with their coordinates over the
-/// driver's.
-std::string begun(const std::string& driver, const std::vector<std::pair<std::string, double>>& along, const Travel& travel) {
+/// What a file of rows in JSON says before its columns. `along`: the drivers that go along, with their coordinates over
+/// the driver's.
+std::string begun(const std::string& driver, const std::vector<std::pair<std::string, double>>& along,
+                  const Travel& travel) {
     const auto limit = [](bool is_one, double at) { return is_one ? decimal_of(at) : std::string("null"); };
     std::string text = "\"driver\": " + in_json(driver);
     for (const auto& [name, per] : along)
         text += (&name == &along.front().first ? ",\n  \"along\": {" : ", ") + in_json(name) + ": " + decimal_of(per);
     text += (along.empty() ? ",\n  \"from\": " : "},\n  \"from\": ") + decimal_of(travel.from) +
-            ",\n  \"to\": " + decimal_of(travel.to) + ",\n  \"limits\": [" + limit(travel.starts_at_limit, travel.from) + ", " +
-            limit(travel.ends_at_limit, travel.to) + "],\n  \"change points\": [";
+            ",\n  \"to\": " + decimal_of(travel.to) + ",\n  \"limits\": [" +
+            limit(travel.starts_at_limit, travel.from) + ", " + limit(travel.ends_at_limit, travel.to) +
+            "],\n  \"change points\": [";
     for (std::size_t i = 0; i < travel.change_points.size(); ++i)
         text += (i > 0 ? ", " : "") + decimal_of(travel.change_points[i]);
     return text + "]";
@@ -58,9 +60,11 @@ std::optional<Words> add_along(const SweepRequest& request, const Mechanism& mec
     const std::size_t more = request.drivers.empty() ? 0 : request.drivers.size() - 1;
     if (more != request.step.size())
         return Words(
-            "--step is of a driver that goes along: each --driver after the first has one, in the same order ({0} and {1} "
+            "--step is of a driver that goes along: each --driver after the first has one, in the same order ({0} and "
+            "{1} "
             "are given; the number of steps is --steps)",
-            "--step è di un movente che accompagna: ogni --driver dopo il primo ne ha uno, nello stesso ordine (ne sono "
+            "--step è di un movente che accompagna: ogni --driver dopo il primo ne ha uno, nello stesso ordine (ne "
+            "sono "
             "dati {0} e {1}; il numero dei passi è --steps)",
             std::to_string(more), std::to_string(request.step.size()));
     if (more == 0) return std::nullopt;
@@ -80,7 +84,8 @@ std::optional<Words> add_along(const SweepRequest& request, const Mechanism& mec
         const auto driver = driver_named(mechanism, request.drivers[i + 1]);
         if (!driver) return driver.error();
         const auto is_taken = [&](const Course::Along& each) { return each.driver == *driver; };
-        if (*driver == asked.course.driver || std::any_of(asked.course.along.begin(), asked.course.along.end(), is_taken))
+        if (*driver == asked.course.driver ||
+            std::any_of(asked.course.along.begin(), asked.course.along.end(), is_taken))
             return Words("--driver {0} is given twice", "--driver {0} è dato due volte", request.drivers[i + 1]);
         const auto step = coordinate_of(mechanism, *driver, request.step[i]);
         if (!step) return std::string("--step ") + step.error();
@@ -105,7 +110,8 @@ tl::expected<Asked, Words> asked_of(const SweepRequest& request, const Mechanism
     if (asked.from && asked.to && *asked.from == *asked.to)
         return tl::unexpected(Words("--from and --to are the same position; solve --at gives one",
                                     "--from e --to sono la stessa posizione; solve --at ne dà una"));
-    if (request.steps < 2) return tl::unexpected(Words("--steps: at least 2 are needed", "--steps: ne occorrono almeno 2"));
+    if (request.steps < 2)
+        return tl::unexpected(Words("--steps: at least 2 are needed", "--steps: ne occorrono almeno 2"));
     if (const auto wrong = add_along(request, mechanism, asked)) return tl::unexpected(*wrong);
     return asked;
 }
@@ -145,11 +151,12 @@ public:
                 std::snprintf(digits.data(), digits.size(), "%.6g ", value / unit.si.to_double());
                 return decimal(digits.data()) + unit.symbol;
             };
-            const double rounding = 1e-9 * std::max(std::abs(sum.least), std::abs(sum.most)), mean = sum.integral / sum.way;
+            const double rounding = 1e-9 * std::max(std::abs(sum.least), std::abs(sum.most)),
+                         mean = sum.integral / sum.way;
             lines.emplace_back("{0}: mean {1}, least {2} at {3}, greatest {4} at {5}",
                                "{0}: media {1}, minimo {2} a {3}, massimo {4} a {5}", column.name,
-                               text(std::abs(mean) < rounding ? 0 : mean), text(sum.least), place(sum.least_at), text(sum.most),
-                               place(sum.most_at));
+                               text(std::abs(mean) < rounding ? 0 : mean), text(sum.least), place(sum.least_at),
+                               text(sum.most), place(sum.most_at));
         }
         return lines;
     }
@@ -168,7 +175,11 @@ private:
 class Report {
 public:
     Report(const SweepRequest& request, const Mechanism& mechanism, const Course& course, const Travel& travel)
-        : request_(request), mechanism_(mechanism), course_(course), driver_(course.driver), has_law_(travel.times.has_value()) {}
+        : request_(request),
+          mechanism_(mechanism),
+          course_(course),
+          driver_(course.driver),
+          has_law_(travel.times.has_value()) {}
 
     void line(const Words& words) const { say(spoken(request_.file), words, request_.sheet.language); }
     void on_travel(const Travel& travel, const std::optional<Positions::BranchTaken>& branch) const {
@@ -179,16 +190,19 @@ public:
                   travel.starts_at_limit ? Words("its limits", "i suoi limiti") : Words("its limit", "il suo limite")});
         if (branch)
             line({"a change point is drawn: of its {0} branches number {1} is taken; --branch takes another",
-                  "è disegnato un punto di biforcazione: dei suoi {0} rami si prende il numero {1}; --branch ne prende un altro",
+                  "è disegnato un punto di biforcazione: dei suoi {0} rami si prende il numero {1}; --branch ne prende "
+                  "un altro",
                   std::to_string(branch->of), std::to_string(branch->index + 1)});
         for (const double each : travel.change_points)
             if (!branch || each != 0)
                 line({"a change point at {0}: the branch is a choice there; the one is taken that goes on smoothly",
-                      "un punto di biforcazione a {0}: lì il ramo è una scelta; si prende quello che prosegue senza salti",
+                      "un punto di biforcazione a {0}: lì il ramo è una scelta; si prende quello che prosegue senza "
+                      "salti",
                       coordinate_text(mechanism_, driver_, each, 1e-6)});
         if (travel.times)
             line({"driver {0} follows its law, from {1} to {2}", "il movente {0} segue la sua legge, da {1} a {2}",
-                  name_of_driver(mechanism_, driver_), time_text(travel.times->first), time_text(travel.times->second)});
+                  name_of_driver(mechanism_, driver_), time_text(travel.times->first),
+                  time_text(travel.times->second)});
         if (mechanism_.drivers.size() > 1 + course_.along.size())
             line({"the other drivers rest where they are drawn, with the rates of the file",
                   "gli altri moventi restano dove sono disegnati, con le velocità e accelerazioni del file"});
@@ -252,7 +266,8 @@ public:
 
     Status run(const std::vector<Target>& targets) {
         missing_ = cycle_.begin(travel_);
-        const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+        const bool draws =
+            std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
         if (const auto wrong = prepare_drawing(draws)) {
             say(spoken(request_.file), *wrong, language());
             return Status::bad_input;
@@ -350,7 +365,9 @@ private:
             const double at = travel_.at(share);
             // At a limit the driver has no velocity to give.
             if ((i == 0 && travel_.starts_at_limit) || (i == request_.steps && travel_.ends_at_limit)) {
-                if (draws) drawing_.table.limits.push_back(cycle_.at_limit(at, (i == 0 ? 1 : -1) * (travel_.to - travel_.from)));
+                if (draws)
+                    drawing_.table.limits.push_back(
+                        cycle_.at_limit(at, (i == 0 ? 1 : -1) * (travel_.to - travel_.from)));
                 continue;
             }
             const auto row = cycle_.row(at);
@@ -368,7 +385,8 @@ private:
     }
 
     /// Adds the sheets; a status where something is missing, which has been said.
-    std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme, std::vector<Output>& outputs) {
+    std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme,
+                               std::vector<Output>& outputs) {
         Mechanism plain = mechanism_;
         plain.find = {};
         plain.find.stated = plain.find.velocity = true;
@@ -379,7 +397,8 @@ private:
         if (!press) return press.error();
         render::SheetOptions options = request_.sheet;
         options.theme = theme;
-        std::vector<render::Way> ways = ways_of(mechanism_, cycle_.positions(), travel_, request_.poses, drawing_.traces);
+        std::vector<render::Way> ways =
+            ways_of(mechanism_, cycle_.positions(), travel_, request_.poses, drawing_.traces);
         for (const Centrodes& each : centrodes_) add_ways(each, mechanism_, ways);
         const auto pages = render::lay_out_cycle(*drawn, drawing_.table, drawing_.plots, ways, options, press->fonts());
         for (const Target& target : targets)
@@ -395,11 +414,13 @@ private:
         };
         for (const std::string& remark : remarks_) tell_of("a remark", remark);
         report.on_travel(travel_, cycle_.positions().branch());
-        for (const Words& line : efforts.told(cycle_, mechanism_, [&](double at) { return report.text(at); })) report.line(line);
+        for (const Words& line : efforts.told(cycle_, mechanism_, [&](double at) { return report.text(at); }))
+            report.line(line);
         report.on_rows_left_out(left_out_, first_left_out_, last_left_out_);
         report.on_difference(cycle_);
         const auto tell = [&](const Message& message) { return render::tell(message, language()); };
-        for (const Unsolved& unsolved : missing_) tell_of("one unsolved", tell(unsolved.what) + ": " + tell(unsolved.why));
+        for (const Unsolved& unsolved : missing_)
+            tell_of("one unsolved", tell(unsolved.what) + ": " + tell(unsolved.why));
         return left_out_ == 0 && missing_.empty() ? Status::done : Status::unsolved;
     }
 
@@ -425,16 +446,16 @@ tl::expected<Travel, Words> travel_asked(const Positions& positions, const Mecha
     };
     const std::optional<double> from = in_doubles(asked.from), to = in_doubles(asked.to);
     const Law* law = law_of(mechanism, driver);
-    const auto travel =
-        law != nullptr ? travel_of_law(positions, *law, from, to) : travel_of(positions, turns(mechanism, driver), from, to);
+    const auto travel = law != nullptr ? travel_of_law(positions, *law, from, to)
+                                       : travel_of(positions, turns(mechanism, driver), from, to);
     if (travel) return *travel;
     const TravelFault& fault = travel.error();
     const std::string name = name_of_driver(mechanism, driver);
     if (!fault.limit)
-        return tl::unexpected(
-            Words("driver {0} has no limit; give --from and --to", "il movente {0} non ha limiti; dare --from e --to", name));
-    return tl::unexpected(
-        out_of_reach(coordinate_text(mechanism, driver, fault.wanted), name, coordinate_text(mechanism, driver, *fault.limit)));
+        return tl::unexpected(Words("driver {0} has no limit; give --from and --to",
+                                    "il movente {0} non ha limiti; dare --from e --to", name));
+    return tl::unexpected(out_of_reach(coordinate_text(mechanism, driver, fault.wanted), name,
+                                       coordinate_text(mechanism, driver, *fault.limit)));
 }
 
 }  // namespace

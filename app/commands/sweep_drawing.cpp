@@ -36,8 +36,9 @@ std::vector<std::vector<std::size_t>> usual_plots(const std::vector<Column>& col
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Quantity& q = columns[i].quantity;
         if (!subject || q.kind == Quantity::Kind::unnamed) continue;
-        const bool slides = subject->joint != none && q.joint == subject->joint &&
-                            (q.kind == Quantity::Kind::sliding_velocity || q.kind == Quantity::Kind::sliding_acceleration);
+        const bool slides =
+            subject->joint != none && q.joint == subject->joint &&
+            (q.kind == Quantity::Kind::sliding_velocity || q.kind == Quantity::Kind::sliding_acceleration);
         const bool turns = subject->joint == none && q.body == subject->body &&
                            (q.kind == Quantity::Kind::omega || q.kind == Quantity::Kind::alpha);
         if (slides || turns) plots.push_back({i});
@@ -59,9 +60,10 @@ tl::expected<std::vector<std::vector<std::size_t>>, Words> plots_of(const std::v
             const auto found = std::find(names.begin(), names.end(), name);
             if (found == names.end()) {
                 Speller speller;
-                return tl::unexpected(Words("--plot: there is no quantity {0}{1}; the columns of the CSV are those there are",
-                                            "--plot: non c’è la grandezza {0}{1}; quelle che ci sono sono le colonne del CSV",
-                                            quoted(name), did_you_mean(speller.nearest(name, names))));
+                return tl::unexpected(
+                    Words("--plot: there is no quantity {0}{1}; the columns of the CSV are those there are",
+                          "--plot: non c’è la grandezza {0}{1}; quelle che ci sono sono le colonne del CSV",
+                          quoted(name), did_you_mean(speller.nearest(name, names))));
             }
             plot.push_back(static_cast<std::size_t>(found - names.begin()));
             if (columns[plot.back()].unit != columns[plot.front()].unit)
@@ -101,8 +103,9 @@ tl::expected<std::vector<Trace>, Words> traces_of(const std::vector<std::string>
             const std::string name = parts[1].substr(3);
             const auto body = mechanism.body_named(name);
             if (!body)
-                return tl::unexpected(Words("--trace: no body is named {0}{1}", "--trace: nessun corpo si chiama {0}{1}",
-                                            quoted(name), nearest(name, mechanism.bodies)));
+                return tl::unexpected(Words("--trace: no body is named {0}{1}",
+                                            "--trace: nessun corpo si chiama {0}{1}", quoted(name),
+                                            nearest(name, mechanism.bodies)));
             trace.on = *body;
         }
         traces.push_back(std::move(trace));
@@ -138,7 +141,8 @@ std::vector<render::Way> ways_of(const Mechanism& mechanism, Positions positions
     for (int i = 0; !traces.empty() && i <= samples; ++i) {
         if (!move_along(static_cast<double>(i) / samples)) continue;
         for (std::size_t k = 0; k < traces.size(); ++k)
-            ways[first + k].places.push_back(positions.seen_from(traces[k].on, places.points[at_index(traces[k].point)]));
+            ways[first + k].places.push_back(
+                positions.seen_from(traces[k].on, places.points[at_index(traces[k].point)]));
     }
     return ways;
 }

@@ -12,8 +12,9 @@
 
 namespace kinegraph::app {
 
-/// Lists of columns: those asked for, or displacement, speed and acceleration of what slides (else of the last body that turns)
-/// and the efforts. Error, one line: no such column (with the nearest name), too many, or several units in one plot.
+/// Lists of columns: those asked for, or displacement, speed and acceleration of what slides (else of the last body
+/// that turns) and the efforts. Error, one line: no such column (with the nearest name), too many, or several units in
+/// one plot.
 tl::expected<std::vector<std::vector<std::size_t>>, Words> plots_of(const std::vector<std::string>& asked,
                                                                     const std::vector<Column>& columns);
 

@@ -12,25 +12,27 @@
 #include "app/commands/outputs.hpp"
 #include "app/commands/row_file.hpp"
 #include "app/commands/sweep_drawing.hpp"
-#include "constructions/verdicts/largest_difference.hpp"
 #include "constructions/positions/named_results.hpp"
 #include "constructions/solving/solve.hpp"
-#include "engine/solution/problem_solution.hpp"
-#include "engine/results/result_names.hpp"
+#include "constructions/verdicts/largest_difference.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/mechanism/variation.hpp"
+#include "engine/results/result_names.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "render/sheet/cycle_sheet.hpp"
 
 namespace kinegraph::app {
 namespace {
 
 /// In SI: a formula counts angles in degrees.
-double si_of(const Measured& value) { return value.value.to_double() * std::pow(std::numbers::pi / 180, value.dimension.angle); }
+double si_of(const Measured& value) {
+    return value.value.to_double() * std::pow(std::numbers::pi / 180, value.dimension.angle);
+}
 
 tl::expected<Measured, Words> value_of(const std::string& option, const std::string& text) {
     if (text.empty()) return tl::unexpected(Words("--over wants --from and --to", "--over vuole --from e --to"));
-    auto read = is_formula(text) ? tl::expected<Measured, Words>(tl::unexpected(
-                                       Words("a value is wanted here, no formula", "qui serve un valore, non una formula")))
+    auto read = is_formula(text) ? tl::expected<Measured, Words>(tl::unexpected(Words(
+                                       "a value is wanted here, no formula", "qui serve un valore, non una formula")))
                                  : read_measured(text, {});
     if (read) return *std::move(read);
     return tl::unexpected(option + std::string(": ") + read.error());
@@ -50,8 +52,8 @@ tl::expected<Variation, Words> values_of(const SweepRequest& request) {
     }
     for (const Measured* other : {&*to, step ? &*step : &*to})
         if (other->is_bare != from->is_bare || !(other->dimension == from->dimension))
-            return tl::unexpected(Words("--from is {0}, and --to or --step is {1}", "--from è {0}, e --to o --step è {1}",
-                                        described(*from), described(*other)));
+            return tl::unexpected(Words("--from is {0}, and --to or --step is {1}",
+                                        "--from è {0}, e --to o --step è {1}", described(*from), described(*other)));
     const Exact way = to->value - from->value;
     if (way.is_zero())
         return tl::unexpected(Words("--from and --to are the same; solve --set gives one value",
@@ -61,14 +63,15 @@ tl::expected<Variation, Words> values_of(const SweepRequest& request) {
     const Exact each = step ? step->value : way / Exact::ratio(request.steps, 1);
     const Exact count = each.is_zero() ? Exact(-1) : way / each;
     if (count.sign() < 0)
-        return tl::unexpected(
-            Words("--step {0} does not lead from --from to --to", "--step {0} non porta da --from a --to", request.step.front()));
+        return tl::unexpected(Words("--step {0} does not lead from --from to --to",
+                                    "--step {0} non porta da --from a --to", request.step.front()));
     if (count > Exact(most))
         return tl::unexpected(Words("--step: more than {0} values; take a larger step",
                                     "--step: più di {0} valori; prendere un passo più grande", std::to_string(most)));
     Variation values;
     values.parameter = request.over;
-    values.count = static_cast<std::uint64_t>(mpz_class(count.rational().get_num() / count.rational().get_den()).get_ui()) + 1;
+    values.count =
+        static_cast<std::uint64_t>(mpz_class(count.rational().get_num() / count.rational().get_den()).get_ui()) + 1;
     Exact unit = 1;
     if (!from->is_bare) {
         values.unit = read_quantity(request.from, QuantityKind::dimensionless)->unit->symbol;
@@ -81,7 +84,8 @@ tl::expected<Variation, Words> values_of(const SweepRequest& request) {
 
 class ParameterSweep {
 public:
-    ParameterSweep(const SweepRequest& request, std::string text, Mechanism own, Variation values, std::optional<double> drawn)
+    ParameterSweep(const SweepRequest& request, std::string text, Mechanism own, Variation values,
+                   std::optional<double> drawn)
         : request_(request), text_(std::move(text)), own_(std::move(own)), values_(std::move(values)), drawn_(drawn) {}
 
     Status run(const std::vector<Target>& targets) {
@@ -105,13 +109,14 @@ public:
             if (target.is_drawn()) continue;
             if (const auto failure = write_rows(target, rows, outputs)) return fail_to_write(*failure, language());
         }
-        const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+        const bool draws =
+            std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
         if (draws) {
             if (const auto status = draw(targets, std::move(rows), *plots, outputs)) return *status;
         } else if (!request_.plots.empty()) {
-            remarks_.push_back(
-                in({"--plot adds to the drawing, and none is asked for", "--plot aggiunge al disegno, e nessuno è richiesto"},
-                   language()));
+            remarks_.push_back(in({"--plot adds to the drawing, and none is asked for",
+                                   "--plot aggiunge al disegno, e nessuno è richiesto"},
+                                  language()));
         }
         if (names_clash(outputs, request_.file, language())) return Status::bad_input;
         if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language());
@@ -131,10 +136,10 @@ private:
                                 ",\n  \"to\": " + decimal_of(si(values_.count - 1)));
         for (const auto& row : rows) file.row(row);
         const LargestDifference::Found off = difference_.found(columns_, size_);
-        file.tail("\"largest difference\": " + (off.column < 0 ? std::string("null")
-                                                               : "{\"column\": " + in_json(columns_[at_index(off.column)].name) +
-                                                                     ", \"value\": " + decimal_of(off.coordinate) +
-                                                                     ", \"share\": " + decimal_of(off.share) + "}"));
+        file.tail("\"largest difference\": " +
+                  (off.column < 0 ? std::string("null")
+                                  : "{\"column\": " + in_json(columns_[at_index(off.column)].name) + ", \"value\": " +
+                                        decimal_of(off.coordinate) + ", \"share\": " + decimal_of(off.share) + "}"));
         if (file.failure()) return file.failure();
         outputs.push_back(file.finish());
         return std::nullopt;
@@ -178,7 +183,8 @@ private:
 
     /// An effort's column holds what virtual work found where reactions do not.
     static bool is_effort_by_work(const Quantity& held, const Quantity& column) {
-        return held.kind == Quantity::Kind::virtual_effort && column.kind == Quantity::Kind::effort && held.given == column.given;
+        return held.kind == Quantity::Kind::virtual_effort && column.kind == Quantity::Kind::effort &&
+               held.given == column.given;
     }
     /// Holds the row of a value against the check.
     void hold_against_check(const Solution& solution, const std::vector<double>& row) {
@@ -191,7 +197,8 @@ private:
                         difference_.hold(i, column, row[i], each.numeric, row[0]);
             if (column.kind == Column::Kind::named && solution.problem)
                 for (const ProblemValue& each : solution.problem->values)
-                    if (each.name.en == column.name && each.numeric) difference_.hold(i, column, row[i], *each.numeric, row[0]);
+                    if (each.name.en == column.name && each.numeric)
+                        difference_.hold(i, column, row[i], *each.numeric, row[0]);
         }
     }
 
@@ -209,15 +216,17 @@ private:
         auto solution = solve(*std::move(mechanism));
         if (!solution) return note(solution.error());
         if (!solution->unsolved.empty())
-            return note(
-                {{ErrorCode::no_unique_answer, {}, {"no value has a unique answer", "nessun valore ha una risposta unica"}}});
+            return note({{ErrorCode::no_unique_answer,
+                          {},
+                          {"no value has a unique answer", "nessun valore ha una risposta unica"}}});
         std::vector<NamedResult> results = named_results(*solution);
         std::erase_if(results, [](const NamedResult& each) { return is_modulus(each.column); });
         if (columns_.empty()) choose_columns(results);
         std::vector<double> row{si_of(*read_measured(value, {}))};
         for (std::size_t i = 1; i < columns_.size(); ++i) {
-            const auto found = std::find_if(results.begin(), results.end(),
-                                            [&](const NamedResult& each) { return each.column.name == columns_[i].name; });
+            const auto found = std::find_if(results.begin(), results.end(), [&](const NamedResult& each) {
+                return each.column.name == columns_[i].name;
+            });
             if (found == results.end()) return std::nullopt;
             row.push_back(columns_[i].kind == Column::Kind::angle && !last_.empty() ? beside(found->value, last_[i])
                                                                                     : found->value);
@@ -241,7 +250,8 @@ private:
         for (const std::string& remark : remarks_) line(render::word("a remark", language()) + ": " + remark);
         if (left_out_.size() == 1)
             line({"1 row is left out, where the file gives no unique answer: {0} = {1}",
-                  "1 riga è omessa, dove il file non dà una risposta unica: {0} = {1}", request_.over, left_out_.front()});
+                  "1 riga è omessa, dove il file non dà una risposta unica: {0} = {1}", request_.over,
+                  left_out_.front()});
         if (left_out_.size() > 1)
             line({"{0} rows are left out, where the file gives no unique answer: {1} = {2} … {3}",
                   "{0} righe sono omesse, dove il file non dà una risposta unica: {1} = {2} … {3}",
@@ -260,7 +270,8 @@ private:
         line({"largest difference from the numeric check: {0} of the largest of its kind ({1} at {2})",
               "massimo scarto dalla verifica numerica: {0} della grandezza maggiore del suo genere ({1} a {2})",
               decimal(share.data()), columns_[at_index(off.column)].name,
-              request_.over + std::string(" = ") + decimal(value.data()) + (std::string(is_close ? "" : " ") + unit.symbol)});
+              request_.over + std::string(" = ") + decimal(value.data()) +
+                  (std::string(is_close ? "" : " ") + unit.symbol)});
     }
 
     const SweepRequest& request_;
@@ -290,8 +301,9 @@ Words of_another_kind(const Variation& values, JsonValue parameter) {
 Words meaningless(const SweepRequest& request, JsonValue parameters) {
     if (!request.drivers.empty() || request.branch != 0 || !request.traces.empty() || !request.centrodes.empty() ||
         request.poses != 0)
-        return {"--over moves no driver: --driver, --branch, --trace, --centrodes and --poses do not go with it",
-                "--over non muove nessun movente: --driver, --branch, --trace, --centrodes e --poses non vanno con esso"};
+        return {
+            "--over moves no driver: --driver, --branch, --trace, --centrodes and --poses do not go with it",
+            "--over non muove nessun movente: --driver, --branch, --trace, --centrodes e --poses non vanno con esso"};
     if (request.step.size() > 1) return {"--step is given twice", "--step è dato due volte"};
     std::vector<std::string_view> names;
     if (parameters && parameters.is_object())
@@ -327,7 +339,8 @@ Status sweep_parameter(const SweepRequest& request) {
     // Its own faults come first.
     auto own = read_mechanism(*text, bare_name(request.file), request.set);
     if (!own) return say(spoken(request.file), own.error(), language);
-    const bool draws = std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.is_drawn(); });
+    const bool draws =
+        std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.is_drawn(); });
     if (draws && stands_for_joints(*own)) {
         say(spoken(request.file),
             Words("plots are of a mechanism; of this problem ask for CSV or JSON",
@@ -336,7 +349,8 @@ Status sweep_parameter(const SweepRequest& request) {
         return Status::bad_input;
     }
     const auto source = JsonSource::read(*text);
-    if (const Words why = meaningless(request, source->root()["parameters"]); !why.empty()) return refuse(why, language);
+    if (const Words why = meaningless(request, source->root()["parameters"]); !why.empty())
+        return refuse(why, language);
     auto values = values_of(request);
     if (!values) return refuse(values.error(), language);
     if (const Words why = of_another_kind(*values, source->root()["parameters"][request.over]); !why.empty())

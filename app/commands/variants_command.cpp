@@ -1,4 +1,5 @@
-// variants FILE: draws variants of an exercise and writes the sheets, the results and the file of each, and the key of all.
+// variants FILE: draws variants of an exercise and writes the sheets, the results and the file of each, and the key of
+// all.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,11 +15,11 @@
 
 #include "app/commands/asked_values.hpp"
 #include "app/commands/commands.hpp"
-#include "app/files/csv_text.hpp"
-#include "app/files/json_text.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/quizzes.hpp"
 #include "app/commands/receipt.hpp"
+#include "app/files/csv_text.hpp"
+#include "app/files/json_text.hpp"
 #include "app/files/roster.hpp"
 #include "constructions/positions/variants.hpp"
 #include "engine/reading/file_text.hpp"
@@ -34,7 +35,8 @@ namespace {
 
 std::string in_english(const Message& message) { return render::tell(message, render::Language::en); }
 
-// --- stopping -----------------------------------------------------------------------------------------------------------------
+// --- stopping
+// -----------------------------------------------------------------------------------------------------------------
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): all that a signal may touch
 volatile std::sig_atomic_t stop_asked = 0;
@@ -62,7 +64,8 @@ private:
 /// How many are done and how long the rest will take, on a terminal, once it takes over a second.
 class Countdown {
 public:
-    Countdown(std::size_t all, Language language) : all_(all), language_(language), shows_(::isatty(STDERR_FILENO) != 0) {}
+    Countdown(std::size_t all, Language language)
+        : all_(all), language_(language), shows_(::isatty(STDERR_FILENO) != 0) {}
     ~Countdown() {
         if (shown_) std::fputs("\r\x1b[K", stderr);
     }
@@ -75,8 +78,8 @@ public:
         shown_ = true;
         const std::chrono::duration<double> taken = now - begun_;
         const double left = taken.count() / static_cast<double>(done) * static_cast<double>(all_ - done);
-        const Words line("{0} of {1}, {2} s left", "{0} di {1}, mancano {2} s", std::to_string(done), std::to_string(all_),
-                         std::to_string(static_cast<long>(left + 1)));
+        const Words line("{0} of {1}, {2} s left", "{0} di {1}, mancano {2} s", std::to_string(done),
+                         std::to_string(all_), std::to_string(static_cast<long>(left + 1)));
         std::fprintf(stderr, "\r\x1b[K%s", in(line, language_).c_str());
     }
 
@@ -84,10 +87,12 @@ private:
     std::size_t all_;
     Language language_;
     bool shows_, shown_ = false;
-    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now(), next_ = begun_ + std::chrono::seconds(1);
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now(),
+                                          next_ = begun_ + std::chrono::seconds(1);
 };
 
-// --- the key ------------------------------------------------------------------------------------------------------------------
+// --- the key
+// ------------------------------------------------------------------------------------------------------------------
 
 /// A line for each variant: its number, whose it is, its parameters and what is asked for.
 class Key {
@@ -141,7 +146,8 @@ private:
         const render::Theme theme;
         const render::DrawingContext context{variant.solution, theme, fonts, language_, render::Dimensions::off};
         std::vector<render::RichText> symbols;
-        for (const NamedResult& each : variant.results) symbols.push_back(render::asked_text(context, each.column).symbol);
+        for (const NamedResult& each : variant.results)
+            symbols.push_back(render::asked_text(context, each.column).symbol);
         const auto is_told_apart = [&](const render::RichText& symbol) {
             return std::count_if(symbols.begin(), symbols.end(),
                                  [&](const auto& other) { return render::plain(other) == render::plain(symbol); }) == 1;
@@ -150,7 +156,8 @@ private:
             const NamedResult& each = variant.results[i];
             const std::string unit = told(each, units_).unit;
             names_.push_back(each.column.name);
-            columns_.push_back({each.column.name, unit, false, is_told_apart(symbols[i]) ? symbols[i] : render::RichText()});
+            columns_.push_back(
+                {each.column.name, unit, false, is_told_apart(symbols[i]) ? symbols[i] : render::RichText()});
             csv_ += "," + csv_cell(each.column.name + (unit.empty() ? "" : " [" + unit + "]"));
         }
         csv_ += "\n";
@@ -172,7 +179,8 @@ private:
     std::string csv_;
 };
 
-// --- a run --------------------------------------------------------------------------------------------------------------------
+// --- a run
+// --------------------------------------------------------------------------------------------------------------------
 
 /// "007": the same whatever the count is.
 std::string number_of(std::size_t variant) {
@@ -183,8 +191,8 @@ std::string number_of(std::size_t variant) {
 
 class Run {
 public:
-    Run(const VariantsRequest& request, std::string text, Variants variants, std::vector<std::string> names, std::size_t count,
-        Press press, const render::Theme& theme, std::string theme_text)
+    Run(const VariantsRequest& request, std::string text, Variants variants, std::vector<std::string> names,
+        std::size_t count, Press press, const render::Theme& theme, std::string theme_text)
         : request_(request),
           text_(std::move(text)),
           source_(*JsonSource::read(text_)),
@@ -265,8 +273,8 @@ private:
         options.grid = false;
         print(render::lay_out(variant.solution, options, press_.fonts()), number + "-solution", solutions_, outputs);
     }
-    std::optional<Status> put(const Variant& variant, const std::string& number, const std::string& drawn, const Receipt& receipt,
-                              std::vector<Output> outputs) {
+    std::optional<Status> put(const Variant& variant, const std::string& number, const std::string& drawn,
+                              const Receipt& receipt, std::vector<Output> outputs) {
         std::vector<Setting> set = variant.values;
         set.insert(set.end(), request_.set.begin(), request_.set.end());
         constexpr std::array<std::string_view, 2> without{"vary", "require"};
@@ -278,14 +286,15 @@ private:
         if (const auto failure = receipt.make_room()) return not_put(*failure);
         outputs.push_back(receipt.of(outputs, "{\"files\": " + quoted(paths) + ", \"of\": \"" + drawn + "\"}"));
         if (const auto status = put(outputs)) return status;
-        // Sheets in another format of what this number no longer is; those of what it still is stay beside the new ones.
+        // Sheets in another format of what this number no longer is; those of what it still is stay beside the new
+        // ones.
         for (const std::string& each : before)
             if (std::none_of(paths.begin(), paths.end(), [&](const std::string& now) { return same_file(now, each); }))
                 take_away(each);
         return std::nullopt;
     }
-    /// Variants beyond the last, which an earlier run has left: they would be handed out without a solution in the key. What has
-    /// been altered since then stays.
+    /// Variants beyond the last, which an earlier run has left: they would be handed out without a solution in the key.
+    /// What has been altered since then stays.
     void take_away_what_no_key_lists() {
         std::error_code trouble;
         std::vector<std::size_t> beyond;
@@ -293,7 +302,8 @@ private:
             const std::string name = entry.path().filename().string();
             std::size_t number = 0;
             const auto end = std::from_chars(name.data(), name.data() + name.size(), number).ptr;
-            if (end == name.data() + name.size() && number > key_.size() && name == number_of(number)) beyond.push_back(number);
+            if (end == name.data() + name.size() && number > key_.size() && name == number_of(number))
+                beyond.push_back(number);
         }
         std::sort(beyond.begin(), beyond.end());
         for (const std::size_t each : beyond) {
@@ -319,9 +329,9 @@ private:
         std::vector<std::string> fields = told_of(number, name, variant);
         fields.insert(fields.end(), {theme_text_, request_.format, std::to_string(request_.dpi)});
         for (const int each :
-             {static_cast<int>(options_.paper), static_cast<int>(options_.language), static_cast<int>(options_.orientation),
-              static_cast<int>(options_.dimensions), static_cast<int>(options_.detail), static_cast<int>(options_.grid),
-              static_cast<int>(request_.merge)})
+             {static_cast<int>(options_.paper), static_cast<int>(options_.language),
+              static_cast<int>(options_.orientation), static_cast<int>(options_.dimensions),
+              static_cast<int>(options_.detail), static_cast<int>(options_.grid), static_cast<int>(request_.merge)})
             fields.push_back(std::to_string(each));
         fields.insert(fields.end(), {options_.author, options_.date, bare_name(request_.file)});
         return hash_of(fields);
@@ -338,7 +348,8 @@ private:
             names += (names.empty() ? "" : ", ") + each;
         if (!names.empty())
             line({"{0}: at the scales of its figures a reading says nothing of {1}: zero and the wrong sign pass",
-                  "{0}: alle scale delle sue figure una lettura non dice nulla di {1}: passano anche zero e il segno opposto",
+                  "{0}: alle scale delle sue figure una lettura non dice nulla di {1}: passano anche zero e il segno "
+                  "opposto",
                   number, names});
     }
 
@@ -373,7 +384,8 @@ private:
             {one ? "{0} of {1} variant is in {2}, whole; its key is missing, --resume writes the rest"
                  : "{0} of {1} variants are in {2}, each of them whole; their key is missing, --resume writes the rest",
              one ? "{0} di {1} variante è in {2}, intera; manca la chiave con le soluzioni, --resume scrive il resto"
-                 : "{0} di {1} varianti sono in {2}, ciascuna intera; manca la chiave con le soluzioni, --resume scrive il resto",
+                 : "{0} di {1} varianti sono in {2}, ciascuna intera; manca la chiave con le soluzioni, --resume "
+                   "scrive il resto",
              std::to_string(key_.size()), std::to_string(count_), request_.folder});
         return status;
     }
@@ -383,9 +395,9 @@ private:
         std::vector<std::string> remarks;
         render::SheetOptions options = options_;
         options.orientation = request_.sheet.orientation;
-        press_.print(
-            render::lay_out_key(key_.table(title() + " – " + in(Words("key", "soluzioni"), language())), options, press_.fonts()),
-            {path("key.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
+        press_.print(render::lay_out_key(key_.table(title() + " – " + in(Words("key", "soluzioni"), language())),
+                                         options, press_.fonts()),
+                     {path("key.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
         if (request_.merge) {
             press_.print(questions_, {path("questions.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
             press_.print(solutions_, {path("solutions.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
@@ -397,7 +409,8 @@ private:
     }
 
     static Words variants(std::size_t count) {
-        return {count == 1 ? "1 variant" : "{0} variants", count == 1 ? "1 variante" : "{0} varianti", std::to_string(count)};
+        return {count == 1 ? "1 variant" : "{0} variants", count == 1 ? "1 variante" : "{0} varianti",
+                std::to_string(count)};
     }
     Words combinations() const {
         const std::uint64_t count = variants_.combinations();
@@ -423,11 +436,11 @@ private:
                   "tolta la {0} di un’esecuzione precedente, che la chiave non elenca", taken_away_.front()});
         else if (!taken_away_.empty())
             line({"{0} to {1} of an earlier run are taken away, for the key does not list them",
-                  "tolte quelle da {0} a {1} di un’esecuzione precedente, che la chiave non elenca", taken_away_.front(),
-                  taken_away_.back()});
+                  "tolte quelle da {0} a {1} di un’esecuzione precedente, che la chiave non elenca",
+                  taken_away_.front(), taken_away_.back()});
         for (const Variants::Rejection& each : variants_.rejections())
-            line({"{0} rejected: {1}", each.count == 1 ? "{0} scartata: {1}" : "{0} scartate: {1}", std::to_string(each.count),
-                  each.why});
+            line({"{0} rejected: {1}", each.count == 1 ? "{0} scartata: {1}" : "{0} scartate: {1}",
+                  std::to_string(each.count), each.why});
         if (const int signal = Stopping::asked(); signal != 0) {
             line({"stopped: what is there is whole; --resume writes the rest",
                   "interrotto: ciò che c’è è intero; --resume scrive il resto"});
@@ -438,11 +451,12 @@ private:
         const Words wanted(count_ == 1 ? "one was asked for" : "{0} were asked for",
                            count_ == 1 ? "ne è chiesta una" : "ne sono chieste {0}", std::to_string(count_));
         if (variants_.is_exhausted())
-            line({"the conditions leave {0} of {1}; {2}", "le condizioni lasciano {0} su {1}; {2}", std::to_string(key_.size()),
-                  combinations(), wanted});
+            line({"the conditions leave {0} of {1}; {2}", "le condizioni lasciano {0} su {1}; {2}",
+                  std::to_string(key_.size()), combinations(), wanted});
         else
             line({"the conditions leave too few: {0} found, then {1} combinations one after the other failed; {2}",
-                  "le condizioni ne lasciano troppo poche: trovate {0}, poi {1} combinazioni di fila non le soddisfano; {2}",
+                  "le condizioni ne lasciano troppo poche: trovate {0}, poi {1} combinazioni di fila non le "
+                  "soddisfano; {2}",
                   std::to_string(key_.size()), std::to_string(Variants::most_in_a_row), wanted});
         return Status::unsolved;
     }
@@ -496,8 +510,9 @@ std::string text_of_theme(const std::string& name) {
 Status variants_command(const VariantsRequest& request) {
     const Language language = request.sheet.language;
     if (request.merge && request.format != "pdf")
-        return refuse({"--merge makes PDF; take --format {0} out", "--merge fa PDF; togliere --format {0}", request.format},
-                      language);
+        return refuse(
+            {"--merge makes PDF; take --format {0} out", "--merge fa PDF; togliere --format {0}", request.format},
+            language);
     if (request.file == "-" && request.roster == "-")
         return refuse({"standard input can be the mechanism file or the roster, not both",
                        "l’ingresso standard può essere il file del meccanismo o l’elenco, non entrambi"},
@@ -506,11 +521,13 @@ Status variants_command(const VariantsRequest& request) {
     if (!names) return names.error();
     const std::size_t count = request.count > 0 ? static_cast<std::size_t>(request.count) : names->size();
     if (count == 0)
-        return refuse({"how many variants? give --count, or --roster", "quante varianti? dare --count, o --roster"}, language);
-    if (count < names->size())
-        return refuse({"--count {0} is fewer than the {1} names of the roster", "--count {0} è meno dei {1} nomi dell’elenco",
-                       std::to_string(count), std::to_string(names->size())},
+        return refuse({"how many variants? give --count, or --roster", "quante varianti? dare --count, o --roster"},
                       language);
+    if (count < names->size())
+        return refuse(
+            {"--count {0} is fewer than the {1} names of the roster", "--count {0} è meno dei {1} nomi dell’elenco",
+             std::to_string(count), std::to_string(names->size())},
+            language);
     const auto theme = theme_of(request.theme, request.file, language);
     if (!theme) return theme.error();
     auto text = read_whole(request.file, {"mechanism file", "file di meccanismo"});
@@ -521,14 +538,16 @@ Status variants_command(const VariantsRequest& request) {
     auto variants = Variants::of(*text, bare_name(request.file), request.set, request.seed);
     if (!variants) return say(spoken(request.file), variants.error(), language);
     for (const Variation& each : variants->original().exercise->vary)
-        if (std::any_of(request.set.begin(), request.set.end(), [&](const Setting& set) { return set.name == each.parameter; }))
-            return refuse(
-                {"--set {0}: {0} varies in this exercise, and a value set would be lost; set another parameter, or take "
-                 "{0} out of \"vary\"",
-                 "--set {0}: {0} varia in questo esercizio, e un valore dato andrebbe perso; dare un altro parametro, o "
-                 "togliere {0} da \"vary\"",
-                 each.parameter},
-                language);
+        if (std::any_of(request.set.begin(), request.set.end(),
+                        [&](const Setting& set) { return set.name == each.parameter; }))
+            return refuse({"--set {0}: {0} varies in this exercise, and a value set would be lost; set another "
+                           "parameter, or take "
+                           "{0} out of \"vary\"",
+                           "--set {0}: {0} varia in questo esercizio, e un valore dato andrebbe perso; dare un altro "
+                           "parametro, o "
+                           "togliere {0} da \"vary\"",
+                           each.parameter},
+                          language);
     auto press = Press::open({{"", Format::pdf}}, language);
     if (!press) return press.error();
     if (const auto status = folder_fails(request)) return *status;

@@ -1,5 +1,5 @@
-// watch FILE: serves the live page of a file while it is worked on. Two paths are known, the page and what is new; all else is
-// not found, so no file of the machine can be reached.
+// watch FILE: serves the live page of a file while it is worked on. Two paths are known, the page and what is new; all
+// else is not found, so no file of the machine can be reached.
 #include <sys/random.h>
 #include <sys/signalfd.h>
 #include <sys/stat.h>
@@ -13,13 +13,13 @@
 #include <utility>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/outputs.hpp"
 #include "app/files/files.hpp"
 #include "app/files/json_text.hpp"
 #include "app/server/local_server.hpp"
-#include "app/commands/outputs.hpp"
 #include "app/server/watched_file.hpp"
-#include "constructions/positions/conditions.hpp"
 #include "constructions/moving/moving.hpp"
+#include "constructions/positions/conditions.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/number/assert.hpp"
 #include "render/live/live_page.hpp"
@@ -57,7 +57,8 @@ private:
 /// A name for the page that nobody guesses: others who use this machine reach its ports as well.
 std::string secret_name() {
     std::array<unsigned char, 16> random{};
-    KG_ASSERT(::getrandom(random.data(), random.size(), 0) == static_cast<ssize_t>(random.size()), "there is randomness");
+    KG_ASSERT(::getrandom(random.data(), random.size(), 0) == static_cast<ssize_t>(random.size()),
+              "there is randomness");
     constexpr const char* digits = "0123456789abcdef";
     std::string name;
     for (const unsigned char byte : random) {
@@ -73,8 +74,8 @@ std::string as_json(const Watched& watched) {
     for (const FileFault& fault : watched.faults) {
         faults += faults.empty() ? "{" : ", {";
         if (fault.place)
-            faults +=
-                "\"line\": " + std::to_string(fault.place->line) + ", \"column\": " + std::to_string(fault.place->column) + ", ";
+            faults += "\"line\": " + std::to_string(fault.place->line) +
+                      ", \"column\": " + std::to_string(fault.place->column) + ", ";
         faults += "\"where\": " + quoted(fault.error.where) + ", \"en\": " + quoted(fault.error.message.en) +
                   ", \"it\": " + quoted(fault.error.message.it) + "}";
     }
@@ -145,14 +146,16 @@ void tell(const WatchRequest& request, const Watched& watched) {
     for (const FileFault& fault : watched.faults) {
         Error& error = errors.emplace_back(fault.error);
         if (fault.place)
-            error.message = Words("line {0}, column {1}: {2}", "riga {0}, colonna {1}: {2}", std::to_string(fault.place->line),
-                                  std::to_string(fault.place->column), fault.error.message);
+            error.message =
+                Words("line {0}, column {1}: {2}", "riga {0}, colonna {1}: {2}", std::to_string(fault.place->line),
+                      std::to_string(fault.place->column), fault.error.message);
     }
     say(spoken(request.file), errors, request.language);
 }
 
 /// Until it is interrupted.
-void serve(LocalServer& server, Site& site, WatchedFile& file, const Interruption& interruption, const WatchRequest& request) {
+void serve(LocalServer& server, Site& site, WatchedFile& file, const Interruption& interruption,
+           const WatchRequest& request) {
     const Answering answer = [&site](const HttpHead& head) { return site.answer(head); };
     while (!interruption.has_come()) {
         if (const auto news = file.look()) {
@@ -164,7 +167,8 @@ void serve(LocalServer& server, Site& site, WatchedFile& file, const Interruptio
 }
 
 Words why_not_watched(const std::string& file) {
-    if (file == "-") return {"watch needs a file that can be saved again", "watch vuole un file che si possa salvare di nuovo"};
+    if (file == "-")
+        return {"watch needs a file that can be saved again", "watch vuole un file che si possa salvare di nuovo"};
     struct stat status {};
     if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
         return {"is no plain file, which could be saved again", "non è un file comune, che si possa salvare di nuovo"};
@@ -187,17 +191,18 @@ Status watch_command(const WatchRequest& request) {
     auto server = LocalServer::open(request.port);
     if (!server) {
         refuse({"port {0} of 127.0.0.1 cannot be had: {1}; choose another, or none",
-                "la porta {0} di 127.0.0.1 non si può avere: {1}; sceglierne un’altra, o nessuna", std::to_string(request.port),
-                server.error()},
+                "la porta {0} di 127.0.0.1 non si può avere: {1}; sceglierne un’altra, o nessuna",
+                std::to_string(request.port), server.error()},
                language);
         return Status::output;
     }
     const Interruption interruption;
-    Site site(secret_name(), render::waiting_page(bare_name(request.file), tools.options(), dark_beside(request.theme)));
+    Site site(secret_name(),
+              render::waiting_page(bare_name(request.file), tools.options(), dark_beside(request.theme)));
     const std::string address = "http://127.0.0.1:" + std::to_string(server->port()) + site.path() + "\n";
     if (const Status printed = print(address, language); printed != Status::done) return printed;
-    auto file = std::make_unique<WatchedFile>(request.file,
-                                              [&tools](const std::string& text, int number) { return tools.page(text, number); });
+    auto file = std::make_unique<WatchedFile>(
+        request.file, [&tools](const std::string& text, int number) { return tools.page(text, number); });
     serve(*server, site, *file, interruption, request);
     // A long solution is not waited for: nothing of it is kept.
     if (file->is_busy()) std::_Exit(static_cast<int>(Status::done));

@@ -19,7 +19,8 @@ inline std::string csv_cell(const std::string& text) {
 
 /// A text of someone else's: what a spreadsheet would take for a formula has an apostrophe before it, as OWASP advises.
 inline std::string csv_cell_of_text(const std::string& text) {
-    const bool looks_like_a_formula = !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
+    const bool looks_like_a_formula =
+        !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
     return csv_cell(looks_like_a_formula ? "'" + text : text);
 }
 

@@ -23,25 +23,16 @@ namespace {
 Words reason() {
     const std::string english = std::strerror(errno);
     switch (errno) {
-        case ENOENT:
-            return {english, "file o cartella inesistente"};
+        case ENOENT: return {english, "file o cartella inesistente"};
         case EACCES:
-        case EPERM:
-            return {english, "permesso negato"};
-        case EISDIR:
-            return {english, "è una cartella"};
-        case ENOTDIR:
-            return {english, "non è una cartella"};
-        case ENOSPC:
-            return {english, "spazio esaurito sul disco"};
-        case EROFS:
-            return {english, "disco di sola lettura"};
-        case EFBIG:
-            return {english, "file troppo grande"};
-        case EPIPE:
-            return {english, "nessuno legge più"};
-        default:
-            return english;
+        case EPERM: return {english, "permesso negato"};
+        case EISDIR: return {english, "è una cartella"};
+        case ENOTDIR: return {english, "non è una cartella"};
+        case ENOSPC: return {english, "spazio esaurito sul disco"};
+        case EROFS: return {english, "disco di sola lettura"};
+        case EFBIG: return {english, "file troppo grande"};
+        case EPIPE: return {english, "nessuno legge più"};
+        default: return english;
     }
 }
 
@@ -121,7 +112,8 @@ public:
         }
         const int file = create_beside(target_, temporary_);
         if (file < 0) return false;
-        const bool written = write_to(file, output_.bytes) && (!existed_ || ::fchmod(file, status.st_mode & 07777) == 0);
+        const bool written =
+            write_to(file, output_.bytes) && (!existed_ || ::fchmod(file, status.st_mode & 07777) == 0);
         const int why = errno;
         if (::close(file) != 0 && written) return false;
         return written || fails_with(why);
@@ -197,8 +189,9 @@ tl::expected<std::string, Words> read_whole(const std::string& path, const Words
     if (known && S_ISDIR(status.st_mode)) {
         why = {"is a directory, not a {0}", "è una cartella, non un {0}", kind};
     } else {
-        const std::size_t expected =
-            known && S_ISREG(status.st_mode) ? std::min(static_cast<std::size_t>(status.st_size), largest_input) : 65536;
+        const std::size_t expected = known && S_ISREG(status.st_mode)
+                                         ? std::min(static_cast<std::size_t>(status.st_size), largest_input)
+                                         : 65536;
         std::size_t size = 0;
         text.resize(expected + 1);  // one more, so that the end is seen without growing
         while (why.empty()) {
@@ -207,8 +200,8 @@ tl::expected<std::string, Words> read_whole(const std::string& path, const Words
             if (got > 0) size += static_cast<std::size_t>(got);
             if (got < 0 && errno != EINTR) why = {"cannot be read: {0}", "non si può leggere: {0}", reason()};
             if (size > largest_input)
-                why = {"is larger than 64 MiB, more than is read of a {0}", "supera 64 MiB, più di quanto si legga di un {0}",
-                       kind};
+                why = {"is larger than 64 MiB, more than is read of a {0}",
+                       "supera 64 MiB, più di quanto si legga di un {0}", kind};
             if (size == text.size()) text.resize(2 * size);
         }
         text.resize(size);
@@ -221,7 +214,8 @@ tl::expected<std::string, Words> read_whole(const std::string& path, const Words
 bool same_file(const std::string& one, const std::string& other) {
     struct stat a {};
     struct stat b {};
-    return ::stat(one.c_str(), &a) == 0 && ::stat(other.c_str(), &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+    return ::stat(one.c_str(), &a) == 0 && ::stat(other.c_str(), &b) == 0 && a.st_dev == b.st_dev &&
+           a.st_ino == b.st_ino;
 }
 
 std::optional<NotWritten> write_all(const std::vector<Output>& outputs) {
@@ -256,7 +250,9 @@ tl::expected<Growing, NotWritten> Growing::open(const std::string& path) {
     return made;
 }
 Growing::Growing(Growing&& other) noexcept
-    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})), file_(std::exchange(other.file_, -1)) {}
+    : path_(std::move(other.path_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      file_(std::exchange(other.file_, -1)) {}
 Growing::~Growing() {
     if (file_ >= 0) ::close(file_);
     if (!temporary_.empty()) ::unlink(temporary_.c_str());

@@ -31,8 +31,8 @@ struct NotWritten {
     Words path;
     Words why;
 };
-/// An output that grows, of any length: in a temporary file beside its target, or straight to what is no plain file (a device,
-/// a pipe, standard output). What is not handed on by finish() is removed.
+/// An output that grows, of any length: in a temporary file beside its target, or straight to what is no plain file (a
+/// device, a pipe, standard output). What is not handed on by finish() is removed.
 class Growing {
 public:
     static tl::expected<Growing, NotWritten> open(const std::string& path);
@@ -49,8 +49,9 @@ private:
     std::string path_, temporary_;
     int file_ = -1;
 };
-/// Writes all or none: first into temporary files beside the targets, then renamed; whatever fails, every target is as it was.
-/// What is no plain file (a device, a pipe, standard output) is written before the renaming, when all the rest is safe on disk.
+/// Writes all or none: first into temporary files beside the targets, then renamed; whatever fails, every target is as
+/// it was. What is no plain file (a device, a pipe, standard output) is written before the renaming, when all the rest
+/// is safe on disk.
 std::optional<NotWritten> write_all(const std::vector<Output>& outputs);
 /// A folder with those it lies in, unless it is there. What cannot be written, if it cannot.
 std::optional<NotWritten> make_folder(const std::string& path);

@@ -9,8 +9,8 @@
 
 namespace kinegraph::app {
 
-/// Reads lines while it lives; SIGINT and SIGTERM end the reading, also where input is always ready and where lines wait in the
-/// buffer. Further signals change nothing while it lives.
+/// Reads lines while it lives; SIGINT and SIGTERM end the reading, also where input is always ready and where lines
+/// wait in the buffer. Further signals change nothing while it lives.
 class LineReader {
 public:
     enum class Event { line, end, stopped, failed };

@@ -1,4 +1,5 @@
-// What the command line says: exit statuses and lines on standard error. One message is one line, whatever a file's name holds.
+// What the command line says: exit statuses and lines on standard error. One message is one line, whatever a file's
+// name holds.
 #pragma once
 
 #include <string>
@@ -25,7 +26,8 @@ std::string one_line(std::string_view text);
 using render::Language;
 /// "SUBJECT: MESSAGE" on standard error; the subject is a file's name, or the program's.
 void say(const Words& subject, const Words& message, Language language);
-/// While it lives, what is said on its thread is kept here in place of going to standard error. One at a time on a thread.
+/// While it lives, what is said on its thread is kept here in place of going to standard error. One at a time on a
+/// thread.
 class Hearing {
 public:
     Hearing();

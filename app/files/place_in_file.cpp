@@ -12,7 +12,8 @@ namespace {
 std::string unescaped(std::string_view segment) {
     std::string key;
     for (std::size_t i = 0; i < segment.size(); ++i) {
-        const bool is_escape = segment[i] == '~' && i + 1 < segment.size() && (segment[i + 1] == '0' || segment[i + 1] == '1');
+        const bool is_escape =
+            segment[i] == '~' && i + 1 < segment.size() && (segment[i + 1] == '0' || segment[i + 1] == '1');
         key += !is_escape ? segment[i] : segment[i + 1] == '0' ? '~' : '/';
         if (is_escape) ++i;
     }

@@ -11,8 +11,8 @@ struct PlaceInFile {
     long line = 1, column = 1;
 };
 
-/// Of a member its key, of an element of an array its beginning. Of what is not there (a key that is missing) the nearest thing
-/// around it; nothing where that is the whole file. `json` must be JSON.
+/// Of a member its key, of an element of an array its beginning. Of what is not there (a key that is missing) the
+/// nearest thing around it; nothing where that is the whole file. `json` must be JSON.
 std::optional<PlaceInFile> place_in_file(std::string_view json, std::string_view pointer);
 
 }  // namespace kinegraph::app

@@ -57,10 +57,12 @@ std::vector<std::string> words_of(const std::string& field) {
 /// A field that says what stands below it: made of nothing but words for that, one of which no student is called.
 bool is_head(const std::string& field) {
     constexpr auto heads = std::to_array<std::string_view>(
-        {"name",    "names",   "surname",  "student",  "students",  "id",   "email",  "mail",        "number",     "nome",
-         "cognome", "cognomi", "studente", "studenti", "matricola", "matr", "numero", "elettronica", "nominativo", "nominativi"});
-    constexpr auto beside = std::to_array<std::string_view>({"first", "last", "given", "family", "full", "and", "or", "of", "the",
-                                                             "no", "nr", "s", "n", "nomi", "e", "o", "di", "dello", "posta"});
+        {"name",      "names",  "surname", "student",     "students",   "id",        "email",
+         "mail",      "number", "nome",    "cognome",     "cognomi",    "studente",  "studenti",
+         "matricola", "matr",   "numero",  "elettronica", "nominativo", "nominativi"});
+    constexpr auto beside =
+        std::to_array<std::string_view>({"first", "last", "given", "family", "full", "and", "or", "of", "the", "no",
+                                         "nr", "s", "n", "nomi", "e", "o", "di", "dello", "posta"});
     const std::vector<std::string> words = words_of(field);
     const auto among = [](const auto& list) {
         return [&list](const std::string& word) { return std::find(list.begin(), list.end(), word) != list.end(); };
@@ -108,8 +110,8 @@ Words unreadable(std::string_view line) {
 }
 
 std::size_t characters_of(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 /// The names so far, and what a further line may not be beside them.
@@ -139,8 +141,8 @@ public:
 private:
     Words take(std::size_t line, std::string name) {
         if (const std::size_t length = characters_of(name); length > longest_name)
-            return {"a name of {0} characters; {1} at most", "un nome di {0} caratteri; al massimo {1}", std::to_string(length),
-                    std::to_string(longest_name)};
+            return {"a name of {0} characters; {1} at most", "un nome di {0} caratteri; al massimo {1}",
+                    std::to_string(length), std::to_string(longest_name)};
         const auto [before, is_new] = lines_.try_emplace(name, line);
         if (!is_new)
             return {"{0} stands in line {1} already; take one out, or tell them apart, by a number",

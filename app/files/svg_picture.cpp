@@ -1,5 +1,5 @@
-// rsvg-convert as a child: the SVG on its standard input, the PNG from its standard output, both through memory files, so that
-// neither waits for the other.
+// rsvg-convert as a child: the SVG on its standard input, the PNG from its standard output, both through memory files,
+// so that neither waits for the other.
 #include "app/files/svg_picture.hpp"
 
 #include <fcntl.h>
@@ -73,8 +73,8 @@ private:
     limit(RLIMIT_CORE, 0);
     if (::dup2(in.descriptor(), STDIN_FILENO) >= 0 && ::dup2(out.descriptor(), STDOUT_FILENO) >= 0 &&
         ::dup2(err.descriptor(), STDERR_FILENO) >= 0)
-        ::execlp("rsvg-convert", "rsvg-convert", "--format", "png", "--accept-language", "en", "--dpi-x", dpi.c_str(), "--dpi-y",
-                 dpi.c_str(), static_cast<char*>(nullptr));
+        ::execlp("rsvg-convert", "rsvg-convert", "--format", "png", "--accept-language", "en", "--dpi-x", dpi.c_str(),
+                 "--dpi-y", dpi.c_str(), static_cast<char*>(nullptr));
     ::_exit(not_found);
 }
 
@@ -91,22 +91,22 @@ std::optional<int> wait_for(pid_t child) {
 tl::expected<std::string, NotDrawn> svg_to_png(const std::string& svg, double dpi) {
     const MemoryFile in, out, err;
     if (out.descriptor() < 0 || err.descriptor() < 0 || in.descriptor() < 0 || !in.fill(svg))
-        return tl::unexpected(NotDrawn{
-            Status::output,
-            {"no memory for drawing it: {0}", "manca la memoria per disegnarlo: {0}", std::string(std::strerror(errno))}});
+        return tl::unexpected(NotDrawn{Status::output,
+                                       {"no memory for drawing it: {0}", "manca la memoria per disegnarlo: {0}",
+                                        std::string(std::strerror(errno))}});
     const std::string resolution = std::to_string(dpi);
     const pid_t child = ::fork();
     if (child < 0)
-        return tl::unexpected(NotDrawn{
-            Status::output,
-            {"rsvg-convert cannot be started: {0}", "rsvg-convert non si può avviare: {0}", std::string(std::strerror(errno))}});
+        return tl::unexpected(NotDrawn{Status::output,
+                                       {"rsvg-convert cannot be started: {0}", "rsvg-convert non si può avviare: {0}",
+                                        std::string(std::strerror(errno))}});
     if (child == 0) become_rsvg_convert(in, out, err, resolution);
     const auto status = wait_for(child);
     if (status == not_found)
-        return tl::unexpected(
-            NotDrawn{Status::output,
-                     {"an SVG is compared by means of rsvg-convert, which is missing: install the Debian package librsvg2-bin",
-                      "un SVG si confronta per mezzo di rsvg-convert, che manca: installare il pacchetto Debian librsvg2-bin"}});
+        return tl::unexpected(NotDrawn{
+            Status::output,
+            {"an SVG is compared by means of rsvg-convert, which is missing: install the Debian package librsvg2-bin",
+             "un SVG si confronta per mezzo di rsvg-convert, che manca: installare il pacchetto Debian librsvg2-bin"}});
     if (!status)
         return tl::unexpected(
             NotDrawn{Status::bad_input,
@@ -115,8 +115,8 @@ tl::expected<std::string, NotDrawn> svg_to_png(const std::string& svg, double dp
     if (*status != 0) {
         std::string why = err.contents();
         while (!why.empty() && why.back() == '\n') why.pop_back();
-        return tl::unexpected(
-            NotDrawn{Status::bad_input, {"is no SVG that can be drawn: {0}", "non è un SVG che si possa disegnare: {0}", why}});
+        return tl::unexpected(NotDrawn{
+            Status::bad_input, {"is no SVG that can be drawn: {0}", "non è un SVG che si possa disegnare: {0}", why}});
     }
     return out.contents();
 }

@@ -1,5 +1,5 @@
-// An SVG as pixels, by librsvg's program rsvg-convert. As a program of its own it costs solve nothing, and what a hostile file
-// does to it stays there.
+// An SVG as pixels, by librsvg's program rsvg-convert. As a program of its own it costs solve nothing, and what a
+// hostile file does to it stays there.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
-// The seam between the program and kinegraph_algebra.so, the module that finds derivatives in symbols. GiNaC and CLN take eight
-// milliseconds to load and to set up, twice as long as many a run takes; so the motion of a point alone loads them.
+// The seam between the program and kinegraph_algebra.so, the module that finds derivatives in symbols. GiNaC and CLN
+// take eight milliseconds to load and to set up, twice as long as many a run takes; so the motion of a point alone
+// loads them.
 #pragma once
 
 #include "engine/file/algebra.hpp"

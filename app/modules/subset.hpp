@@ -1,5 +1,5 @@
-// The seam between the program and kinegraph_subset.so, the module that divides fonts for live text. HarfBuzz's subsetter is a
-// library of its own, which other runs do without.
+// The seam between the program and kinegraph_subset.so, the module that divides fonts for live text. HarfBuzz's
+// subsetter is a library of its own, which other runs do without.
 #pragma once
 
 #include <string>

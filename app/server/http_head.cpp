@@ -13,7 +13,9 @@ bool is_letter_of_token(char c) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
     return letter || std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
 }
-bool is_token(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), is_letter_of_token); }
+bool is_token(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), is_letter_of_token);
+}
 bool is_visible(char c) { return c > 0x20 && c < 0x7f; }
 bool is_of_value(char c) { return static_cast<unsigned char>(c) >= 0x20 ? c != 0x7f : c == '\t'; }
 
@@ -36,8 +38,10 @@ std::optional<int> read_first_line(std::string_view line, HttpHead& head) {
     if (last == std::string_view::npos) return bad_request;
     const std::string_view method = line.substr(0, first), target = line.substr(first + 1, last - first - 1);
     const std::string_view version = line.substr(last + 1);
-    if (!is_token(method) || target.empty() || !std::all_of(target.begin(), target.end(), is_visible)) return bad_request;
-    if (version != "HTTP/1.1" && version != "HTTP/1.0") return version.starts_with("HTTP/") ? version_not_supported : bad_request;
+    if (!is_token(method) || target.empty() || !std::all_of(target.begin(), target.end(), is_visible))
+        return bad_request;
+    if (version != "HTTP/1.1" && version != "HTTP/1.0")
+        return version.starts_with("HTTP/") ? version_not_supported : bad_request;
     head.method = method;
     head.target = target;
     return std::nullopt;

@@ -1,5 +1,5 @@
-// Sockets and poll. A connection reads a head, writes an answer, and drains what the other side still sends; each of the three
-// has its time, and where there are too many connections the oldest gives way.
+// Sockets and poll. A connection reads a head, writes an answer, and drains what the other side still sends; each of
+// the three has its time, and where there are too many connections the oldest gives way.
 #include "app/server/local_server.hpp"
 
 #include <arpa/inet.h>
@@ -27,24 +27,15 @@ constexpr int request_too_slow = 408, head_too_large = 431, forbidden = 403;
 
 const char* phrase_of(int status) {
     switch (status) {
-        case 200:
-            return "OK";
-        case 400:
-            return "Bad Request";
-        case forbidden:
-            return "Forbidden";
-        case 404:
-            return "Not Found";
-        case 405:
-            return "Method Not Allowed";
-        case request_too_slow:
-            return "Request Timeout";
-        case head_too_large:
-            return "Request Header Fields Too Large";
-        case 505:
-            return "HTTP Version Not Supported";
-        default:
-            return "Error";
+        case 200: return "OK";
+        case 400: return "Bad Request";
+        case forbidden: return "Forbidden";
+        case 404: return "Not Found";
+        case 405: return "Method Not Allowed";
+        case request_too_slow: return "Request Timeout";
+        case head_too_large: return "Request Header Fields Too Large";
+        case 505: return "HTTP Version Not Supported";
+        default: return "Error";
     }
 }
 
@@ -53,7 +44,8 @@ std::string head_of(const HttpAnswer& answer) {
     std::string head = "HTTP/1.1 " + std::to_string(answer.status) + " " + phrase_of(answer.status) + "\r\n";
     head += "Content-Type: " + answer.type + "\r\n";
     head += "Content-Length: " + std::to_string(answer.body ? answer.body->size() : 0) + "\r\n";
-    head += "Connection: close\r\nCache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nX-Frame-Options: DENY\r\n";
+    head +=
+        "Connection: close\r\nCache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nX-Frame-Options: DENY\r\n";
     head += "Referrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\n";
     head += "Cross-Origin-Opener-Policy: same-origin\r\n";
     return head + answer.more + "\r\n";
@@ -90,7 +82,9 @@ struct LocalServer::Connection {
 
 LocalServer::LocalServer() = default;
 LocalServer::LocalServer(LocalServer&& other) noexcept
-    : listening_(std::exchange(other.listening_, -1)), port_(other.port_), connections_(std::move(other.connections_)) {}
+    : listening_(std::exchange(other.listening_, -1)),
+      port_(other.port_),
+      connections_(std::move(other.connections_)) {}
 LocalServer::~LocalServer() {
     for (const Connection& connection : connections_) ::close(connection.socket);
     if (listening_ >= 0) ::close(listening_);
@@ -200,12 +194,9 @@ bool LocalServer::drain(Connection& connection) {
 
 bool LocalServer::advance(Connection& connection, const Answering& answer) const {
     switch (connection.state) {
-        case Connection::State::reading:
-            return read_from(connection, answer);
-        case Connection::State::writing:
-            return write_to(connection);
-        case Connection::State::draining:
-            return drain(connection);
+        case Connection::State::reading: return read_from(connection, answer);
+        case Connection::State::writing: return write_to(connection);
+        case Connection::State::draining: return drain(connection);
     }
     return false;
 }

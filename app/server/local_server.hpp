@@ -1,6 +1,6 @@
-// A server for one reader on this machine: plain HTTP on 127.0.0.1, one request a connection, one thread, nothing that blocks. So
-// neither a thousand connections nor requests that never end keep it from answering, which a thread for each connection would not
-// stand. Knows what is asked only by the function that answers.
+// A server for one reader on this machine: plain HTTP on 127.0.0.1, one request a connection, one thread, nothing that
+// blocks. So neither a thousand connections nor requests that never end keep it from answering, which a thread for each
+// connection would not stand. Knows what is asked only by the function that answers.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,8 @@ private:
     bool read_from(Connection& connection, const Answering& answer) const;
     static bool write_to(Connection& connection);
     static bool drain(Connection& connection);
-    std::string reply_to(std::string_view head, const Answering& answer, std::shared_ptr<const std::string>& body) const;
+    std::string reply_to(std::string_view head, const Answering& answer,
+                         std::shared_ptr<const std::string>& body) const;
 
     int listening_ = -1;
     int port_ = 0;

@@ -11,7 +11,9 @@ namespace kinegraph::app {
 namespace {
 
 Errors ours(const char* what) {
-    return {{ErrorCode::bad_input, "", {"this is a fault of ours: {0}", "questo è un errore nostro: {0}", std::string(what)}}};
+    return {{ErrorCode::bad_input,
+             "",
+             {"this is a fault of ours: {0}", "questo è un errore nostro: {0}", std::string(what)}}};
 }
 
 }  // namespace

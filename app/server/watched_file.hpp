@@ -1,5 +1,5 @@
-// A file that is watched: each time it was saved it is read, solved and made a live page, on a thread of its own, while whoever
-// looks at it is answered. Knows no sockets.
+// A file that is watched: each time it was saved it is read, solved and made a live page, on a thread of its own, while
+// whoever looks at it is answered. Knows no sockets.
 #pragma once
 
 #include <condition_variable>
@@ -31,7 +31,8 @@ struct Watched {
 
 class WatchedFile {
 public:
-    /// A page of a file's text, under its number; else what is wrong with the file. Called on the thread of the work alone.
+    /// A page of a file's text, under its number; else what is wrong with the file. Called on the thread of the work
+    /// alone.
     using Making = std::function<Result<std::string>(const std::string& text, int number)>;
 
     WatchedFile(std::string path, Making making);
@@ -40,8 +41,8 @@ public:
     /// Waits for work under way, see is_busy().
     ~WatchedFile();
 
-    /// Looks whether the file was saved; to be called again and again. A file is read when it has rested from one look to the
-    /// next: an editor may still be writing it. Returns what there is to see where that has changed.
+    /// Looks whether the file was saved; to be called again and again. A file is read when it has rested from one look
+    /// to the next: an editor may still be writing it. Returns what there is to see where that has changed.
     std::optional<Watched> look();
     bool is_busy();
 

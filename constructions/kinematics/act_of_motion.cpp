@@ -74,15 +74,17 @@ private:
         if constexpr (is_velocity<plane>) {
             if (act_.result.figure.found == ActFigure::Found::rest) return;
             if (board_.is_zero(state.track.spin(act_.body_index))) {
-                act_.begin<plane>(Sentence::translating_velocity, {act_.body(), act_.name(index), act_.absolute<plane>(index)});
+                act_.begin<plane>(Sentence::translating_velocity,
+                                  {act_.body(), act_.name(index), act_.absolute<plane>(index)});
             } else if (act_.centre) {
-                act_.begin<plane>(Sentence::act_velocity,
-                                  {act_.absolute<plane>(index), act_.name(index), act_.symbol_of_centre(), act_.spin<plane>()},
-                                  "Rivals");
+                act_.begin<plane>(
+                    Sentence::act_velocity,
+                    {act_.absolute<plane>(index), act_.name(index), act_.symbol_of_centre(), act_.spin<plane>()},
+                    "Rivals");
             } else {
                 act_.begin<plane>(Sentence::image_velocity,
-                                  {act_.name(index), act_.body(), act_.absolute<plane>(index), PointName{state.base->label},
-                                   act_.spin<Plane::velocity>()},
+                                  {act_.name(index), act_.body(), act_.absolute<plane>(index),
+                                   PointName{state.base->label}, act_.spin<Plane::velocity>()},
                                   "Rivals");
             }
         } else {
@@ -102,7 +104,8 @@ private:
             if (state.given.empty()) {
                 act_.unsolved(act_.sought_centre(), {Sentence::no_velocity_given, {}});
             } else {
-                act_.unsolved(act_.sought_centre(), {Sentence::centre_on_perpendicular, {act_.name(state.given.front().node)}});
+                act_.unsolved(act_.sought_centre(),
+                              {Sentence::centre_on_perpendicular, {act_.name(state.given.front().node)}});
             }
         }
         if (!act_.wishes.velocities) return;
@@ -126,7 +129,8 @@ private:
         const Message what = act_.sought<Plane::acceleration>();
         if (velocities.contradicted) return act_.unsolved(what, {Sentence::velocities_contradict, {}});
         if (!act_.turns(velocities)) return act_.unsolved(what, {Sentence::omega_unknown, {}});
-        if (act_.mechanism.motion->accelerations.empty()) return act_.unsolved(what, {Sentence::no_acceleration_given, {}});
+        if (act_.mechanism.motion->accelerations.empty())
+            return act_.unsolved(what, {Sentence::no_acceleration_given, {}});
         State<Plane::acceleration> state(act_.result.motion.acceleration);
         begin_polygon(state, act_.mechanism.motion->accelerations);
         Settling<Plane::acceleration>(act_).settle(state);

@@ -1,8 +1,10 @@
-// The act of motion of one body: what the velocities of some of its points, wholly given or in direction only, say of all the
-// others, and where the centre of instantaneous rotation is; then the same for accelerations. It asks the board, never computes.
+// The act of motion of one body: what the velocities of some of its points, wholly given or in direction only, say of
+// all the others, and where the centre of instantaneous rotation is; then the same for accelerations. It asks the
+// board, never computes.
 //
-// Sources: Rivals 1853 for velocities and accelerations of two points (so that velocities project alike on their join); Euler and
-// Chasles for the centre; Assur (1914) for the auxiliary point where three directions of accelerations are given.
+// Sources: Rivals 1853 for velocities and accelerations of two points (so that velocities project alike on their join);
+// Euler and Chasles for the centre; Assur (1914) for the auxiliary point where three directions of accelerations are
+// given.
 #pragma once
 
 #include <vector>
@@ -26,8 +28,8 @@ struct ActWishes {
     bool centre = true, velocities = true, accelerations = false;
 };
 
-/// Draws the act of motion of `mechanism.motion`. Velocities that no rigid motion has are not drawn further: the result says
-/// between which points, and has both projections where these differ.
+/// Draws the act of motion of `mechanism.motion`. Velocities that no rigid motion has are not drawn further: the result
+/// says between which points, and has both projections where these differ.
 ActOfMotionResult draw_act_of_motion(Structure& structure, Board& board, const ActWishes& wishes);
 
 }  // namespace kinegraph

@@ -31,7 +31,8 @@ VectorOn<Plane::acceleration> Chains::rolling_offset(JointIndex index, BodyIndex
     const auto own = centre(body_of), others = centre(other);
     VectorOn<Plane::drawing> lever = own ? board_.vector(contact, *own) : board_.vector(*others, contact);
     if (own && others)
-        lever = board_.scale<Plane::drawing>(board_.ratio(board_.vector(contact, *others), board_.vector(*own, *others)), lever);
+        lever = board_.scale<Plane::drawing>(
+            board_.ratio(board_.vector(contact, *others), board_.vector(*own, *others)), lever);
     const ScalarHandle turning = board_.difference(motion_.velocity.spin(body_of), motion_.velocity.spin(other));
     return board_.scale<Plane::acceleration>(board_.product(turning, turning), lever);
 }
@@ -43,17 +44,13 @@ LineReason Chains::reason_of(const Locus& locus) const {
             return {LineReason::Kind::perpendicular_to_segment, node(locus.base).label, node(locus.node).label};
         case Locus::Kind::image:
             return {LineReason::Kind::parallel_to_segment, node(locus.base).label, node(locus.node).label};
-        case Locus::Kind::component:
-            return {LineReason::Kind::driver_component, node(locus.node).label, {}};
+        case Locus::Kind::component: return {LineReason::Kind::driver_component, node(locus.node).label, {}};
         case Locus::Kind::sleeve:
         case Locus::Kind::slot:
         case Locus::Kind::tangent:
-        case Locus::Kind::mesh:
-            return line_reason(locus);
-        case Locus::Kind::driven_slide:
-            return along_guide(mechanism_, locus.joint, true);
-        case Locus::Kind::roll:
-            return {LineReason::Kind::known, {}, {}};
+        case Locus::Kind::mesh: return line_reason(locus);
+        case Locus::Kind::driven_slide: return along_guide(mechanism_, locus.joint, true);
+        case Locus::Kind::roll: return {LineReason::Kind::known, {}, {}};
     }
     return {};
 }
@@ -74,7 +71,8 @@ bool Chains::ready(const Track<plane>& track, const Locus& locus) const {
         if (locus.kind == Kind::rotation && !before.turns(locus.body)) return false;
         const bool slides = locus.kind == Kind::sleeve || locus.kind == Kind::slot || locus.kind == Kind::driven_slide;
         if (slides && !before.turns(locus.guide)) return false;
-        if ((slides || locus.kind == Kind::link) && (!has_velocity(locus.node) || !has_velocity(locus.base))) return false;
+        if ((slides || locus.kind == Kind::link) && (!has_velocity(locus.node) || !has_velocity(locus.base)))
+            return false;
     }
     return true;
 }
@@ -84,27 +82,15 @@ Chain<plane> Chains::chain(Track<plane>& track, const Locus& locus) {
     Chain<plane> result;
     switch (locus.kind) {
         case Locus::Kind::rotation:
-        case Locus::Kind::link:
-            start_rotation(track, locus, result);
-            break;
+        case Locus::Kind::link: start_rotation(track, locus, result); break;
         case Locus::Kind::sleeve:
         case Locus::Kind::slot:
         case Locus::Kind::tangent:
-        case Locus::Kind::mesh:
-            start_slide(track, locus, result);
-            break;
-        case Locus::Kind::component:
-            start_component(track, locus, result);
-            break;
-        case Locus::Kind::image:
-            start_image(track, locus, result);
-            break;
-        case Locus::Kind::driven_slide:
-            start_driven_slide(track, locus, result);
-            break;
-        case Locus::Kind::roll:
-            start_roll(track, locus, result);
-            break;
+        case Locus::Kind::mesh: start_slide(track, locus, result); break;
+        case Locus::Kind::component: start_component(track, locus, result); break;
+        case Locus::Kind::image: start_image(track, locus, result); break;
+        case Locus::Kind::driven_slide: start_driven_slide(track, locus, result); break;
+        case Locus::Kind::roll: start_roll(track, locus, result); break;
     }
     result.end = result.start;
     for (const Carry& carry : locus.carries) shift(track, carry, result);
@@ -156,7 +142,8 @@ void Chains::start_slide(const Track<plane>& track, const Locus& locus, Chain<pl
     const NodeIndex slider = locus.inverse ? locus.base : locus.node, guide = locus.inverse ? locus.node : locus.base;
     const BodyIndex colour = joint.bodies[0] == frame ? joint.bodies[1] : joint.bodies[0];
     const auto symbol = [&](std::string term) {
-        return result.from_rest ? absolute<plane>(locus.node, std::move(term)) : relative<plane>(slider, guide, std::move(term));
+        return result.from_rest ? absolute<plane>(locus.node, std::move(term))
+                                : relative<plane>(slider, guide, std::move(term));
     };
     if constexpr (!is_velocity<plane>) {
         const auto add = [&](std::optional<Link<plane>> link, const LineReason& reason) {
@@ -187,7 +174,8 @@ LineReason Chains::line_reason(const Locus& locus) const {
 
 LineReason Chains::normal_reason(const Locus& locus) const {
     const Joint& joint = mechanism_.joints[at(locus.joint)];
-    if (joint.pair().touches()) return {LineReason::Kind::parallel_to_normal, mechanism_.points[at(joint.point)].name, {}};
+    if (joint.pair().touches())
+        return {LineReason::Kind::parallel_to_normal, mechanism_.points[at(joint.point)].name, {}};
     return along_guide(mechanism_, locus.joint, true);
 }
 
@@ -251,8 +239,8 @@ void Chains::shift(const Track<plane>& track, const Carry& carry, Chain<plane>& 
         link.role = role;
         link.shift = true;
         link.term = {relative<plane>(carry.to, carry.from, term), true, true, std::move(reason), carry.body};
-        link.seen =
-            carry.kind == Carry::Kind::roll ? Seen{carried(carry.to), carried(carry.from), none} : turning(carry.to, carry.from);
+        link.seen = carry.kind == Carry::Kind::roll ? Seen{carried(carry.to), carried(carry.from), none}
+                                                    : turning(carry.to, carry.from);
         if (!board_.is_zero(vector)) result.known.push_back(link);
     };
     result.absolute = false;
@@ -260,14 +248,16 @@ void Chains::shift(const Track<plane>& track, const Carry& carry, Chain<plane>& 
     if (carry.kind == Carry::Kind::roll) {
         if constexpr (!is_velocity<plane>) {
             add(rolling_offset(carry.joint, carry.body), "n",
-                {LineReason::Kind::parallel_to_normal, mechanism_.joints[at(carry.joint)].name, {}}, DrawnVector::Role::normal);
+                {LineReason::Kind::parallel_to_normal, mechanism_.joints[at(carry.joint)].name, {}},
+                DrawnVector::Role::normal);
         }
         return;
     }
     const auto join = diagram_.join(carry.from, carry.to);
     const LineReason across{LineReason::Kind::perpendicular_to_segment, node(carry.from).label, node(carry.to).label};
     const LineReason along{LineReason::Kind::parallel_to_segment, node(carry.from).label, node(carry.to).label};
-    if constexpr (!is_velocity<plane>) add(normal_of(carry.body, carry.from, carry.to), "n", along, DrawnVector::Role::normal);
+    if constexpr (!is_velocity<plane>)
+        add(normal_of(carry.body, carry.from, carry.to), "n", along, DrawnVector::Role::normal);
     add(board_.scale<plane>(track.spin(carry.body), board_.turn(join)), is_velocity<plane> ? "" : "t", across,
         DrawnVector::Role::tangential);
 }
@@ -289,7 +279,8 @@ PointOn<Plane::velocity> Chains::velocity_tip(NodeIndex index) {
         for (const NodeIndex base : structure_.nodes_of(carrier)) {
             if (!track.has(base)) continue;
             const auto join = diagram_.join(base, index);
-            const auto tip = board_.carry(track.tip(base), board_.scale<Plane::velocity>(track.spin(carrier), board_.turn(join)));
+            const auto tip =
+                board_.carry(track.tip(base), board_.scale<Plane::velocity>(track.spin(carrier), board_.turn(join)));
             track.tips[at(index)] = tip;
             return tip;
         }
@@ -302,7 +293,8 @@ bool Chains::has_velocity(NodeIndex index) const {
     if (track.has(index)) return true;
     return std::any_of(node(index).bodies.begin(), node(index).bodies.end(), [&](BodyIndex carrier) {
         const auto& nodes = structure_.nodes_of(carrier);
-        return track.turns(carrier) && std::any_of(nodes.begin(), nodes.end(), [&](NodeIndex base) { return track.has(base); });
+        return track.turns(carrier) &&
+               std::any_of(nodes.begin(), nodes.end(), [&](NodeIndex base) { return track.has(base); });
     });
 }
 
@@ -315,8 +307,8 @@ std::optional<Link<Plane::acceleration>> Chains::coriolis_of(BodyIndex guide_bod
     const ScalarHandle omega = motion_.velocity.spin(guide_body);
     if (guide_body == frame || board_.is_zero(omega)) return std::nullopt;
     Link<Plane::acceleration> link;
-    link.vector =
-        board_.scale<Plane::acceleration>(board_.product(board_.number(2), omega), board_.turn(sliding_velocity(slider, guide)));
+    link.vector = board_.scale<Plane::acceleration>(board_.product(board_.number(2), omega),
+                                                    board_.turn(sliding_velocity(slider, guide)));
     if (board_.is_zero(link.vector)) return std::nullopt;
     link.term.symbol = relative<Plane::acceleration>(slider, guide, "cor");
     link.role = DrawnVector::Role::coriolis;
@@ -335,7 +327,8 @@ std::optional<Link<Plane::acceleration>> Chains::centripetal_of(JointIndex joint
     return link;
 }
 
-VectorOn<Plane::acceleration> Chains::centripetal_about(PointOn<Plane::drawing> centre, NodeIndex base, NodeIndex index) {
+VectorOn<Plane::acceleration> Chains::centripetal_about(PointOn<Plane::drawing> centre, NodeIndex base,
+                                                        NodeIndex index) {
     const auto radius = board_.vector(centre, place(index));
     const ScalarHandle turning = board_.ratio(sliding_velocity(index, base), board_.turn(radius));
     return board_.negate(board_.scale<Plane::acceleration>(board_.product(turning, turning), radius));
@@ -347,9 +340,11 @@ Equation Chains::equation(NodeIndex sought, const Chain<plane>& first, const Cha
     std::vector<Term> left, right;
     const auto write = [&](const Chain<plane>& drawn, std::vector<Term>& own, std::vector<Term>& other) {
         if (drawn.base != none && !at_rest(drawn.base)) {
-            own.push_back({absolute<plane>(drawn.base), true, true, {LineReason::Kind::known, {}, {}}, colour_of(drawn.base)});
+            own.push_back(
+                {absolute<plane>(drawn.base), true, true, {LineReason::Kind::known, {}, {}}, colour_of(drawn.base)});
         }
-        for (const Link<plane>& link : drawn.known) (is_backwards(drawn.inverse, link.shift) ? other : own).push_back(link.term);
+        for (const Link<plane>& link : drawn.known)
+            (is_backwards(drawn.inverse, link.shift) ? other : own).push_back(link.term);
         (drawn.inverse ? other : own).push_back(drawn.sought);
     };
     write(first, left, right);

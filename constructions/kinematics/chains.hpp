@@ -1,6 +1,6 @@
-// Chains: loci as they are drawn, each from the tip of its base along known vectors, then a line on which the tip sought lies.
-// The theorems of two points of a body (Rivals), of relative motion (Coriolis) and of rolling (Euler, Savary) stand here; which
-// loci meet, and in what order, is for the recipes.
+// Chains: loci as they are drawn, each from the tip of its base along known vectors, then a line on which the tip
+// sought lies. The theorems of two points of a body (Rivals), of relative motion (Coriolis) and of rolling (Euler,
+// Savary) stand here; which loci meet, and in what order, is for the recipes.
 #pragma once
 
 #include <map>
@@ -58,9 +58,10 @@ public:
     BodyIndex colour_of(NodeIndex index) const {
         const std::vector<BodyIndex>& bodies = node(index).bodies;
         if (at_rest(index)) return frame;
-        // Of several the one that the frame guides: its locus of the velocity has that colour, so the acceleration has it too.
-        const auto guided =
-            std::find_if(bodies.begin(), bodies.end(), [&](BodyIndex each) { return structure_.is_guided_by_frame(each); });
+        // Of several the one that the frame guides: its locus of the velocity has that colour, so the acceleration has
+        // it too.
+        const auto guided = std::find_if(bodies.begin(), bodies.end(),
+                                         [&](BodyIndex each) { return structure_.is_guided_by_frame(each); });
         return guided == bodies.end() ? bodies.front() : *guided;
     }
     template <Plane plane>
@@ -76,8 +77,8 @@ public:
     Seen seen(NodeIndex of) { return {carried(of), {}, none}; }
     /// From a place about which it turns.
     Seen turning(NodeIndex of, NodeIndex to) { return {carried(of), carried(to), place(to).element}; }
-    /// From a place of the guide in which it slides; in a curved one it turns, which only accelerations show. At a hinge the
-    /// place is of several bodies, of which `guide_body` has the guide.
+    /// From a place of the guide in which it slides; in a curved one it turns, which only accelerations show. At a
+    /// hinge the place is of several bodies, of which `guide_body` has the guide.
     template <Plane plane>
     Seen sliding(JointIndex joint, NodeIndex slider, NodeIndex guide, BodyIndex guide_body) {
         const PointIndex arc = is_velocity<plane> ? none : mechanism_.joint(joint).arc;
@@ -97,8 +98,8 @@ public:
     }
 
     bool rolls_known(JointIndex index) const;
-    /// a_P − a_P*, P on `body`: with c₁, c₂ from the contact to the centres of curvature, ω_rel² c₁ · c₂/(c₂ − c₁); on a line
-    /// ω_rel² c.
+    /// a_P − a_P*, P on `body`: with c₁, c₂ from the contact to the centres of curvature, ω_rel² c₁ · c₂/(c₂ − c₁); on
+    /// a line ω_rel² c.
     VectorOn<Plane::acceleration> rolling_offset(JointIndex index, BodyIndex body_of);
     LineReason reason_of(const Locus& locus) const;
     template <Plane plane>
@@ -129,7 +130,8 @@ private:
     Motion motion_;
     bool drivers_rest_ = false;
 
-    /// Known base, direction ⟂ to the join: v_BA ⟂ BA; a_BA = a_BA^n + a_BA^t. An equivalent link turns as a body would.
+    /// Known base, direction ⟂ to the join: v_BA ⟂ BA; a_BA = a_BA^n + a_BA^t. An equivalent link turns as a body
+    /// would.
     template <Plane plane>
     void start_rotation(const Track<plane>& track, const Locus& locus, Chain<plane>& result);
     /// Known place of the other body, direction ∥ guide: v_X = v_X* + v_XX*; a_X = a_X* + a_XX*^cor + a_XX*^rel.
@@ -149,8 +151,8 @@ private:
     /// In contact with the base in rolling: from its tip by the difference of accelerations.
     template <Plane plane>
     void start_roll(const Track<plane>& track, const Locus& locus, Chain<plane>& result);
-    /// The locus of another node carried to the one sought: by ω ∧ YX (and −ω² YX) on a body whose spin is known; over a rolling
-    /// contact by nothing (and the difference of its accelerations).
+    /// The locus of another node carried to the one sought: by ω ∧ YX (and −ω² YX) on a body whose spin is known; over
+    /// a rolling contact by nothing (and the difference of its accelerations).
     template <Plane plane>
     void shift(const Track<plane>& track, const Carry& carry, Chain<plane>& result);
     /// The tip of a node that was not drawn for its own sake, from the image of a body that carries it.
@@ -161,7 +163,8 @@ private:
     /// A slot curved about C: the pin turns about C as seen from the slot, −ω_r² · CP.
     std::optional<Link<Plane::acceleration>> centripetal_of(JointIndex joint, NodeIndex slider, NodeIndex guide,
                                                             BodyIndex guide_body);
-    /// −ω_r² · CX where X, seen from the base, turns about a centre C at the place of which `base` moves as the base does.
+    /// −ω_r² · CX where X, seen from the base, turns about a centre C at the place of which `base` moves as the base
+    /// does.
     VectorOn<Plane::acceleration> centripetal_about(PointOn<Plane::drawing> centre, NodeIndex base, NodeIndex index);
 
     std::map<BodyIndex, ScalarHandle> squares_;

@@ -21,7 +21,8 @@ std::vector<Curvature> draw_curvature(Structure& structure, Board& board, const 
         if (draft.is_known(body) && !simple.settle(body)) open.push_back(body);
     // A body of which two paths are known makes known the paths of its pins; where none is, accelerations help.
     while (!open.empty()) {
-        const auto next = std::find_if(open.begin(), open.end(), [&](BodyIndex body) { return circle.by_known_paths(body); });
+        const auto next =
+            std::find_if(open.begin(), open.end(), [&](BodyIndex body) { return circle.by_known_paths(body); });
         const BodyIndex body = next == open.end() ? open.front() : *next;
         if (next == open.end()) circle.by_acceleration(body);
         draft.of(body).solved = true;

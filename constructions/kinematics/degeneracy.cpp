@@ -9,7 +9,9 @@ std::size_t at(auto index) { return at_index(index); }
 
 /// ω_b/ω_reference of all other moving bodies.
 Ratios ratios_of(const Branch& branch, const Mechanism& mechanism) {
-    const auto omega = [&](BodyIndex body) { return Symbol{Symbol::Letter::omega, mechanism.bodies[at(body)].name, ""}; };
+    const auto omega = [&](BodyIndex body) {
+        return Symbol{Symbol::Letter::omega, mechanism.bodies[at(body)].name, ""};
+    };
     Ratios ratios;
     for (const BodyIndex body : indices<BodyIndex>(branch.ratios.size(), BodyIndex(1)))
         if (body != branch.reference) ratios.push_back({omega(body), omega(branch.reference), branch.ratios[at(body)]});
@@ -27,8 +29,8 @@ std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobil
                                          const std::optional<InstantMotion>& motion) {
     std::vector<Message> remarks;
     for (const Mobility::Redundant& redundant : mobility.redundant)
-        remarks.push_back(
-            {Sentence::repeated_constraints, {file_name(mechanism.joints[at(redundant.joint)]), Count{redundant.rows}}});
+        remarks.push_back({Sentence::repeated_constraints,
+                           {file_name(mechanism.joints[at(redundant.joint)]), Count{redundant.rows}}});
     if (!motion || motion->freedoms == 0) return remarks;
 
     const auto names = [&](const std::vector<BodyIndex>& bodies) {
@@ -50,13 +52,11 @@ std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobil
     const Count freedoms{motion->freedoms};
     switch (motion->second_order) {
         case InstantMotion::SecondOrder::unasked:
-        case InstantMotion::SecondOrder::free:
-            break;
-        case InstantMotion::SecondOrder::impossible:
-            remarks.push_back({Sentence::instant_only, {freedoms}});
-            break;
+        case InstantMotion::SecondOrder::free: break;
+        case InstantMotion::SecondOrder::impossible: remarks.push_back({Sentence::instant_only, {freedoms}}); break;
         case InstantMotion::SecondOrder::open:
-            if (motion->conditions > 0) remarks.push_back({Sentence::bound_velocities, {freedoms, Count{motion->conditions}}});
+            if (motion->conditions > 0)
+                remarks.push_back({Sentence::bound_velocities, {freedoms, Count{motion->conditions}}});
             break;
         case InstantMotion::SecondOrder::branches: {
             const auto count = static_cast<int>(motion->branches.size());

@@ -80,7 +80,8 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
     const PlanePair& known = joint.pair();
     const PlanePair::Centre lies = known.centre();
     if (lies == PlanePair::Centre::on_normal) {
-        entry.normals.emplace_back(board_.through(board_.place(joint.point), board_.normal(index_of_joint)), joint.point);
+        entry.normals.emplace_back(board_.through(board_.place(joint.point), board_.normal(index_of_joint)),
+                                   joint.point);
         return;
     }
     const std::optional<Sentence> says = primary_sentence(known);
@@ -96,8 +97,9 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
         return;
     }
     const auto place = [&] {
-        return lies == PlanePair::Centre::at_infinity ? board_.at_infinity(board_.perpendicular(board_.guide(index_of_joint)))
-                                                      : board_.place(joint.point);
+        return lies == PlanePair::Centre::at_infinity
+                   ? board_.at_infinity(board_.perpendicular(board_.guide(index_of_joint)))
+                   : board_.place(joint.point);
     };
     if (entry.point) {
         // Two pairs between the same bodies: they agree, or the bodies cannot move against each other.
@@ -109,7 +111,8 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
     board_.statement(entry.centre.statement).message.arguments = names();
 }
 
-/// Bodies over which the pair has a line: both centres known as points; finite ones first, for a line that can be drawn.
+/// Bodies over which the pair has a line: both centres known as points; finite ones first, for a line that can be
+/// drawn.
 std::vector<BodyIndex> InstantCentres::intermediates(BodyIndex i, BodyIndex j) {
     std::vector<BodyIndex> finite, infinite;
     for (const BodyIndex k : indices_of(structure_.mechanism().bodies)) {
@@ -133,7 +136,8 @@ LineOn<Plane::drawing> InstantCentres::line_of(BodyIndex i, BodyIndex j, const L
 }
 
 /// The first two lines that meet in one point: normals first, then Kennedy's lines.
-std::optional<std::pair<InstantCentres::Line, InstantCentres::Line>> InstantCentres::lines_that_meet(BodyIndex i, BodyIndex j) {
+std::optional<std::pair<InstantCentres::Line, InstantCentres::Line>> InstantCentres::lines_that_meet(BodyIndex i,
+                                                                                                     BodyIndex j) {
     std::vector<Line> lines;
     std::optional<std::pair<Line, Line>> found;
     const auto meets_one = [&](const Line& candidate) {
@@ -222,7 +226,8 @@ void InstantCentres::draw() {
     const auto sweep = [&](auto rule) {
         bool found = false;
         for (const BodyIndex i : indices_of(structure_.mechanism().bodies)) {
-            for (const BodyIndex j : structure_.mechanism().bodies_after(i)) found = (!solved(pair(i, j)) && rule(i, j)) || found;
+            for (const BodyIndex j : structure_.mechanism().bodies_after(i))
+                found = (!solved(pair(i, j)) && rule(i, j)) || found;
         }
         return found;
     };
@@ -234,8 +239,8 @@ void InstantCentres::draw() {
 namespace {
 
 /// The velocity of the place of a node as carried by a body whose motion is known.
-std::optional<PointOn<Plane::velocity>> tip_on(const Structure& structure, Board& board, const Track<Plane::velocity>& track,
-                                               BodyIndex body, Drawing place) {
+std::optional<PointOn<Plane::velocity>> tip_on(const Structure& structure, Board& board,
+                                               const Track<Plane::velocity>& track, BodyIndex body, Drawing place) {
     if (body == frame) return board.pole<Plane::velocity>();
     for (const NodeIndex base : structure.nodes_of(body)) {
         if (!track.has(base)) continue;
@@ -270,8 +275,8 @@ bool InstantCentres::at_relative_rest(const Pair& entry, const Motion& motion) {
     return on_i && on_j && board_.is_zero(board_.vector(*on_i, *on_j));
 }
 
-/// Places at which two bodies' relative velocity may be drawn: their nodes, and one beside them, for nodes that lie all on one
-/// line with the centre sought.
+/// Places at which two bodies' relative velocity may be drawn: their nodes, and one beside them, for nodes that lie all
+/// on one line with the centre sought.
 std::vector<InstantCentres::Place> InstantCentres::places_of(BodyIndex first, BodyIndex second) {
     std::vector<Place> places;
     for (const BodyIndex body : {first, second}) {
@@ -308,7 +313,8 @@ void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
     const std::vector<Place> places = places_of(j, i);
     const bool equal_spins = board_.is_zero(board_.difference(track.spin(i), track.spin(j)));
     for (const Place& place : places) {
-        const auto on_i = tip_on(structure_, board_, track, i, place.at), on_j = tip_on(structure_, board_, track, j, place.at);
+        const auto on_i = tip_on(structure_, board_, track, i, place.at),
+                   on_j = tip_on(structure_, board_, track, j, place.at);
         if (!on_i || !on_j) return;
         const auto relative = board_.vector(*on_i, *on_j);
         const bool still = board_.is_zero(relative);
@@ -344,13 +350,14 @@ void InstantCentres::second_way(const Motion& motion, BodyIndex driver, std::vec
         if (board_.coincide(*absolute.point, *relative.point)) continue;
         Symbol omega{Symbol::Letter::omega, structure_.body_name(body), {}};
         Symbol omega_driver{Symbol::Letter::omega, structure_.body_name(driver), {}};
-        const StatementIndex statement =
-            say(Sentence::second_way, {omega, symbol(frame, driver), symbol(frame, body), symbol(driver, body), omega_driver});
+        const StatementIndex statement = say(Sentence::second_way, {omega, symbol(frame, driver), symbol(frame, body),
+                                                                    symbol(driver, body), omega_driver});
         board_.statement(statement).section = Topic::velocity;
         const auto from_driver = board_.vector(*pair(frame, driver).point, *relative.point);
         const auto from_body = board_.vector(*absolute.point, *relative.point);
         const ScalarHandle found = board_.product(track.spin(driver), board_.ratio(from_driver, from_body));
-        results.push_back({body, Recorded<Exact>::at(found.element), board_.is_zero(board_.difference(found, track.spin(body)))});
+        results.push_back(
+            {body, Recorded<Exact>::at(found.element), board_.is_zero(board_.difference(found, track.spin(body)))});
     }
 }
 

@@ -1,8 +1,9 @@
-// All instant centres of relative rotation: primary ones from the pairs, then the theorem of Aronhold (1872) and Kennedy (1886) —
-// the three centres of three bodies lie on a line — until no more follow; what is left, from the velocities found.
+// All instant centres of relative rotation: primary ones from the pairs, then the theorem of Aronhold (1872) and
+// Kennedy (1886) — the three centres of three bodies lie on a line — until no more follow; what is left, from the
+// velocities found.
 //
-// At infinity a centre is a translation and is used like any other. Where two of three centres coincide the line does not exist
-// and the third is with them; where both lines lie at infinity, only that much is known.
+// At infinity a centre is a translation and is used like any other. Where two of three centres coincide the line does
+// not exist and the third is with them; where both lines lie at infinity, only that much is known.
 #pragma once
 
 #include <vector>
@@ -20,10 +21,12 @@ public:
 
     /// Primary centres and Kennedy's theorem: geometry only, no velocities.
     void draw();
-    /// The centres that Kennedy could not reach, from velocities; and the pairs that do not move against each other just now.
-    /// `freedoms`: of the mechanism; with more than one a centre found so holds for this ratio of the drivers.
+    /// The centres that Kennedy could not reach, from velocities; and the pairs that do not move against each other
+    /// just now. `freedoms`: of the mechanism; with more than one a centre found so holds for this ratio of the
+    /// drivers.
     void complete(const Motion& motion, int freedoms);
-    /// Angular velocities once more, by instant centres: ω_b = ω_d · P_1d P_db / P_1b P_db for a body d driven against the frame.
+    /// Angular velocities once more, by instant centres: ω_b = ω_d · P_1d P_db / P_1b P_db for a body d driven against
+    /// the frame.
     void second_way(const Motion& motion, BodyIndex driven_body, std::vector<SecondWay>& results);
 
     std::vector<InstantCentre> results() const;

@@ -1,5 +1,5 @@
-// Loci: the lines on which the tips of velocities and accelerations must lie, said by structure. Which line that is on a board,
-// the space diagram knows (space_diagram.hpp).
+// Loci: the lines on which the tips of velocities and accelerations must lie, said by structure. Which line that is on
+// a board, the space diagram knows (space_diagram.hpp).
 #pragma once
 
 #include <vector>
@@ -26,16 +26,17 @@ struct Carry {
 /// A line on which the tip of a node must lie: from a known base along one direction.
 struct Locus {
     enum class Kind {
-        rotation,      ///< the body turns about a node already known: ⟂ to their join (Rivals)
-        sleeve,        ///< slides along a guide whose point there is known (Coriolis' theorem)
-        slot,          ///< the same for a pin in a straight slot, or in one curved about a centre: ∥ the tangent
-        link,          ///< on the equivalent link of a contact, whose other end is known: ⟂ to it (Rivals)
-        tangent,       ///< slides on a body along a common tangent; nothing is known of the curvatures
-        mesh,          ///< pitch curves roll on each other: ∥ their common normal
-        component,     ///< a driver fixes the component along a direction
-        image,         ///< closings alone: ω of the body is known, so the image fixes what lies ⟂ to the join: ∥ to it
+        rotation,   ///< the body turns about a node already known: ⟂ to their join (Rivals)
+        sleeve,     ///< slides along a guide whose point there is known (Coriolis' theorem)
+        slot,       ///< the same for a pin in a straight slot, or in one curved about a centre: ∥ the tangent
+        link,       ///< on the equivalent link of a contact, whose other end is known: ⟂ to it (Rivals)
+        tangent,    ///< slides on a body along a common tangent; nothing is known of the curvatures
+        mesh,       ///< pitch curves roll on each other: ∥ their common normal
+        component,  ///< a driver fixes the component along a direction
+        image,  ///< closings alone: ω of the body is known, so the image fixes what lies ⟂ to the join: ∥ to it
         driven_slide,  ///< closings alone: a driver gives the component along the guide: ⟂ to it
-        roll           ///< closings alone: in contact with a point of a body on which it rolls: any line through that point's tip
+        roll  ///< closings alone: in contact with a point of a body on which it rolls: any line through that point's
+              ///< tip
     };
     Kind kind = Kind::rotation;
     BodyIndex body = none;  ///< the body that carries the node

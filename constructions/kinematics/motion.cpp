@@ -77,7 +77,8 @@ private:
         track.tips.resize(chains_.structure().nodes().size());
         track.spins.resize(chains_.mechanism().bodies.size());
         track.spins[at(frame)] = board_.number(0);
-        for (const NodeIndex index : chains_.structure().nodes_of(frame)) pen_.set_tip(track, index, board_.pole<plane>(), false);
+        for (const NodeIndex index : chains_.structure().nodes_of(frame))
+            pen_.set_tip(track, index, board_.pole<plane>(), false);
     }
 
     template <Plane plane>
@@ -87,26 +88,16 @@ private:
             if (step.closing.locus) introduction_.introduce(*step.closing.locus);
         }
         switch (step.kind) {
-            case Step::Kind::spin_by_joint:
-                return of<plane>().spins.spin_by_joint(track, step);
-            case Step::Kind::spin_by_driver:
-                return of<plane>().spins.spin_by_driver(track, step);
-            case Step::Kind::slide_by_driver:
-                return of<plane>().points.slide_by_driver(track, step);
-            case Step::Kind::image:
-                return of<plane>().points.draw_image(track, step);
-            case Step::Kind::roll:
-                return of<plane>().points.draw_rolling_point(track, step);
-            case Step::Kind::meet:
-                return of<plane>().points.draw_meet(track, step);
-            case Step::Kind::spin_from_pair:
-                return of<plane>().spins.spin_from_pair(track, step);
-            case Step::Kind::auxiliary:
-                return of<plane>().points.draw_auxiliary(track, step);
-            case Step::Kind::spin_from_parallels:
-                return of<plane>().spins.spin_from_parallels(track, step);
-            case Step::Kind::assume:
-                return of<plane>().trials.assume(track, step);
+            case Step::Kind::spin_by_joint: return of<plane>().spins.spin_by_joint(track, step);
+            case Step::Kind::spin_by_driver: return of<plane>().spins.spin_by_driver(track, step);
+            case Step::Kind::slide_by_driver: return of<plane>().points.slide_by_driver(track, step);
+            case Step::Kind::image: return of<plane>().points.draw_image(track, step);
+            case Step::Kind::roll: return of<plane>().points.draw_rolling_point(track, step);
+            case Step::Kind::meet: return of<plane>().points.draw_meet(track, step);
+            case Step::Kind::spin_from_pair: return of<plane>().spins.spin_from_pair(track, step);
+            case Step::Kind::auxiliary: return of<plane>().points.draw_auxiliary(track, step);
+            case Step::Kind::spin_from_parallels: return of<plane>().spins.spin_from_parallels(track, step);
+            case Step::Kind::assume: return of<plane>().trials.assume(track, step);
         }
     }
 

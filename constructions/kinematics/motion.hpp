@@ -1,10 +1,11 @@
-// The recipes of motion: the plan carried out in the velocity plane and in the acceleration plane. Each recipe reads like the
-// page of the book it comes from: Rivals' theorem for two points of a body, the theorem of relative motion (Coriolis) for a place
-// seen on two bodies, Mehmke's and Burmester's images for further points, Assur's auxiliary point. It asks the board, never
-// computes.
+// The recipes of motion: the plan carried out in the velocity plane and in the acceleration plane. Each recipe reads
+// like the page of the book it comes from: Rivals' theorem for two points of a body, the theorem of relative motion
+// (Coriolis) for a place seen on two bodies, Mehmke's and Burmester's images for further points, Assur's auxiliary
+// point. It asks the board, never computes.
 //
-// Sources: Rivals 1853; Burmester, Lehrbuch der Kinematik (1888), velocity and acceleration images; Assur (1914) for the
-// auxiliary point; Euler and Savary for the centres of curvature of profiles that roll or slide on each other; the trial values
+// Sources: Rivals 1853; Burmester, Lehrbuch der Kinematik (1888), velocity and acceleration images; Assur (1914) for
+// the auxiliary point; Euler and Savary for the centres of curvature of profiles that roll or slide on each other; the
+// trial values
 // ("regula falsi" of graphical kinematics) as in Rosenauer and Willis, Kinematics of Mechanisms (1953).
 #pragma once
 
@@ -52,13 +53,15 @@ struct Motion {
 /// Draws the velocity polygon and, where `with_accelerations`, the acceleration polygon.
 Motion draw_motion(Structure& structure, Board& board, const Plan& plan, bool with_accelerations);
 
-/// The velocities that the assumption `plan.steps[assumed]` alone would give: it is moved by one, all drivers and the other open
-/// assumptions rest. Nothing is drawn and nothing said; it tells the planner which condition the assumption moves.
+/// The velocities that the assumption `plan.steps[assumed]` alone would give: it is moved by one, all drivers and the
+/// other open assumptions rest. Nothing is drawn and nothing said; it tells the planner which condition the assumption
+/// moves.
 Track<Plane::velocity> draw_response(Structure& structure, Board& board, const Plan& plan, std::size_t assumed);
 /// Whether such velocities break a condition.
 bool is_broken(Structure& structure, Board& board, const Track<Plane::velocity>& response, const Closing& condition);
 
-/// In what words a joint's guide is named: parallel to a segment where the file gives two points, else to the guide of the joint.
+/// In what words a joint's guide is named: parallel to a segment where the file gives two points, else to the guide of
+/// the joint.
 LineReason along_guide(const Mechanism& mechanism, JointIndex joint, bool perpendicular);
 
 }  // namespace kinegraph

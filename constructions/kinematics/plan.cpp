@@ -200,7 +200,8 @@ bool is_seen_from(const Structure& structure, BodyIndex observer, PointIndex poi
     return on(first) != on(second);
 }
 
-Plan plan_motion(Structure& structure, Board& scratch, const std::vector<bool>& drivers, const std::vector<bool>& determined) {
+Plan plan_motion(Structure& structure, Board& scratch, const std::vector<bool>& drivers,
+                 const std::vector<bool>& determined) {
     return planning::Planner(structure, scratch, drivers, determined).run();
 }
 

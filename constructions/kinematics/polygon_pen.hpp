@@ -1,5 +1,5 @@
-// The pen of the polygons of motion: enters their poles, vectors, images and construction lines on the board, with the symbols
-// that velocities and accelerations have. Knows no recipe.
+// The pen of the polygons of motion: enters their poles, vectors, images and construction lines on the board, with the
+// symbols that velocities and accelerations have. Knows no recipe.
 #pragma once
 
 #include <string>
@@ -34,20 +34,13 @@ Quantity motion_quantity(const Seen& seen, DrawnVector::Role role) {
     using Part = Quantity::Part;
     const auto part = [role] {
         switch (role) {
-            case Role::relative:
-                return Part::relative;
-            case Role::normal:
-                return Part::normal;
-            case Role::tangential:
-                return Part::tangential;
-            case Role::transport:
-                return Part::transport;
-            case Role::sliding:
-                return Part::sliding;
-            case Role::coriolis:
-                return Part::coriolis;
-            default:
-                return Part::whole;
+            case Role::relative: return Part::relative;
+            case Role::normal: return Part::normal;
+            case Role::tangential: return Part::tangential;
+            case Role::transport: return Part::transport;
+            case Role::sliding: return Part::sliding;
+            case Role::coriolis: return Part::coriolis;
+            default: return Part::whole;
         }
     };
     if (seen.of.body == none) return {};

@@ -37,8 +37,8 @@ public:
         result.query = query;
         translating_ = query.translating_with != none;
         point_ = node_of_point(structure_, query.point, translating_ ? none : query.observer);
-        transport_ =
-            translating_ ? node_of_point(structure_, query.translating_with, none) : structure_.on(query.point, query.observer);
+        transport_ = translating_ ? node_of_point(structure_, query.translating_with, none)
+                                  : structure_.on(query.point, query.observer);
         observer_ = query.observer;
         if (!motion_.velocity.has(point_) || !motion_.velocity.has(transport_)) return result;
         const auto v = velocities();
@@ -46,7 +46,8 @@ public:
         result.transport_velocity = found(motion_.velocity.tip(transport_));
         result.relative_velocity = found(v);
         const bool drawn = motion_.acceleration.has(point_) && motion_.acceleration.has(transport_);
-        if (with_accelerations && drawn && (translating_ || motion_.velocity.turns(observer_))) accelerations(v, result);
+        if (with_accelerations && drawn && (translating_ || motion_.velocity.turns(observer_)))
+            accelerations(v, result);
         return result;
     }
 
@@ -71,7 +72,8 @@ private:
         const bool alone =
             std::count_if(queries.begin(), queries.end(), [&](const auto& each) { return each.point == point; }) < 2;
         if (alone || *term == '\0') return term;
-        return std::string(term) + "," + (translating_ ? structure_.node(transport_).label : structure_.body_name(observer_));
+        return std::string(term) + "," +
+               (translating_ ? structure_.node(transport_).label : structure_.body_name(observer_));
     }
 
     template <Plane plane>
@@ -79,7 +81,8 @@ private:
         const BodyIndex body =
             role == DrawnVector::Role::transport && !translating_ ? observer_ : structure_.node(point_).bodies.front();
         PolygonPen<plane>(board_, polygon)
-            .vector(motion_symbol<plane>(structure_.node(point_).label, term_of(term)), seen_as(role), tail, tip, body, role);
+            .vector(motion_symbol<plane>(structure_.node(point_).label, term_of(term)), seen_as(role), tail, tip, body,
+                    role);
     }
 
     CarriedPlace carried(NodeIndex node) { return carried(node, structure_.node(node).bodies.front()); }
@@ -91,7 +94,8 @@ private:
     Seen seen_as(DrawnVector::Role role) {
         if (role == DrawnVector::Role::absolute) return {carried(point_), {}, none};
         // An observer that translates turns no more than the frame does.
-        if (role == DrawnVector::Role::coriolis && translating_) return {carried(point_), carried(transport_, frame), none};
+        if (role == DrawnVector::Role::coriolis && translating_)
+            return {carried(point_), carried(transport_, frame), none};
         if (role == DrawnVector::Role::transport) return {transport(), {}, none};
         return {carried(point_), transport(), none};
     }
@@ -132,7 +136,8 @@ private:
             "Coriolis");
         const auto from = motion_.acceleration.tip(transport_), to = motion_.acceleration.tip(point_);
         const ScalarHandle omega = translating_ ? board_.number(0) : motion_.velocity.spin(observer_);
-        const auto coriolis = board_.scale<Plane::acceleration>(board_.product(board_.number(2), omega), board_.turn(relative));
+        const auto coriolis =
+            board_.scale<Plane::acceleration>(board_.product(board_.number(2), omega), board_.turn(relative));
         const auto middle = board_.carry(from, coriolis);
         const int figure = polygon<Plane::acceleration>("acceleration");
         draw(figure, "", board_.pole<Plane::acceleration>(), to, DrawnVector::Role::absolute);
@@ -151,7 +156,8 @@ private:
     NodeIndex origin() const {
         NodeIndex best = none;
         for (const NodeIndex node : structure_.nodes_of(observer_)) {
-            if (structure_.node(node).point == none || !motion_.velocity.has(node) || !motion_.acceleration.has(node)) continue;
+            if (structure_.node(node).point == none || !motion_.velocity.has(node) || !motion_.acceleration.has(node))
+                continue;
             const auto& bodies = structure_.node(node).bodies;
             if (std::find(bodies.begin(), bodies.end(), frame) != bodies.end()) return node;
             if (best == none || best == transport_) best = node;
@@ -159,7 +165,8 @@ private:
         return best;
     }
     /// a_tr = a_O′ + α ∧ O′P − ω² O′P, and what the observer sees in axes of his own. Nothing where α is not known.
-    std::optional<RelativeMotion::Apart> apart(VectorOn<Plane::velocity> velocity, VectorOn<Plane::acceleration> acceleration) {
+    std::optional<RelativeMotion::Apart> apart(VectorOn<Plane::velocity> velocity,
+                                               VectorOn<Plane::acceleration> acceleration) {
         const NodeIndex from = origin();
         if (from == none || !motion_.acceleration.turns(observer_)) return std::nullopt;
         RelativeMotion::Apart result;
@@ -238,7 +245,8 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
         if (slider == none || guide == none || !motion.velocity.has(slider) || !motion.velocity.has(guide)) continue;
         Sliding result;
         result.joint = index;
-        const Symbol relative{Symbol::Letter::v, relative_name(structure.node(slider).label, structure.node(guide).label), {}};
+        const Symbol relative{
+            Symbol::Letter::v, relative_name(structure.node(slider).label, structure.node(guide).label), {}};
         const bool on_rest = joint.bodies[1] == frame;
         const auto say = [&](Sentence sentence, const Symbol& symbol, Topic section) {
             Statement statement;
@@ -260,7 +268,8 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
             Symbol symbol = relative;
             symbol.letter = Symbol::Letter::a;
             symbol.term = "rel";
-            say(on_rest ? Sentence::slide_acceleration_on_rest : Sentence::slide_acceleration, symbol, Topic::acceleration);
+            say(on_rest ? Sentence::slide_acceleration_on_rest : Sentence::slide_acceleration, symbol,
+                Topic::acceleration);
             const ScalarHandle twice = board.product(board.number(2), motion.velocity.spin(joint.bodies[1]));
             const auto coriolis = board.scale<Plane::acceleration>(twice, board.turn(velocity));
             const auto difference = board.vector(motion.acceleration.tip(guide), motion.acceleration.tip(slider));

@@ -1,6 +1,6 @@
-// Relative motion: a point's velocity and acceleration as two observers see them, one fixed and one carried by a body or
-// translating with a point (transport, relative and Coriolis terms; theorem of Coriolis, 1835). And the sliding of each sliding
-// pair.
+// Relative motion: a point's velocity and acceleration as two observers see them, one fixed and one carried by a body
+// or translating with a point (transport, relative and Coriolis terms; theorem of Coriolis, 1835). And the sliding of
+// each sliding pair.
 #pragma once
 
 #include <vector>

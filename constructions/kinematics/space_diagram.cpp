@@ -34,27 +34,19 @@ DirectionHandle SpaceDiagram::direction(const Locus& locus) {
     const auto tangent = [&] { return board_.tangent(locus.joint); };
     switch (locus.kind) {
         case Locus::Kind::rotation:
-        case Locus::Kind::link:
-            return across_join(locus.base, locus.node);
-        case Locus::Kind::image:
-            return board_.perpendicular(across_join(locus.base, locus.node));
-        case Locus::Kind::sleeve:
-            return board_.guide(locus.joint);
+        case Locus::Kind::link: return across_join(locus.base, locus.node);
+        case Locus::Kind::image: return board_.perpendicular(across_join(locus.base, locus.node));
+        case Locus::Kind::sleeve: return board_.guide(locus.joint);
         case Locus::Kind::slot: {
             const Joint& joint = structure_.mechanism().joints[at(locus.joint)];
             if (joint.pair().touches()) return tangent();
             return joint.arc != none ? board_.perpendicular(board_.normal(locus.joint)) : board_.guide(locus.joint);
         }
-        case Locus::Kind::tangent:
-            return tangent();
-        case Locus::Kind::mesh:
-            return board_.perpendicular(tangent());
-        case Locus::Kind::component:
-            return board_.perpendicular(board_.driver_direction(locus.driver));
-        case Locus::Kind::driven_slide:
-            return board_.perpendicular(board_.guide(locus.joint));
-        case Locus::Kind::roll:
-            return locus.across ? board_.perpendicular(tangent()) : tangent();
+        case Locus::Kind::tangent: return tangent();
+        case Locus::Kind::mesh: return board_.perpendicular(tangent());
+        case Locus::Kind::component: return board_.perpendicular(board_.driver_direction(locus.driver));
+        case Locus::Kind::driven_slide: return board_.perpendicular(board_.guide(locus.joint));
+        case Locus::Kind::roll: return locus.across ? board_.perpendicular(tangent()) : tangent();
     }
     KG_ASSERT(false, "every locus has a direction");
 }

@@ -16,7 +16,8 @@ PointIndex centre_of(const Joint& joint, std::size_t side) {
     return circle == nullptr ? joint.point : circle->centre;
 }
 
-/// The body whose point at a joint goes by the plain name: the slider, not the guide; of two that touch the one that moves.
+/// The body whose point at a joint goes by the plain name: the slider, not the guide; of two that touch the one that
+/// moves.
 BodyIndex plainly_named(const Joint& joint) {
     return joint.pair().touches() && joint.bodies.front() == frame ? joint.bodies.back() : joint.bodies.front();
 }
@@ -125,8 +126,8 @@ void Structure::add_passage(Passage::Kind kind, JointIndex joint, BodyIndex slid
     passages_[at(guide)].push_back({kind, joint, slider, guides_place, place, true});
 }
 
-/// A contact moves to second order as its equivalent linkage does: two circles as a link between their centres, a circle on a
-/// straight line as its centre in a slot parallel to the line; a tip is a circle without radius.
+/// A contact moves to second order as its equivalent linkage does: two circles as a link between their centres, a
+/// circle on a straight line as its centre in a slot parallel to the line; a tip is a circle without radius.
 void Structure::add_passages(JointIndex index) {
     using Kind = Passage::Kind;
     const Joint& joint = mechanism_.joints[at(index)];

@@ -1,6 +1,6 @@
-// Structure: which places of which bodies move as one. A node is a place as carried by one body, or by several that a pin or a
-// weld holds together there; a place that two bodies carry without a pin gives two nodes (A of the slider, A* of the guide).
-// Knows how bodies hang together; nothing of where they are or how fast.
+// Structure: which places of which bodies move as one. A node is a place as carried by one body, or by several that a
+// pin or a weld holds together there; a place that two bodies carry without a pin gives two nodes (A of the slider, A*
+// of the guide). Knows how bodies hang together; nothing of where they are or how fast.
 #pragma once
 
 #include <array>
@@ -30,8 +30,9 @@ struct Slide {
     bool inverse = false;  ///< the body asked about carries the guide
 };
 
-/// What a pair with two freedoms leaves to a place: seen from one body, its place `own` can move past the place `others` of the
-/// other body along one line only. A contact of round or straight profiles is one by its equivalent linkage.
+/// What a pair with two freedoms leaves to a place: seen from one body, its place `own` can move past the place
+/// `others` of the other body along one line only. A contact of round or straight profiles is one by its equivalent
+/// linkage.
 struct Passage {
     enum class Kind {
         slot,     ///< in a slot of one body, straight or curved about a centre (own = others)
@@ -81,10 +82,13 @@ public:
     /// Pin-slots, contacts and gears of a body: they hold at their own place only.
     const std::vector<Passage>& passages_of(BodyIndex body) const { return passages_[at_index(body)]; }
     const std::vector<Rolling>& rollings_of(BodyIndex body) const { return rollings_[at_index(body)]; }
-    /// Whether the curvatures at a rolling joint or contact are given and differ, so that accelerations can be drawn there.
+    /// Whether the curvatures at a rolling joint or contact are given and differ, so that accelerations can be drawn
+    /// there.
     bool has_curvatures(JointIndex joint) const { return curvatures_[at_index(joint)]; }
     /// Bodies that turn as one with a body: through sleeves and welds.
-    const std::vector<std::pair<BodyIndex, JointIndex>>& same_spin(BodyIndex body) const { return same_spin_[at_index(body)]; }
+    const std::vector<std::pair<BodyIndex, JointIndex>>& same_spin(BodyIndex body) const {
+        return same_spin_[at_index(body)];
+    }
     /// Whether a joint holds the body to the frame.
     bool is_guided_by_frame(BodyIndex body) const { return guided_[at_index(body)]; }
     const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[at_index(body)].name; }

@@ -6,29 +6,31 @@
 #include <map>
 #include <utility>
 
-#include "constructions/positions/cycle.hpp"
 #include "constructions/moving/moving_held.hpp"
 #include "constructions/moving/moving_rules.hpp"
+#include "constructions/positions/cycle.hpp"
 #include "constructions/positions/named_results.hpp"
 #include "constructions/solving/solve.hpp"
-#include "engine/sentences/centre_symbol.hpp"
+#include "engine/board/replay.hpp"
 #include "engine/mechanism/drivers.hpp"
 #include "engine/motion/moved.hpp"
+#include "engine/sentences/centre_symbol.hpp"
 #include "engine/solution/problem_solution.hpp"
-#include "engine/board/replay.hpp"
 #include "engine/solution/sliding.hpp"
 
 namespace kinegraph {
 namespace {
 
-/// Over the way, every five degrees of a turn, where what is special likes to be; and how near a limit the last one stands, as a
-/// share of the way.
+/// Over the way, every five degrees of a turn, where what is special likes to be; and how near a limit the last one
+/// stands, as a share of the way.
 constexpr int samples_of_way = 72;
 constexpr double short_of_limit = 1e-6;
-/// Positions that are special (a body at rest, two lines parallel) serve nowhere else; few stretches are more than an instant.
+/// Positions that are special (a body at rest, two lines parallel) serve nowhere else; few stretches are more than an
+/// instant.
 constexpr std::size_t most_plans = 12;
 
-// --- plans --------------------------------------------------------------------------------------------------------------------
+// --- plans
+// --------------------------------------------------------------------------------------------------------------------
 
 /// What is drawn, under names that any plan of the mechanism has, and what the columns read.
 class Planned {
@@ -47,7 +49,8 @@ public:
         for (const Value& value : givens_of(record.program, solution_.mechanism, solution_.pose))
             plan_.givens.push_back(to_double(value));
         for (std::size_t i = 0; i < record.program.givens.size(); ++i)
-            if (const auto rule = rules.of(record.program.givens[i], static_cast<int>(i))) plan_.moving.push_back(*rule);
+            if (const auto rule = rules.of(record.program.givens[i], static_cast<int>(i)))
+                plan_.moving.push_back(*rule);
         plan_.program = std::move(record.program);
         return std::move(plan_);
     }
@@ -65,22 +68,25 @@ private:
     void read_vectors() {
         for (const DrawnVector& drawn : solution_.protocol.vectors)
             if (drawn.trial == 0)
-                plan_.vectors.push_back({figure(drawn.polygon), name_of(drawn.symbol), drawn.tail, drawn.tip, drawn.vanishes});
+                plan_.vectors.push_back(
+                    {figure(drawn.polygon), name_of(drawn.symbol), drawn.tail, drawn.tip, drawn.vanishes});
     }
     void read_spots() {
         for (const Image& image : solution_.protocol.images)
             if (image.trial == 0) plan_.spots.push_back({figure(image.polygon), name_of(image.symbol), image.point});
         for (const InstantCentre& centre : solution_.centres)
             if (centre.at.element() != none)
-                plan_.spots.push_back(
-                    {"", name_of(centre_symbol(solution_.mechanism, centre.first, centre.second, false)), centre.at.element()});
+                plan_.spots.push_back({"",
+                                       name_of(centre_symbol(solution_.mechanism, centre.first, centre.second, false)),
+                                       centre.at.element()});
     }
     void read_lines() {
         std::map<std::string, int> count;
         for (const DrawnLine& line : solution_.protocol.lines) {
             if (line.trial != 0) continue;
             std::string name = line.polygon < 0 ? "" : figure(line.polygon);
-            std::string key = std::to_string(static_cast<int>(line.reason.kind)) + " " + line.reason.from + " " + line.reason.to;
+            std::string key =
+                std::to_string(static_cast<int>(line.reason.kind)) + " " + line.reason.from + " " + line.reason.to;
             key += " " + std::to_string(count[name + " " + key]++);
             plan_.lines.push_back({std::move(name), std::move(key), line.statement, line.line, line.points});
         }
@@ -114,7 +120,8 @@ private:
     MovingPlan plan_;
 };
 
-// --- courses ------------------------------------------------------------------------------------------------------------------
+// --- courses
+// ------------------------------------------------------------------------------------------------------------------
 
 class Courses {
 public:
@@ -139,7 +146,9 @@ public:
     }
 
 private:
-    void add_plan(const Solution& solution) { moving_.plans.push_back(Planned(solution, moving_.columns).plan(rules_)); }
+    void add_plan(const Solution& solution) {
+        moving_.plans.push_back(Planned(solution, moving_.columns).plan(rules_));
+    }
 
     double direction_of(const Body& body) const {
         for (std::size_t i = 1; i < body.points.size(); ++i) {
@@ -228,7 +237,8 @@ private:
             return;
         }
         Moved moved = mover_.moved(positions, Exact::from_double(sample.coordinate));
-        if (rates) moved.mechanism.drivers[at_index(driver)] = with_rates(moved.mechanism.drivers[at_index(driver)], *rates);
+        if (rates)
+            moved.mechanism.drivers[at_index(driver)] = with_rates(moved.mechanism.drivers[at_index(driver)], *rates);
         for (std::size_t i = 0; i < moving_.plans.size(); ++i) {
             const std::size_t tried = (i + last_) % moving_.plans.size();
             if (!replays(moving_.plans[tried], moved.mechanism, moved.pose)) continue;
@@ -236,7 +246,8 @@ private:
             sample.plan = static_cast<int>(tried);
             return;
         }
-        const Solution solution = solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
+        const Solution solution =
+            solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
         MovingPlan plan = Planned(solution, moving_.columns).plan(rules_);
         if (moving_.plans.size() < most_plans && replays(plan, solution.mechanism, solution.pose)) {
             last_ = moving_.plans.size();
@@ -255,8 +266,8 @@ private:
         std::vector<std::optional<double>> values;
         for (const Column& column : moving_.columns) {
             const Quantity& q = column.quantity;
-            const auto entry =
-                std::find_if(entries.begin(), entries.end(), [&](const FoundValue& each) { return each.quantity == q; });
+            const auto entry = std::find_if(entries.begin(), entries.end(),
+                                            [&](const FoundValue& each) { return each.quantity == q; });
             std::optional<double>& value = values.emplace_back();
             if (entry == entries.end()) continue;
             if (column.kind == Column::Kind::along) {
@@ -265,7 +276,8 @@ private:
                     return VectorOf<double>{v.x.to_double(), v.y.to_double()};
                 };
                 const Pose& pose = solution.pose;
-                value = dot(direction_of_sliding(rough(pose.guides), rough(pose.tangents), rough(pose.normals)), entry->vector);
+                value = dot(direction_of_sliding(rough(pose.guides), rough(pose.tangents), rough(pose.normals)),
+                            entry->vector);
             } else if (column.kind == Column::Kind::result) {
                 value = q.component == Quantity::Component::whole ? entry->scalar
                         : q.component == Quantity::Component::x   ? entry->vector.x

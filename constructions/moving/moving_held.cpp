@@ -17,9 +17,9 @@ public:
         read_bodies("", solution_.free_bodies, solution_.taken_together);
         if (solution_.superposition)
             for (const Superposition::Part& part : solution_.superposition->parts)
-                read_bodies(
-                    part.body != none ? solution_.mechanism.body(part.body).name : solution_.mechanism.point(part.pin).name,
-                    part.bodies, part.together);
+                read_bodies(part.body != none ? solution_.mechanism.body(part.body).name
+                                              : solution_.mechanism.point(part.pin).name,
+                            part.bodies, part.together);
         for (const JointForce& pair : solution_.forces) {
             add(held_pair(pair), none, pair.force.element());
             add(couple_of(held_pair(pair)), none, none, pair.couple.element());
@@ -33,13 +33,15 @@ public:
 
 private:
     void add(std::string name, ElementIndex place, ElementIndex vector = none, ElementIndex couple = none) {
-        if (place != none || vector != none || couple != none) held_.push_back({std::move(name), place, vector, couple});
+        if (place != none || vector != none || couple != none)
+            held_.push_back({std::move(name), place, vector, couple});
     }
     void add(const std::string& held, const AppliedForce& applied) {
         if (applied.elements.force != none) add(held, applied.elements.at, applied.elements.force);
         if (applied.elements.couple != none) add(couple_of(held), applied.elements.at, none, applied.elements.couple);
     }
-    void read_bodies(const std::string& load, const std::vector<FreeBody>& bodies, const std::vector<TakenTogether>& together) {
+    void read_bodies(const std::string& load, const std::vector<FreeBody>& bodies,
+                     const std::vector<TakenTogether>& together) {
         for (const FreeBody& body : bodies) read_body(load, body);
         for (std::size_t i = 0; i < together.size(); ++i) {
             for (const AppliedForce& sum : together[i].sums) add(held_sum(load, i, sum), sum);
@@ -62,7 +64,9 @@ private:
         add(held_string(load, funicular, count), funicular.resultant.element());
     }
     void read(const Curvature& found) {
-        const auto place = [&](const std::string& what, ElementIndex element) { add(held_curvature(found.body, what), element); };
+        const auto place = [&](const std::string& what, ElementIndex element) {
+            add(held_curvature(found.body, what), element);
+        };
         place("pole", found.pole.element());
         place("axis", found.axis_point.element());
         place("inflection", found.inflection_pole.element());

@@ -9,7 +9,8 @@
 
 namespace kinegraph {
 
-/// Of forces, under all loads and under those of one body alone, of curvature and of powers; what vanishes has no element.
+/// Of forces, under all loads and under those of one body alone, of curvature and of powers; what vanishes has no
+/// element.
 std::vector<MovingPlan::Held> held_by(const Solution& solution);
 
 }  // namespace kinegraph

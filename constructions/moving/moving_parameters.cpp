@@ -1,6 +1,6 @@
-// Lengths and parameters: see moving_parameters.hpp. A file read with another value draws another position of another mechanism.
-// Its numbers are made comparable by turning every body's back to where the body stood: so a bar's length is one number, and the
-// driver's coordinate means the same.
+// Lengths and parameters: see moving_parameters.hpp. A file read with another value draws another position of another
+// mechanism. Its numbers are made comparable by turning every body's back to where the body stood: so a bar's length is
+// one number, and the driver's coordinate means the same.
 #include "constructions/moving/moving_parameters.hpp"
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "constructions/moving/moving_rules.hpp"
-#include "engine/mechanism/drivers.hpp"
-#include "engine/file/json_source.hpp"
-#include "engine/motion/positions.hpp"
 #include "engine/board/program.hpp"
+#include "engine/file/json_source.hpp"
 #include "engine/file/units.hpp"
+#include "engine/mechanism/drivers.hpp"
+#include "engine/motion/positions.hpp"
 
 namespace kinegraph {
 namespace {
@@ -27,7 +27,8 @@ constexpr std::size_t most_parameters = 8;
 /// How exactly a polynomial must hold, as a share of the number or of 1 (lengths are counted in the drawing's size).
 constexpr double exactly_enough = 1e-11;
 
-// --- lengths ------------------------------------------------------------------------------------------------------------------
+// --- lengths
+// ------------------------------------------------------------------------------------------------------------------
 
 std::string name_of_length(const Mechanism& mechanism, PointIndex from, PointIndex to) {
     const std::string& a = mechanism.point(from).name;
@@ -68,7 +69,8 @@ bool has_distributed_load(const Mechanism& mechanism, BodyIndex body) {
     });
 }
 
-// --- numbers ------------------------------------------------------------------------------------------------------------------
+// --- numbers
+// ------------------------------------------------------------------------------------------------------------------
 
 Spot turned_by(const Spot& a, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -102,8 +104,10 @@ public:
 
     /// Nothing where the file is not drawn with these values, or is another mechanism.
     std::optional<Numbers> read(const Mechanism& mechanism, const Pose& pose) {
-        if (mechanism.bodies.size() != mechanism_.bodies.size() || mechanism.points.size() != mechanism_.points.size() ||
-            mechanism.drivers.size() != mechanism_.drivers.size() || mechanism.joints.size() != mechanism_.joints.size())
+        if (mechanism.bodies.size() != mechanism_.bodies.size() ||
+            mechanism.points.size() != mechanism_.points.size() ||
+            mechanism.drivers.size() != mechanism_.drivers.size() ||
+            mechanism.joints.size() != mechanism_.joints.size())
             return std::nullopt;
         const auto positions = Positions::of(mechanism, pose, Course{moving_.courses.front().driver});
         if (!positions || positions->rows().size() != moving_.rows.size() || positions->frozen() != moving_.frozen)
@@ -135,8 +139,8 @@ private:
         }
         return all;
     }
-    /// How far each body is drawn turned against where it was drawn first. A body without two places has its guide's direction,
-    /// or goes with the one that does not turn against it.
+    /// How far each body is drawn turned against where it was drawn first. A body without two places has its guide's
+    /// direction, or goes with the one that does not turn against it.
     void measure_turns(const Mechanism& mechanism, const Pose& pose, const Positions& positions) {
         const auto now = directions(mechanism, pose);
         std::vector<bool> known(now.size(), false);
@@ -183,8 +187,8 @@ private:
             return true;
         }
         if (row.kind == Kind::on_line) {
-            // Along the line the place of Q is any, and so is P's on a body that does not turn against it; a driver's zero stays
-            // where it was drawn first.
+            // Along the line the place of Q is any, and so is P's on a body that does not turn against it; a driver's
+            // zero stays where it was drawn first.
             along = turned_by(along, -turn(row.j));
             offset += dot(along, q - first.q) - share_ * row.lever * against;
             q = first.q;
@@ -218,7 +222,8 @@ private:
     }
     void read_points(const std::vector<Positions::PointRule>& points) {
         for (std::size_t p = 0; p < points.size(); ++p)
-            if (points[p].carrier.body != none) numbers_.add(List::point, p, 0, of(points[p].carrier.body, points[p].local));
+            if (points[p].carrier.body != none)
+                numbers_.add(List::point, p, 0, of(points[p].carrier.body, points[p].local));
     }
     void read_joints(const std::vector<Positions::JointRule>& joints) {
         for (std::size_t k = 0; k < joints.size(); ++k) {
@@ -250,10 +255,10 @@ private:
                 if (rule.has_value() != is_moving || (rule && rule->rule != plan.moving[next].rule)) return false;
                 if (rule) {
                     numbers_.add(List::given_factor, in, next, 0, rule->factor);
-                    numbers_.add(
-                        List::given_offset, in, next, 0,
-                        rule->offset -
-                            (rule->rule == MovingGiven::Rule::torsion ? turn(rule->bodies[0]) - turn(rule->bodies[1]) : 0));
+                    numbers_.add(List::given_offset, in, next, 0,
+                                 rule->offset - (rule->rule == MovingGiven::Rule::torsion
+                                                     ? turn(rule->bodies[0]) - turn(rule->bodies[1])
+                                                     : 0));
                     ++next;
                 } else {
                     read_constant(in, g, to_double(given_value(given, mechanism, pose)));
@@ -306,13 +311,15 @@ private:
 /// To twelve digits: beyond them stands the noise of sines, which are not the same on every machine.
 double to_twelve_digits(double value) {
     std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::scientific, 11).ptr;
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::scientific, 11).ptr;
     double rounded = 0;
     std::from_chars(digits.data(), end, rounded);
     return rounded;
 }
 
-// --- polynomials --------------------------------------------------------------------------------------------------------------
+// --- polynomials
+// --------------------------------------------------------------------------------------------------------------
 
 /// One or two by one or two.
 struct Small {
@@ -403,8 +410,8 @@ private:
             const WrittenParameter& parameter = all[index].parameter;
             std::array<char, 32> digits{};
             const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), parameter.number + by).ptr;
-            set.push_back(
-                {parameter.name, std::string(digits.data(), end) + (parameter.unit.empty() ? "" : " " + parameter.unit)});
+            set.push_back({parameter.name,
+                           std::string(digits.data(), end) + (parameter.unit.empty() ? "" : " " + parameter.unit)});
         }
         const auto mechanism = rereading_.read(set);
         if (!mechanism) return std::nullopt;
@@ -419,7 +426,8 @@ private:
         const KnownUnit* unit = parameter.unit.empty() ? nullptr : unit_spelt(parameter.unit);
         return unit != nullptr && unit->kind == QuantityKind::angle ? unit->si.to_double() : 0;
     }
-    /// Takes it where everything that follows from it does so by its Δ, also beside those that were taken before; else why not.
+    /// Takes it where everything that follows from it does so by its Δ, also beside those that were taken before; else
+    /// why not.
     std::optional<Moving::Fixed::Why> try_parameter(const WrittenParameter& parameter) {
         const double radians = radians_of(parameter), whole = radians == 0 ? std::abs(parameter.number) : 2.5 / radians;
         for (const double share : {0.125, 0.015625}) {
@@ -478,8 +486,10 @@ private:
         const Small solved = inverse(taken.at_steps());
         for (std::size_t a = 0; a < 2; ++a) slopes_[2 * own + a].clear();
         for (std::size_t i = 0; i < base_.values.size(); ++i) {
-            const Small by = product(solved, {2, 1, {more.values[i] - base_.values[i], 0, less.values[i] - base_.values[i], 0}});
-            for (std::size_t a = 0; a < 2; ++a) slopes_[2 * own + a].push_back(without_noise(by.at(a, 0), taken.largest(), i));
+            const Small by =
+                product(solved, {2, 1, {more.values[i] - base_.values[i], 0, less.values[i] - base_.values[i], 0}});
+            for (std::size_t a = 0; a < 2; ++a)
+                slopes_[2 * own + a].push_back(without_noise(by.at(a, 0), taken.largest(), i));
         }
     }
     /// What both do beyond what each does alone.
@@ -520,7 +530,8 @@ private:
         for (const auto& [a, by_a] : deltas) {
             add(slopes_.at(a), by_a);
             for (const auto& [b, by_b] : deltas)
-                if (const auto known = products_.find({a, b}); known != products_.end()) add(known->second, by_a * by_b);
+                if (const auto known = products_.find({a, b}); known != products_.end())
+                    add(known->second, by_a * by_b);
         }
         return found;
     }
@@ -534,7 +545,8 @@ private:
             if (!found) return false;
             const std::vector<double> expected = values(all, at);
             for (std::size_t i = 0; i < expected.size(); ++i)
-                if (!(std::abs(found->values[i] - expected[i]) <= exactly_enough * std::max(std::abs(expected[i]), 1.0)))
+                if (!(std::abs(found->values[i] - expected[i]) <=
+                      exactly_enough * std::max(std::abs(expected[i]), 1.0)))
                     return false;
         }
         return true;
@@ -602,12 +614,14 @@ std::vector<MovingSetting> lengths_of(const Mechanism& mechanism, const Pose& po
     if (!carriers) return lengths;
     for (const BodyIndex body : mechanism.moving_bodies()) {
         const auto hinges = hinges_of(mechanism, pose, body);
-        if (!hinges || hinges->size() != 2 || mechanism.body(body).circle || has_distributed_load(mechanism, body)) continue;
+        if (!hinges || hinges->size() != 2 || mechanism.body(body).circle || has_distributed_load(mechanism, body))
+            continue;
         const Vector along = pose.at((*hinges)[1]) - pose.at((*hinges)[0]);
         bool is_bar = true;
         for (std::size_t i = 0; i < carriers->size(); ++i)
             if ((*carriers)[i].body == body)
-                is_bar = is_bar && cross(along, pose.at(PointIndex(static_cast<int>(i))) - pose.at((*hinges)[0])).is_zero();
+                is_bar =
+                    is_bar && cross(along, pose.at(PointIndex(static_cast<int>(i))) - pose.at((*hinges)[0])).is_zero();
         if (is_bar) add(MovingSetting::Kind::bar, body, (*hinges)[0], (*hinges)[1]);
     }
     const auto ground = hinges_of(mechanism, pose, frame);
@@ -622,11 +636,13 @@ Rereading rereading_of(std::string text, std::string source, std::vector<Setting
     if (!parameters || !parameters.is_object()) return rereading;
     for (const JsonValue each : parameters) {
         const std::string name(each.key());
-        const auto own = std::find_if(set.begin(), set.end(), [&](const Setting& setting) { return setting.name == name; });
+        const auto own =
+            std::find_if(set.begin(), set.end(), [&](const Setting& setting) { return setting.name == name; });
         if (const auto found = written(name, own != set.end() ? std::string_view(own->value) : each.text()))
             rereading.parameters.push_back(*found);
     }
-    rereading.read = [text = std::move(text), source = std::move(source), set = std::move(set)](std::span<const Setting> others) {
+    rereading.read = [text = std::move(text), source = std::move(source),
+                      set = std::move(set)](std::span<const Setting> others) {
         std::vector<Setting> all = set;
         for (const Setting& other : others) {
             std::erase_if(all, [&](const Setting& each) { return each.name == other.name; });

@@ -68,34 +68,22 @@ std::optional<MovingGiven> MovingRules::of(const Given& given, int index) const 
     rule.given = index;
     rule.index = given.index;
     switch (given.kind) {
-        case Given::Kind::place:
-            return with(rule, Rule::place);
-        case Given::Kind::guide:
-            return with(rule, Rule::guide);
-        case Given::Kind::guide_unit:
-            return with(rule, Rule::guide_unit);
-        case Given::Kind::normal:
-            return with(rule, Rule::normal);
-        case Given::Kind::other_normal:
-            return with(rule, Rule::other_normal);
-        case Given::Kind::tangent:
-            return with(rule, Rule::tangent);
-        case Given::Kind::push:
-            rule.factor = push_of(at_index(given.index));
-            return with(rule, Rule::normal);
+        case Given::Kind::place: return with(rule, Rule::place);
+        case Given::Kind::guide: return with(rule, Rule::guide);
+        case Given::Kind::guide_unit: return with(rule, Rule::guide_unit);
+        case Given::Kind::normal: return with(rule, Rule::normal);
+        case Given::Kind::other_normal: return with(rule, Rule::other_normal);
+        case Given::Kind::tangent: return with(rule, Rule::tangent);
+        case Given::Kind::push: rule.factor = push_of(at_index(given.index)); return with(rule, Rule::normal);
         case Given::Kind::driver_velocity:
-        case Given::Kind::driver_acceleration:
-            return of_driver(rule, given.kind == Given::Kind::driver_velocity);
+        case Given::Kind::driver_acceleration: return of_driver(rule, given.kind == Given::Kind::driver_velocity);
         case Given::Kind::effort_unit:
             return along(rule, std::get<ForceEffort>(mechanism_.efforts[at_index(given.index)]).along);
-        case Given::Kind::load_force:
-            return setting(rule, MovingSetting::Kind::load);
+        case Given::Kind::load_force: return setting(rule, MovingSetting::Kind::load);
         case Given::Kind::load_unit:
         case Given::Kind::load_unit_back:
-        case Given::Kind::load_magnitude:
-            return of_load(rule, given.kind, mechanism_.loads[at_index(given.index)]);
-        default:
-            return std::nullopt;
+        case Given::Kind::load_magnitude: return of_load(rule, given.kind, mechanism_.loads[at_index(given.index)]);
+        default: return std::nullopt;
     }
 }
 

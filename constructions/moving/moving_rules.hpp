@@ -1,15 +1,15 @@
-// Moving rules: which givens of a program hang on the position, by which rule, and which may be changed by hand: rates of drivers
-// and sizes of loads. Knows no program as a whole.
+// Moving rules: which givens of a program hang on the position, by which rule, and which may be changed by hand: rates
+// of drivers and sizes of loads. Knows no program as a whole.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/board/program.hpp"
+#include "engine/drawing/pose.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/solution/moving.hpp"
-#include "engine/drawing/pose.hpp"
-#include "engine/board/program.hpp"
 
 namespace kinegraph {
 

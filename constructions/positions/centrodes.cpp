@@ -77,7 +77,8 @@ std::optional<BodyColumns> columns_of(const std::vector<Column>& columns, const 
     return std::nullopt;
 }
 
-/// One position: the pole in homogeneous form, P = A + z∧(v_2 − v_1)(A)/ω, and its images on both bodies where it is finite.
+/// One position: the pole in homogeneous form, P = A + z∧(v_2 − v_1)(A)/ω, and its images on both bodies where it is
+/// finite.
 struct Sample {
     double s = 0, omega = 0;
     bool known = false, finite = false;  ///< finite: no farther than Centrodes::cut_at
@@ -86,7 +87,8 @@ struct Sample {
 
 class Tracer {
 public:
-    Tracer(const Mechanism& mechanism, const Pose& pose, Cycle cycle, const Travel& travel, BodyIndex first, BodyIndex second)
+    Tracer(const Mechanism& mechanism, const Pose& pose, Cycle cycle, const Travel& travel, BodyIndex first,
+           BodyIndex second)
         : cycle_(std::move(cycle)), travel_(travel), size_(pose.size.to_double()) {
         found_.first = first;
         found_.second = second;
@@ -145,7 +147,8 @@ private:
         // What is left of two equal rates by rounding is none.
         constexpr double rounding = 1e-10;
         if (std::abs(sample.omega) * size_ <= rounding * size_of(relative)) sample.omega = 0;
-        sample.finite = std::abs(sample.omega) * Centrodes::cut_at * size_ > size_of(aside + sample.omega * (place - middle_));
+        sample.finite =
+            std::abs(sample.omega) * Centrodes::cut_at * size_ > size_of(aside + sample.omega * (place - middle_));
         if (!sample.finite) return sample;
         const Spot pole = place + (1 / sample.omega) * aside;
         sample.fixed = cycle_.positions().seen_from(found_.first, pole);
@@ -266,8 +269,8 @@ private:
 
 }  // namespace
 
-Result<Centrodes> trace_centrodes(const Mechanism& mechanism, const Pose& pose, int driver, const Travel& travel, BodyIndex first,
-                                  BodyIndex second) {
+Result<Centrodes> trace_centrodes(const Mechanism& mechanism, const Pose& pose, int driver, const Travel& travel,
+                                  BodyIndex first, BodyIndex second) {
     const Mechanism driven = at_unit_rate(mechanism, driver);
     auto cycle = Cycle::of(driven, pose, driver);
     if (!cycle) return tl::unexpected(std::move(cycle.error()));

@@ -11,7 +11,8 @@ namespace kinegraph {
 namespace {
 
 const NamedResult* result_named(const std::vector<NamedResult>& results, const std::string& name) {
-    const auto found = std::find_if(results.begin(), results.end(), [&](const NamedResult& r) { return r.column.name == name; });
+    const auto found =
+        std::find_if(results.begin(), results.end(), [&](const NamedResult& r) { return r.column.name == name; });
     return found == results.end() ? nullptr : &*found;
 }
 
@@ -37,8 +38,8 @@ public:
         if (!read)
             return fails({ErrorCode::bad_input,
                           condition_.where,
-                          {"{0} is {1}, and {2} is {3}", "{0} è {1}, e {2} è {3}", quoted(kin->column.name), with_article(kind),
-                           quoted(side.text), described(*side.measured)}});
+                          {"{0} is {1}, and {2} is {3}", "{0} è {1}, e {2} è {3}", quoted(kin->column.name),
+                           with_article(kind), quoted(side.text), described(*side.measured)}});
         return read->in_si().to_double();
     }
 
@@ -58,16 +59,11 @@ private:
 bool compares(Condition::Relation relation, double left, double right) {
     const bool equal = std::abs(left - right) <= 1e-9 * std::max(std::abs(left), std::abs(right));
     switch (relation) {
-        case Condition::Relation::less:
-            return left < right && !equal;
-        case Condition::Relation::at_most:
-            return left < right || equal;
-        case Condition::Relation::equal:
-            return equal;
-        case Condition::Relation::at_least:
-            return left > right || equal;
-        case Condition::Relation::greater:
-            return left > right && !equal;
+        case Condition::Relation::less: return left < right && !equal;
+        case Condition::Relation::at_most: return left < right || equal;
+        case Condition::Relation::equal: return equal;
+        case Condition::Relation::at_least: return left > right || equal;
+        case Condition::Relation::greater: return left > right && !equal;
     }
     return false;
 }
@@ -82,7 +78,8 @@ Result<bool> holds(const Condition& condition, const Solution& solution, const s
     if (condition.kind == Condition::Kind::compares) return compares(condition.relation, *left, *right);
     const auto upper = sides.value(condition.upper);
     if (!upper) return tl::unexpected(upper.error());
-    return compares(Condition::Relation::at_least, *left, *right) && compares(Condition::Relation::at_most, *left, *upper);
+    return compares(Condition::Relation::at_least, *left, *right) &&
+           compares(Condition::Relation::at_most, *left, *upper);
 }
 
 std::optional<Error> missing_polygon(const Solution& solution, const Condition& condition) {
@@ -95,18 +92,21 @@ std::optional<Error> missing_polygon(const Solution& solution, const Condition& 
     switch (condition.polygon) {
         case Condition::Polygon::velocity:
             if (moves(&PointMotion::velocity)) return std::nullopt;
-            return refused({"no velocity polygon is drawn of this file; take the condition out, or let it find velocities",
-                            "di questo file non si disegna un poligono delle velocità; togliere la condizione, o far trovare "
-                            "le velocità"});
+            return refused(
+                {"no velocity polygon is drawn of this file; take the condition out, or let it find velocities",
+                 "di questo file non si disegna un poligono delle velocità; togliere la condizione, o far trovare "
+                 "le velocità"});
         case Condition::Polygon::acceleration:
             if (moves(&PointMotion::acceleration)) return std::nullopt;
-            return refused({"no acceleration polygon is drawn of this file; take the condition out, or let it find accelerations",
-                            "di questo file non si disegna un poligono delle accelerazioni; togliere la condizione, o far "
-                            "trovare le accelerazioni"});
+            return refused(
+                {"no acceleration polygon is drawn of this file; take the condition out, or let it find accelerations",
+                 "di questo file non si disegna un poligono delle accelerazioni; togliere la condizione, o far "
+                 "trovare le accelerazioni"});
         case Condition::Polygon::force:
             if (!solution.forces.empty()) return std::nullopt;
             return refused(
-                {"no force polygon is drawn of this file, which has no forces; take the condition out, or add \"loads\"",
+                {"no force polygon is drawn of this file, which has no forces; take the condition out, or add "
+                 "\"loads\"",
                  "di questo file, che non ha forze, non si disegna un poligono delle forze; togliere la condizione, "
                  "o aggiungere \"loads\""});
     }

@@ -1,5 +1,5 @@
-// Conditions of an exercise, held against the results of a solution. Knows no paper: whether a polygon can be read is asked of
-// whoever draws it.
+// Conditions of an exercise, held against the results of a solution. Knows no paper: whether a polygon can be read is
+// asked of whoever draws it.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,13 @@
 
 namespace kinegraph {
 
-/// Whether a comparison holds of these results. Equal is what differs by less than 1e-9 of the larger. Errors: a result that the
-/// solution has not got (bad input, or no unique answer), or that is of another kind than what it is compared with.
+/// Whether a comparison holds of these results. Equal is what differs by less than 1e-9 of the larger. Errors: a result
+/// that the solution has not got (bad input, or no unique answer), or that is of another kind than what it is compared
+/// with.
 Result<bool> holds(const Condition& condition, const Solution& solution, const std::vector<NamedResult>& results);
 
-/// What an exercise asks for, compares or wants to be readable, and its solution has not got, each at its place: missing_result,
-/// or a polygon that is not drawn. `results`: results_for.
+/// What an exercise asks for, compares or wants to be readable, and its solution has not got, each at its place:
+/// missing_result, or a polygon that is not drawn. `results`: results_for.
 Errors missing_in(const Solution& solution, const std::vector<NamedResult>& results);
 /// The same of a file that may have no exercise; nothing where not all is found, which the solution tells itself.
 Errors missing_in(const Solution& solution);

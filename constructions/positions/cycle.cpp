@@ -9,14 +9,14 @@
 
 #include "constructions/positions/effort_rows.hpp"
 #include "constructions/positions/givens_here.hpp"
-#include "constructions/verdicts/largest_difference.hpp"
 #include "constructions/positions/named_results.hpp"
 #include "constructions/solving/solve.hpp"
+#include "constructions/verdicts/largest_difference.hpp"
+#include "engine/board/replay.hpp"
 #include "engine/check/check.hpp"
 #include "engine/check/check_forces.hpp"
 #include "engine/mechanism/drivers.hpp"
 #include "engine/motion/moved.hpp"
-#include "engine/board/replay.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/solution/sliding.hpp"
 
@@ -57,7 +57,8 @@ struct PlannedPosition {
 
 }  // namespace
 
-// --- rows ---------------------------------------------------------------------------------------------------------------------
+// --- rows
+// ---------------------------------------------------------------------------------------------------------------------
 
 class Cycle::Rows {
 public:
@@ -104,8 +105,8 @@ public:
         PlannedPosition* plan = replayed();
         if (plan != nullptr && !fill(*plan)) return std::nullopt;
         if (plan == nullptr || !has_efforts_replayed()) {
-            // Its own verdicts may drown in doubles where something is nearly special (a body nearly at rest): its values are
-            // exact.
+            // Its own verdicts may drown in doubles where something is nearly special (a body nearly at rest): its
+            // values are exact.
             const Solution solution = planned_here();
             keep(solution);
             if (!fill_from(solution)) return std::nullopt;
@@ -116,8 +117,8 @@ public:
         return values_;
     }
 
-    /// Near a limit the places go with the root of the distance from it: two places, one four times as far as the other, tell
-    /// where they lead (Richardson's extrapolation).
+    /// Near a limit the places go with the root of the distance from it: two places, one four times as far as the
+    /// other, tell where they lead (Richardson's extrapolation).
     std::vector<std::optional<double>> at_limit(double limit, double inward) {
         constexpr double near = 1e-8;  // of the way; the limit itself is known to 1e-9
         const auto places = [&](double share) {
@@ -144,7 +145,8 @@ public:
     int plans() const { return planned_; }
 
 private:
-    /// The driver's rate where it is a clock: it does not change, and those that go along have theirs in proportion. Else zero.
+    /// The driver's rate where it is a clock: it does not change, and those that go along have theirs in proportion.
+    /// Else zero.
     double rate_along(const Course& course) const {
         const auto rates = [&](int driver) { return rates_of(mechanism_.drivers[at_index(driver)]); };
         const Rates own = rates(course.driver);
@@ -188,7 +190,8 @@ private:
         }
     }
 
-    // --- by record ------------------------------------------------------------------------------------------------------------
+    // --- by record
+    // ------------------------------------------------------------------------------------------------------------
     Solution planned_here() {
         ++planned_;
         Moved moved = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
@@ -203,19 +206,22 @@ private:
         std::vector<ElementIndex> wanted;
         for (const FoundValue& entry : entries)
             if (entry.element != none) wanted.push_back(entry.element);
-        const Cut record =
-            cut(solution.protocol.program, wanted, has_forces_ ? solution.settled.forces : solution.settled.accelerations);
-        PlannedPosition plan{
-            Replay(record.program, givens_of(record.program, solution.mechanism, solution.pose), solution.pose.size.to_double()),
-            {},
-            std::vector<PlannedPosition::Source>(columns_.size())};
+        const Cut record = cut(solution.protocol.program, wanted,
+                               has_forces_ ? solution.settled.forces : solution.settled.accelerations);
+        PlannedPosition plan{Replay(record.program, givens_of(record.program, solution.mechanism, solution.pose),
+                                    solution.pose.size.to_double()),
+                             {},
+                             std::vector<PlannedPosition::Source>(columns_.size())};
         for (std::size_t i = 0; i < record.program.givens.size(); ++i)
-            if (hangs_here(record.program.givens[i])) plan.moving.emplace_back(static_cast<int>(i), record.program.givens[i]);
+            if (hangs_here(record.program.givens[i]))
+                plan.moving.emplace_back(static_cast<int>(i), record.program.givens[i]);
         for (std::size_t i = 0; i < columns_.size(); ++i) {
-            const auto found = std::find_if(entries.begin(), entries.end(),
-                                            [&](const FoundValue& entry) { return entry.quantity == columns_[i].quantity; });
+            const auto found = std::find_if(entries.begin(), entries.end(), [&](const FoundValue& entry) {
+                return entry.quantity == columns_[i].quantity;
+            });
             if (found == entries.end()) continue;
-            plan.sources[i] = {true, found->element == none ? ElementIndex() : record.element[at_index(found->element)]};
+            plan.sources[i] = {true,
+                               found->element == none ? ElementIndex() : record.element[at_index(found->element)]};
         }
         // Verdicts of special positions (a right angle, a body at rest) serve nowhere else; the oldest go.
         constexpr std::size_t most = 24;
@@ -288,20 +294,13 @@ private:
     std::optional<double> place_value(const Column& column) const {
         const Quantity& q = column.quantity;
         switch (column.kind) {
-            case Column::Kind::turn:
-                return positions_.coordinate();
-            case Column::Kind::time:
-                return law_ != nullptr ? time_ : positions_.coordinate() / rate_;
-            case Column::Kind::angle:
-                return directions_[at_index(q.body)] + positions_.turn(q.body);
-            case Column::Kind::place_x:
-                return places_.points[at_index(q.point)].x;
-            case Column::Kind::place_y:
-                return places_.points[at_index(q.point)].y;
-            case Column::Kind::slid:
-                return positions_.slid(q.joint);
-            default:
-                return std::nullopt;
+            case Column::Kind::turn: return positions_.coordinate();
+            case Column::Kind::time: return law_ != nullptr ? time_ : positions_.coordinate() / rate_;
+            case Column::Kind::angle: return directions_[at_index(q.body)] + positions_.turn(q.body);
+            case Column::Kind::place_x: return places_.points[at_index(q.point)].x;
+            case Column::Kind::place_y: return places_.points[at_index(q.point)].y;
+            case Column::Kind::slid: return positions_.slid(q.joint);
+            default: return std::nullopt;
         }
     }
     double part_of(const Column& column, const Spot& vector, double scalar) const {
@@ -310,7 +309,8 @@ private:
         return column.quantity.component == Quantity::Component::x ? vector.x : vector.y;
     }
 
-    // --- by virtual work ------------------------------------------------------------------------------------------------------
+    // --- by virtual work
+    // ------------------------------------------------------------------------------------------------------
     /// The last columns: efforts that displacements give, and reactions do not.
     void add_efforts_by_work(const Solution& solution) {
         if (!solution.displacements) return;
@@ -326,14 +326,16 @@ private:
     void find_columns_of_masses(const Solution& solution) {
         const auto column = [&](const Quantity& quantity) {
             return static_cast<std::size_t>(
-                std::find_if(columns_.begin(), columns_.end(), [&](const Column& each) { return each.quantity == quantity; }) -
+                std::find_if(columns_.begin(), columns_.end(),
+                             [&](const Column& each) { return each.quantity == quantity; }) -
                 columns_.begin());
         };
         for (const Mass& mass : mechanism_.masses) {
-            const auto centre = std::find_if(solution.points.begin(), solution.points.end(), [&](const PointMotion& each) {
-                return each.point == mass.centre &&
-                       std::find(each.bodies.begin(), each.bodies.end(), mass.body) != each.bodies.end();
-            });
+            const auto centre =
+                std::find_if(solution.points.begin(), solution.points.end(), [&](const PointMotion& each) {
+                    return each.point == mass.centre &&
+                           std::find(each.bodies.begin(), each.bodies.end(), mass.body) != each.bodies.end();
+                });
             MassColumns& columns = mass_columns_.emplace_back();
             columns.alpha = column({.kind = Kind::alpha, .body = mass.body});
             if (centre == solution.points.end()) continue;
@@ -363,7 +365,8 @@ private:
         return true;
     }
 
-    // --- by check -------------------------------------------------------------------------------------------------------------
+    // --- by check
+    // -------------------------------------------------------------------------------------------------------------
     void hold_against_check() {
         put_into_check_pose();
         const NumericMotion motion = check_motion(check_mechanism_, check_pose_);
@@ -395,9 +398,12 @@ private:
     }
 
     /// What the check says to a column; nothing where it leaves it open.
-    std::optional<double> numeric(const Column& column, const NumericMotion& motion, const NumericForces* forces) const {
+    std::optional<double> numeric(const Column& column, const NumericMotion& motion,
+                                  const NumericForces* forces) const {
         const Quantity& q = column.quantity;
-        const auto part = [&](const std::array<double, 2>& v) { return v[q.component == Quantity::Component::x ? 0 : 1]; };
+        const auto part = [&](const std::array<double, 2>& v) {
+            return v[q.component == Quantity::Component::x ? 0 : 1];
+        };
         switch (q.kind) {
             case Kind::omega:
             case Kind::alpha: {
@@ -410,11 +416,11 @@ private:
                 const auto& state = motion.bodies[at_index(q.body)];
                 const Vector& place = check_pose_.at(q.point);
                 if (!(q.kind == Kind::velocity ? state.velocity_known : state.acceleration_known)) return std::nullopt;
-                return part(q.kind == Kind::velocity ? motion.velocity(q.body, place) : motion.acceleration(q.body, place));
+                return part(q.kind == Kind::velocity ? motion.velocity(q.body, place)
+                                                     : motion.acceleration(q.body, place));
             }
             case Kind::sliding_velocity:
-            case Kind::sliding_acceleration:
-                return numeric_sliding(q, motion);
+            case Kind::sliding_acceleration: return numeric_sliding(q, motion);
             case Kind::force:
             case Kind::couple:
                 for (const NumericForces::Action& action : forces->actions)
@@ -489,11 +495,14 @@ const Positions& Cycle::positions() const { return rows_->positions(); }
 std::vector<Unsolved> Cycle::begin(const Travel& travel, bool checked) { return rows_->begin(travel, checked); }
 const std::vector<Column>& Cycle::columns() const { return rows_->columns(); }
 std::optional<std::span<const double>> Cycle::row(double at) { return rows_->row(at); }
-std::vector<std::optional<double>> Cycle::at_limit(double limit, double inward) { return rows_->at_limit(limit, inward); }
+std::vector<std::optional<double>> Cycle::at_limit(double limit, double inward) {
+    return rows_->at_limit(limit, inward);
+}
 Cycle::Difference Cycle::difference() const { return rows_->difference(); }
 int Cycle::plans() const { return rows_->plans(); }
 
-// --- how far ------------------------------------------------------------------------------------------------------------------
+// --- how far
+// ------------------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -567,20 +576,21 @@ tl::expected<Travel, TravelFault> travel_of_law(const Positions& positions, cons
     return travel;
 }
 
-// --- transmission angle -------------------------------------------------------------------------------------------------------
+// --- transmission angle
+// -------------------------------------------------------------------------------------------------------
 
 namespace {
 
-/// A coupler, the follower that it pushes at the pin B, the pin A by which it is pushed itself, and the follower's hinge on the
-/// frame, or its guide there.
+/// A coupler, the follower that it pushes at the pin B, the pin A by which it is pushed itself, and the follower's
+/// hinge on the frame, or its guide there.
 struct Chain {
     PointIndex a, b, hinge;
     JointIndex pin, guide;  // pin: that at B
     BodyIndex coupler, follower;
 };
 
-/// From the driven body onwards: a coupler is pushed by the first pin at which the way reaches it, and pushes all followers at
-/// its other pins; from these the way goes on.
+/// From the driven body onwards: a coupler is pushed by the first pin at which the way reaches it, and pushes all
+/// followers at its other pins; from these the way goes on.
 class Couplers {
 public:
     Couplers(const Mechanism& mechanism, int driver) : mechanism_(mechanism) {
@@ -612,20 +622,24 @@ private:
                 const Joint* foot = follower == frame || is_reached(follower) ? nullptr : foot_of(follower);
                 if (foot == nullptr) continue;
                 const bool hinged = foot->pair().is_hinge();
-                chains_.push_back({from.point, pin.point, hinged ? foot->point : PointIndex(none), mechanism_.index_of(pin),
-                                   hinged ? JointIndex(none) : mechanism_.index_of(*foot), coupler, follower});
+                chains_.push_back({from.point, pin.point, hinged ? foot->point : PointIndex(none),
+                                   mechanism_.index_of(pin), hinged ? JointIndex(none) : mechanism_.index_of(*foot),
+                                   coupler, follower});
                 reached_.push_back(follower);
             }
         }
     }
-    bool is_reached(BodyIndex body) const { return std::find(reached_.begin(), reached_.end(), body) != reached_.end(); }
+    bool is_reached(BodyIndex body) const {
+        return std::find(reached_.begin(), reached_.end(), body) != reached_.end();
+    }
     bool on_frame(BodyIndex body) const {
         return std::any_of(mechanism_.joints.begin(), mechanism_.joints.end(),
                            [&](const Joint& joint) { return joint.connects(body) && joint.connects(frame); });
     }
     const Joint* foot_of(BodyIndex follower) const {
         for (const Joint& joint : mechanism_.joints)
-            if (joint.connects(follower) && joint.connects(frame) && (joint.pair().is_hinge() || joint.pair().is_sleeve()))
+            if (joint.connects(follower) && joint.connects(frame) &&
+                (joint.pair().is_hinge() || joint.pair().is_sleeve()))
                 return &joint;
         return nullptr;
     }
@@ -672,7 +686,8 @@ std::optional<Transmission> transmission_of(const Mechanism& mechanism, const Po
                                             const Travel& travel) {
     std::optional<Transmission> least;
     for (const Chain& chain : Couplers(mechanism, driver).all())
-        if (const Transmission found = least_of(chain, positions, travel); !least || found.least < least->least) least = found;
+        if (const Transmission found = least_of(chain, positions, travel); !least || found.least < least->least)
+            least = found;
     return least;
 }
 

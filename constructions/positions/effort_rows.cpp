@@ -25,11 +25,12 @@ EffortRows::Record EffortRows::record_of(const Solution& moved) const {
     const auto now = [&](ElementIndex element) {
         return element == none ? ElementIndex(none) : cut_out.element[at_index(element)];
     };
-    Record record{Replay(cut_out.program, givens_of(cut_out.program, moved.mechanism, moved.pose), moved.pose.size.to_double()),
-                  {},
-                  {},
-                  {},
-                  {}};
+    Record record{
+        Replay(cut_out.program, givens_of(cut_out.program, moved.mechanism, moved.pose), moved.pose.size.to_double()),
+        {},
+        {},
+        {},
+        {}};
     for (std::size_t i = 0; i < cut_out.program.givens.size(); ++i) {
         const Given& given = cut_out.program.givens[i];
         if (is_inertia(given) || givens_.hangs(given)) record.moving.emplace_back(static_cast<int>(i), given);
@@ -63,11 +64,13 @@ ValueOf<double> EffortRows::inertia(const Given& given, const std::vector<Accele
     return -of.inertia.to_double() * masses[mass].alpha;
 }
 
-const EffortRows::Record* EffortRows::replayed(std::list<Record>& kept, const Places& places, const Positions& positions,
+const EffortRows::Record* EffortRows::replayed(std::list<Record>& kept, const Places& places,
+                                               const Positions& positions,
                                                const std::vector<Acceleration>& masses) const {
     for (auto record = kept.begin(); record != kept.end(); ++record) {
         for (const auto& [index, given] : record->moving)
-            record->replay.give(index, is_inertia(given) ? inertia(given, masses) : givens_.value(given, places, positions));
+            record->replay.give(index,
+                                is_inertia(given) ? inertia(given, masses) : givens_.value(given, places, positions));
         if (record->replay.run()) continue;
         kept.splice(kept.begin(), kept, record);
         return &kept.front();

@@ -1,5 +1,6 @@
-// Effort rows: the efforts that virtual work finds, in one position after another. The displacements of one position are records,
-// one for each freedom; they are replayed in doubles for as long as their guards hold. Plans nothing itself.
+// Effort rows: the efforts that virtual work finds, in one position after another. The displacements of one position
+// are records, one for each freedom; they are replayed in doubles for as long as their guards hold. Plans nothing
+// itself.
 #pragma once
 
 #include <list>
@@ -7,8 +8,8 @@
 #include <vector>
 
 #include "constructions/positions/givens_here.hpp"
-#include "engine/solution/displacements.hpp"
 #include "engine/board/replay.hpp"
+#include "engine/solution/displacements.hpp"
 
 namespace kinegraph {
 
@@ -27,9 +28,10 @@ public:
 
     /// The displacements of a position that was planned serve for those like it.
     void keep(const Displacements& found);
-    /// In the position of `places`; nothing where none of the records kept holds there. `masses`: by Mechanism::masses, where
-    /// the file has forces of inertia.
-    std::optional<Efforts> here(const Places& places, const Positions& positions, const std::vector<Acceleration>& masses);
+    /// In the position of `places`; nothing where none of the records kept holds there. `masses`: by Mechanism::masses,
+    /// where the file has forces of inertia.
+    std::optional<Efforts> here(const Places& places, const Positions& positions,
+                                const std::vector<Acceleration>& masses);
     /// The efforts of a position that was planned.
     static Efforts of(const Displacements& found);
 

@@ -37,8 +37,7 @@ bool GivensHere::hangs(const Given& given) const {
         case Given::Kind::normal:
         case Given::Kind::other_normal:
         case Given::Kind::tangent:
-        case Given::Kind::push:
-            return true;
+        case Given::Kind::push: return true;
         case Given::Kind::load_unit:
         case Given::Kind::load_unit_back: {
             const Load& load = mechanism_.loads[at_index(given.index)];
@@ -53,8 +52,7 @@ bool GivensHere::hangs(const Given& given) const {
         }
         case Given::Kind::effort_unit:
             return is_between(std::get<ForceEffort>(mechanism_.efforts[at_index(given.index)]).along);
-        default:
-            return false;
+        default: return false;
     }
 }
 
@@ -65,26 +63,18 @@ double GivensHere::turned(const TorsionLoad& torsion, const Positions& positions
 ValueOf<double> GivensHere::value(const Given& given, const Places& places, const Positions& positions) const {
     const std::size_t i = at_index(given.index);
     switch (given.kind) {
-        case Given::Kind::place:
-            return PointOf<double>{places.points[i].x, places.points[i].y, 1};
-        case Given::Kind::guide:
-            return places.guides[i];
-        case Given::Kind::guide_unit:
-            return unit_of(places.guides[i]);
-        case Given::Kind::normal:
-            return places.normals[i];
-        case Given::Kind::tangent:
-            return places.tangents[i];
-        case Given::Kind::push:
-            return senses_[i] * places.normals[i];
+        case Given::Kind::place: return PointOf<double>{places.points[i].x, places.points[i].y, 1};
+        case Given::Kind::guide: return places.guides[i];
+        case Given::Kind::guide_unit: return unit_of(places.guides[i]);
+        case Given::Kind::normal: return places.normals[i];
+        case Given::Kind::tangent: return places.tangents[i];
+        case Given::Kind::push: return senses_[i] * places.normals[i];
         case Given::Kind::other_normal: {
             const Spot &n = places.normals[i], &t = places.tangents[i];
             return (2 * dot(n, t) / squared_length(t)) * t - n;
         }
-        case Given::Kind::effort_unit:
-            return direction(places, std::get<ForceEffort>(mechanism_.efforts[i]).along);
-        default:
-            return value_of_load(given, places, positions);
+        case Given::Kind::effort_unit: return direction(places, std::get<ForceEffort>(mechanism_.efforts[i]).along);
+        default: return value_of_load(given, places, positions);
     }
 }
 
@@ -100,7 +90,8 @@ ValueOf<double> GivensHere::value_of_load(const Given& given, const Places& plac
         const Spot apart = places.points[at_index(ends[1])] - places.points[at_index(ends[0])];
         return elastic.stiffness.to_double() * (std::hypot(apart.x, apart.y) - elastic.free_length.to_double());
     }
-    return given.kind == Given::Kind::load_unit ? direction(places, ends[0], ends[1]) : direction(places, ends[1], ends[0]);
+    return given.kind == Given::Kind::load_unit ? direction(places, ends[0], ends[1])
+                                                : direction(places, ends[1], ends[0]);
 }
 
 }  // namespace kinegraph

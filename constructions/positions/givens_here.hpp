@@ -1,10 +1,11 @@
-// Givens here: what the givens of a record are in another position of the mechanism, in doubles, for whoever replays the record.
+// Givens here: what the givens of a record are in another position of the mechanism, in doubles, for whoever replays
+// the record.
 #pragma once
 
 #include <vector>
 
-#include "engine/motion/positions.hpp"
 #include "engine/board/program.hpp"
+#include "engine/motion/positions.hpp"
 
 namespace kinegraph {
 

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "constructions/positions/cycle.hpp"
+#include "engine/file/spelling.hpp"
+#include "engine/results/result_names.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
-#include "engine/results/result_names.hpp"
 #include "engine/solution/sliding.hpp"
-#include "engine/file/spelling.hpp"
 
 namespace kinegraph {
 namespace {
@@ -31,17 +31,18 @@ std::string subject_of(const Quantity& q, const Solution& solution) {
     const Mechanism& m = solution.mechanism;
     const auto body = [&](BodyIndex index) { return m.body(index).name; };
     if (q.kind == Kind::velocity || q.kind == Kind::acceleration) {
-        const bool several = std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& motion) {
-            return motion.point == q.point && has_several_carriers(solution, motion);
-        });
+        const bool several =
+            std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& motion) {
+                return motion.point == q.point && has_several_carriers(solution, motion);
+            });
         return m.point(q.point).name + (several ? " on " + body(q.body) : "");
     }
     if (q.kind != Kind::sliding_velocity && q.kind != Kind::sliding_acceleration) return {};
     const Joint& joint = m.joint(q.joint);
-    const bool shared =
-        joint.pair().touches() && std::any_of(solution.sliding.begin(), solution.sliding.end(), [&](const Sliding& other) {
-            return other.joint != q.joint && m.joint(other.joint).name == joint.name;
-        });
+    const bool shared = joint.pair().touches() &&
+                        std::any_of(solution.sliding.begin(), solution.sliding.end(), [&](const Sliding& other) {
+                            return other.joint != q.joint && m.joint(other.joint).name == joint.name;
+                        });
     return joint.name + (shared ? " (" + body(joint.bodies[0]) + " on " + body(joint.bodies[1]) + ")" : "");
 }
 
@@ -77,16 +78,13 @@ private:
         const Quantity& q = column.quantity;
         const Pose& pose = solution_.pose;
         switch (column.kind) {
-            case Column::Kind::angle:
-                return angle_of(solution_.mechanism.body(q.body), pose);
-            case Column::Kind::place_x:
-                return pose.at(q.point).x.to_double();
-            case Column::Kind::place_y:
-                return pose.at(q.point).y.to_double();
-            default:
-                break;
+            case Column::Kind::angle: return angle_of(solution_.mechanism.body(q.body), pose);
+            case Column::Kind::place_x: return pose.at(q.point).x.to_double();
+            case Column::Kind::place_y: return pose.at(q.point).y.to_double();
+            default: break;
         }
-        const auto found = std::find_if(found_.begin(), found_.end(), [&](const FoundValue& each) { return each.quantity == q; });
+        const auto found =
+            std::find_if(found_.begin(), found_.end(), [&](const FoundValue& each) { return each.quantity == q; });
         if (column.kind == Column::Kind::along) return dot(direction_of_sliding(pose, q.joint), found->vector);
         if (q.component == Quantity::Component::whole) return found->scalar;
         return q.component == Quantity::Component::x ? found->vector.x : found->vector.y;
@@ -116,7 +114,8 @@ private:
 };
 
 const NamedResult* result_named(const std::vector<NamedResult>& results, const std::string& name) {
-    const auto found = std::find_if(results.begin(), results.end(), [&](const NamedResult& r) { return r.column.name == name; });
+    const auto found =
+        std::find_if(results.begin(), results.end(), [&](const NamedResult& r) { return r.column.name == name; });
     return found == results.end() ? nullptr : &*found;
 }
 
@@ -209,11 +208,11 @@ Error missing_result(const Solution& solution, const std::vector<NamedResult>& r
 std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution) {
     std::vector<NamedResult> results = named_results(solution);
     const auto is_it = [](const std::string& name) { return name == transmission_angle_name; };
-    const bool wanted =
-        std::any_of(exercise.ask.begin(), exercise.ask.end(), [&](const AskedResult& each) { return is_it(each.name); }) ||
-        std::any_of(exercise.require.begin(), exercise.require.end(), [&](const Condition& each) {
-            return is_it(each.left.result) || is_it(each.right.result) || is_it(each.upper.result);
-        });
+    const bool wanted = std::any_of(exercise.ask.begin(), exercise.ask.end(),
+                                    [&](const AskedResult& each) { return is_it(each.name); }) ||
+                        std::any_of(exercise.require.begin(), exercise.require.end(), [&](const Condition& each) {
+                            return is_it(each.left.result) || is_it(each.right.result) || is_it(each.upper.result);
+                        });
     if (wanted)
         if (auto found = transmission_result(solution)) results.push_back(*std::move(found));
     return results;
@@ -225,7 +224,8 @@ NamedResult as_asked(const Solution& solution, NamedResult result) {
     const auto quantity = solution.truss ? bar_of(result.column, solution.mechanism) : std::nullopt;
     if (!quantity) return result;
     const std::vector<TrussStructure::Bar>& bars = solution.truss->structure.bars;
-    const auto bar = std::find_if(bars.begin(), bars.end(), [&](const auto& each) { return each.body == quantity->body; });
+    const auto bar =
+        std::find_if(bars.begin(), bars.end(), [&](const auto& each) { return each.body == quantity->body; });
     result.column.quantity = *quantity;
     result.value = solution.truss->tension(static_cast<std::size_t>(bar - bars.begin()), solution.pose.points);
     return result;
@@ -253,35 +253,23 @@ Result<std::vector<NamedResult>> asked_results(const Solution& solution) {
 
 Unit unit_of(QuantityKind kind, const Units& units) {
     switch (kind) {
-        case QuantityKind::length:
-            return units.length;
-        case QuantityKind::angle:
-            return units.angle;
-        case QuantityKind::angular_velocity:
-            return units.angular_velocity;
-        case QuantityKind::velocity:
-            return units.velocity;
-        case QuantityKind::acceleration:
-            return units.acceleration;
-        case QuantityKind::mass:
-            return units.mass;
-        case QuantityKind::force:
-            return units.force;
-        case QuantityKind::moment:
-            return units.moment;
-        case QuantityKind::inertia:
-            return units.inertia;
-        case QuantityKind::pressure:
-            return units.pressure;
-        case QuantityKind::dimensionless:
-            return {"", 1};
+        case QuantityKind::length: return units.length;
+        case QuantityKind::angle: return units.angle;
+        case QuantityKind::angular_velocity: return units.angular_velocity;
+        case QuantityKind::velocity: return units.velocity;
+        case QuantityKind::acceleration: return units.acceleration;
+        case QuantityKind::mass: return units.mass;
+        case QuantityKind::force: return units.force;
+        case QuantityKind::moment: return units.moment;
+        case QuantityKind::inertia: return units.inertia;
+        case QuantityKind::pressure: return units.pressure;
+        case QuantityKind::dimensionless: return {"", 1};
         case QuantityKind::angular_acceleration:
         case QuantityKind::time:
         case QuantityKind::wear:
         case QuantityKind::area:
         case QuantityKind::force_per_length:
-        case QuantityKind::torsional_stiffness:
-            break;
+        case QuantityKind::torsional_stiffness: break;
     }
     const KnownUnit& si = default_unit(kind);
     return {std::string(si.symbol), si.si};

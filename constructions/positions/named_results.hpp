@@ -1,4 +1,5 @@
-// Named results: what a solution holds under the names that the rows of a sweep have, one by one. Computes no mechanics.
+// Named results: what a solution holds under the names that the rows of a sweep have, one by one. Computes no
+// mechanics.
 #pragma once
 
 #include <optional>
@@ -6,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/sentences/column.hpp"
 #include "engine/mechanism/exercise.hpp"
+#include "engine/sentences/column.hpp"
 #include "engine/solution/solution.hpp"
 
 namespace kinegraph {
@@ -29,17 +30,18 @@ struct NamedResult {
     double value = 0;       ///< SI
     std::string unit = {};  ///< SI, of what has no kind: "N s", "J"
 };
-/// All that a solution holds: the results of a sweep's row (without turn, time and slides, which are nothing in one position),
-/// the lengths of vectors ("v B"), and of a problem its values. Two of them never have one name.
+/// All that a solution holds: the results of a sweep's row (without turn, time and slides, which are nothing in one
+/// position), the lengths of vectors ("v B"), and of a problem its values. Two of them never have one name.
 std::vector<NamedResult> named_results(const Solution& solution);
-/// The results that an exercise speaks of: all named ones, and the transmission angle where it speaks of it (that takes a whole
-/// cycle) and the mechanism has one.
+/// The results that an exercise speaks of: all named ones, and the transmission angle where it speaks of it (that takes
+/// a whole cycle) and the mechanism has one.
 std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution);
-/// What the file asks for, in its order, of results_for; of the bars of a truss the force in them, tension positive. Errors, each
-/// at its place: missing_result.
+/// What the file asks for, in its order, of results_for; of the bars of a truss the force in them, tension positive.
+/// Errors, each at its place: missing_result.
 Result<std::vector<NamedResult>> asked_of_results(const Solution& solution, const std::vector<NamedResult>& results);
 Result<std::vector<NamedResult>> asked_results(const Solution& solution);
-/// That there is no such result: none of that name, with the nearest (bad input), or none in this position (no unique answer).
+/// That there is no such result: none of that name, with the nearest (bad input), or none in this position (no unique
+/// answer).
 Error missing_result(const Solution& solution, const std::vector<NamedResult>& results, const std::string& name,
                      const std::string& where);
 

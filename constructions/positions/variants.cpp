@@ -1,5 +1,5 @@
-// Variants: see variants.hpp. Cheap questions come first: what parameters decide, what the solution tells, what takes a whole
-// cycle, what takes a drawing.
+// Variants: see variants.hpp. Cheap questions come first: what parameters decide, what the solution tells, what takes a
+// whole cycle, what takes a drawing.
 #include "constructions/positions/variants.hpp"
 
 #include <algorithm>
@@ -97,7 +97,8 @@ Result<std::optional<Variant>> Variants::drawn(std::uint64_t number, const IsRea
         if (each.kind == Condition::Kind::crank_turns_fully && !crank_turns_fully(solved->mechanism, solved->pose))
             return rejected(named(each));
     for (const Condition& each : exercise->require)
-        if (each.kind == Condition::Kind::polygon_readable && !is_readable(*solved, each.polygon)) return rejected(named(each));
+        if (each.kind == Condition::Kind::polygon_readable && !is_readable(*solved, each.polygon))
+            return rejected(named(each));
     auto asked = asked_of_results(*solved, results);
     if (!asked) return tl::unexpected(std::move(asked.error()));
     if (exercise->ask.empty()) *asked = suited(results);

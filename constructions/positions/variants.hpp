@@ -1,5 +1,5 @@
-// Variants of an exercise: one draw after another from the values of its parameters, solved, and kept where its conditions hold.
-// Writes nothing and draws nothing: what only a drawing tells is asked of the caller.
+// Variants of an exercise: one draw after another from the values of its parameters, solved, and kept where its
+// conditions hold. Writes nothing and draws nothing: what only a drawing tells is asked of the caller.
 #pragma once
 
 #include <cstdint>
@@ -19,23 +19,25 @@ namespace kinegraph {
 struct Variant {
     std::vector<Setting> values;  ///< of the parameters that vary, in the file's order
     Solution solution;
-    std::vector<NamedResult> results;  ///< that it asks for; where it asks for none, efforts, else angular velocities, else all
+    std::vector<NamedResult>
+        results;  ///< that it asks for; where it asks for none, efforts, else angular velocities, else all
 };
 
 /// Whether every vector that is sought in a polygon is long enough on paper to be read.
 using IsReadable = std::function<bool(const Solution&, Condition::Polygon)>;
 
-/// The variants of a file, in the order that a seed gives them: the n-th is the n-th combination of the shuffled lattice whose
-/// conditions hold, whatever number is wanted, but for those that come to the mechanism of one before; so all differ, and each
-/// combination is looked at once.
+/// The variants of a file, in the order that a seed gives them: the n-th is the n-th combination of the shuffled
+/// lattice whose conditions hold, whatever number is wanted, but for those that come to the mechanism of one before; so
+/// all differ, and each combination is looked at once.
 class Variants {
 public:
-    /// `text` names `source` in messages; `set`: parameters in place of the file's. Errors: the file's faults; that it varies
-    /// nothing.
+    /// `text` names `source` in messages; `set`: parameters in place of the file's. Errors: the file's faults; that it
+    /// varies nothing.
     static Result<Variants> of(std::string text, std::string source, std::vector<Setting> set, std::uint64_t seed);
 
-    /// The next one; nothing where there is none: all combinations have been looked at, `most_in_a_row` failed one after the
-    /// other, or `stops` says so, which is asked before each. Errors: of the file, which asks for or compares what is not there.
+    /// The next one; nothing where there is none: all combinations have been looked at, `most_in_a_row` failed one
+    /// after the other, or `stops` says so, which is asked before each. Errors: of the file, which asks for or compares
+    /// what is not there.
     Result<std::optional<Variant>> next(const IsReadable& is_readable, const std::function<bool()>& stops = {});
 
     std::uint64_t combinations() const { return size_; }

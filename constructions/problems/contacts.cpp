@@ -25,16 +25,19 @@ public:
         if (force == solution_.forces.end())
             return no(
                 Words("the force there was not found, so nothing is known to press: give loads, or ask for \"forces\"",
-                      "la forza in quel punto non è stata trovata e nulla risulta premere: dare carichi, o chiedere \"forces\""));
+                      "la forza in quel punto non è stata trovata e nulla risulta premere: dare carichi, o chiedere "
+                      "\"forces\""));
         HertzProblem problem = shape();
         if ((problem.bodies[0].curvature(0) + problem.bodies[1].curvature(0)).sign() <= 0)
-            return no(Words("the concave radius is not larger than the convex one: the bodies do not touch in a line alone",
-                            "il raggio concavo non è maggiore di quello convesso: i corpi non si toccano solo in una linea"));
+            return no(
+                Words("the concave radius is not larger than the convex one: the bodies do not touch in a line alone",
+                      "il raggio concavo non è maggiore di quello convesso: i corpi non si toccano solo in una linea"));
         const auto [pushes, load] = load_of(on_first(*force->force, force->on));
         if (!std::isfinite(load))
-            return no(
-                Words("the force there is no number that could be drawn", "la forza in quel punto non è un numero tracciabile"));
-        if (load == 0) return no(Words("no force acts there, so nothing presses", "lì non agisce alcuna forza, e nulla preme"));
+            return no(Words("the force there is no number that could be drawn",
+                            "la forza in quel punto non è un numero tracciabile"));
+        if (load == 0)
+            return no(Words("no force acts there, so nothing presses", "lì non agisce alcuna forza, e nulla preme"));
         if (!pushes)
             return no(Words("the force found pulls the bodies apart there, so nothing presses",
                             "la forza trovata lì separa i corpi, e nulla preme"));
@@ -145,7 +148,8 @@ void find_contacts(Solution& solution) {
                     "At {0}: the depth of body {1} is not used; a convex body is counted from its axis.",
                     "In {0}: la profondità del corpo {1} non serve; un corpo convesso si misura dal suo asse.", joint,
                     solution.mechanism.body(body.body).name);
-        for (const Words& remark : contact->found->remarks) all.remarks.emplace_back("At {0}: {1}", "In {0}: {1}", joint, remark);
+        for (const Words& remark : contact->found->remarks)
+            all.remarks.emplace_back("At {0}: {1}", "In {0}: {1}", joint, remark);
         contacts.push_back(*std::move(contact));
     }
     all.of = std::move(contacts);

@@ -88,11 +88,12 @@ private:
             on_one_bisector(displacement);
         }
     }
-    /// Both bisectors are one line. The joins of both points meet in the pole; where they coincide too, it is a half turn about
-    /// the common middle; where they are parallel, the body did not turn.
+    /// Both bisectors are one line. The joins of both points meet in the pole; where they coincide too, it is a half
+    /// turn about the common middle; where they are parallel, the body did not turn.
     void on_one_bisector(Displacement& displacement) {
         const std::size_t from = displacement.from, to = displacement.to;
-        const Line before = board_.join(places_[from][0], places_[from][1]), after = board_.join(places_[to][0], places_[to][1]);
+        const Line before = board_.join(places_[from][0], places_[from][1]),
+                   after = board_.join(places_[to][0], places_[to][1]);
         const auto meet = board_.meet(before, after);
         if (!meet) {
             displacement.by = By::middle;
@@ -130,7 +131,9 @@ private:
         found_.pivots.push_back(pivot);
     }
 
-    const Vector& place(std::size_t position, std::size_t point) const { return problem_.positions[position].places.at(point); }
+    const Vector& place(std::size_t position, std::size_t point) const {
+        return problem_.positions[position].places.at(point);
+    }
     void read() {
         for (std::size_t i = 0; i < poles_.size(); ++i) {
             Displacement& displacement = found_.displacements[i];
@@ -170,8 +173,10 @@ std::vector<ProblemValue> values_of(const PositionsProblem& problem, const Posit
         const DisplacementCheck check = check_displacement(problem, each.from, each.to);
         const std::string both = both_of(each);
         if (each.kind == Displacement::Kind::translation) {
-            add({"translation {0} x", "traslazione {0} x", both}, "d_" + both + "x", length, each.way.x.to_double(), check.way.x);
-            add({"translation {0} y", "traslazione {0} y", both}, "d_" + both + "y", length, each.way.y.to_double(), check.way.y);
+            add({"translation {0} x", "traslazione {0} x", both}, "d_" + both + "x", length, each.way.x.to_double(),
+                check.way.x);
+            add({"translation {0} y", "traslazione {0} y", both}, "d_" + both + "y", length, each.way.y.to_double(),
+                check.way.y);
         }
         if (!each.pole) continue;
         add({"pole {0} x", "polo {0} x", both}, "x_P" + both, length, each.pole->x.to_double(), check.pole.x);
@@ -183,8 +188,10 @@ std::vector<ProblemValue> values_of(const PositionsProblem& problem, const Posit
         if (!pivot.centre) continue;
         const auto [centre, radius] = check_pivot(problem, i);
         const std::string& point = problem.points.at(i);
-        add({"pivot {0} x", "cerniera {0} x", point}, "x_" + point + "0", length, pivot.centre->x.to_double(), centre.x);
-        add({"pivot {0} y", "cerniera {0} y", point}, "y_" + point + "0", length, pivot.centre->y.to_double(), centre.y);
+        add({"pivot {0} x", "cerniera {0} x", point}, "x_" + point + "0", length, pivot.centre->x.to_double(),
+            centre.x);
+        add({"pivot {0} y", "cerniera {0} y", point}, "y_" + point + "0", length, pivot.centre->y.to_double(),
+            centre.y);
         add({"crank {0}", "manovella {0}", point}, "r_" + point, length, pivot.radius, radius);
     }
     return values;
@@ -195,16 +202,17 @@ Words said(double si, const Mechanism& mechanism) {
     const Unit& unit = mechanism.units.length;
     std::array<char, 40> digits{};
     constexpr int most = 3;
-    const auto end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), si / unit.si.to_double(), std::chars_format::general, most)
-            .ptr;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), si / unit.si.to_double(),
+                                   std::chars_format::general, most)
+                         .ptr;
     const std::string text = std::string(digits.data(), end) + " " + unit.symbol;
     std::string with_comma = text;
     std::replace(with_comma.begin(), with_comma.end(), '.', ',');
     return {text, with_comma};
 }
 
-std::vector<Words> remarks_on(const PositionsProblem& problem, const PositionsSolution& found, const Mechanism& mechanism) {
+std::vector<Words> remarks_on(const PositionsProblem& problem, const PositionsSolution& found,
+                              const Mechanism& mechanism) {
     std::vector<Words> remarks;
     for (std::size_t i = 0; i < problem.positions.size(); ++i)
         if (problem.positions[i].moved > 0)
@@ -221,8 +229,10 @@ std::vector<Words> remarks_on(const PositionsProblem& problem, const PositionsSo
         const std::string& point = problem.points.at(i);
         if (found.pivots[i].kind == FixedPivot::Kind::straight)
             remarks.emplace_back(
-                "The three places of {0} lie on a straight line: its pivot lies at infinity, and a slider on that line guides it.",
-                "I tre luoghi di {0} stanno su una retta: la sua cerniera è all’infinito, e lo guida un corsoio su quella retta.",
+                "The three places of {0} lie on a straight line: its pivot lies at infinity, and a slider on that line "
+                "guides it.",
+                "I tre luoghi di {0} stanno su una retta: la sua cerniera è all’infinito, e lo guida un corsoio su "
+                "quella retta.",
                 point);
         if (found.pivots[i].kind == FixedPivot::Kind::free)
             remarks.emplace_back("Two places of {0} coincide: every point of one bisector may be its pivot.",

@@ -26,8 +26,8 @@ double root_between(double low, double high, Function f) {
     return 0.5 * (low + high);
 }
 
-/// K − E and (a/b)² E − K over e² of an ellipse b/a = k, without the cancellation that they have where it is nearly round: both
-/// tend to π/4.
+/// K − E and (a/b)² E − K over e² of an ellipse b/a = k, without the cancellation that they have where it is nearly
+/// round: both tend to π/4.
 struct Shape {
     double along = pi / 4, across = pi / 4;  ///< (K − E)/e², ((a/b)² E − K)/e²
     double complete = pi / 2;                ///< K
@@ -92,8 +92,8 @@ private:
             // Two saddles turned against each other by θ: Johnson 4.4, Euler's theorem on both surfaces.
             found_.curvature_sum += first.curvature(1) + second.curvature(1);
             const double sum = found_.curvature_sum.to_double(), twice = 2 * problem_.turn.to_double();
-            const double difference = std::sqrt(
-                std::max(0.0, square(d1).to_double() + square(d2).to_double() + 2 * (d1 * d2).to_double() * std::cos(twice)));
+            const double difference = std::sqrt(std::max(
+                0.0, square(d1).to_double() + square(d2).to_double() + 2 * (d1 * d2).to_double() * std::cos(twice)));
             found_.long_curvature = (sum - difference) / 4;
             found_.short_curvature = (sum + difference) / 4;
             found_.radius = 1 / (2 * std::sqrt(found_.long_curvature * found_.short_curvature));
@@ -130,7 +130,8 @@ private:
         }
         const double nu = problem_.bodies[found_.sheared].poisson.to_double();
         constexpr int samples = 90;
-        for (int i = 0; i <= samples; ++i) found_.stresses.push_back(hertz_stress(found_, nu, 3 * found_.b * i / samples));
+        for (int i = 0; i <= samples; ++i)
+            found_.stresses.push_back(hertz_stress(found_, nu, 3 * found_.b * i / samples));
     }
     double depth_of_greatest_shear(double nu) const {
         // (1 + ζ²)^{3/2} = ζ³ + 2ζ, squared ζ⁴ + ζ² = 1: ζ² is the golden section.
@@ -191,8 +192,10 @@ std::vector<Words> remarks_on(const HertzProblem& problem, const HertzSolution& 
     constexpr double small = 0.1;  // of a radius: there the slope of the surfaces is a tenth
     if (const double widest = std::max(found.a, found.b); widest > small * least)
         remarks.emplace_back(
-            "The contact is not small beside the bodies (its half axis is more than a tenth of their smallest radius); the theory presumes that it is.",
-            "Il contatto non è piccolo rispetto ai corpi (il suo semiasse supera un decimo del loro raggio minore); la teoria lo presuppone.");
+            "The contact is not small beside the bodies (its half axis is more than a tenth of their smallest radius); "
+            "the theory presumes that it is.",
+            "Il contatto non è piccolo rispetto ai corpi (il suo semiasse supera un decimo del loro raggio minore); la "
+            "teoria lo presuppone.");
     if (problem.line && problem.length.to_double() < 10 * found.b)
         remarks.emplace_back(
             "The line of contact is not long beside its width, as plane strain wants it.",
@@ -211,8 +214,11 @@ std::vector<ProblemValue> values_of(const HertzProblem& problem, const HertzSolu
     } else if (found.elliptic) {
         values.push_back({{"semi-axis a", "semiasse a"}, "a", length, found.a, check.a});
         values.push_back({{"semi-axis b", "semiasse b"}, "b", length, found.b, check.b});
-        values.push_back(
-            {{"contact radius", "raggio di contatto"}, "c", length, std::sqrt(found.a * found.b), std::sqrt(check.a * check.b)});
+        values.push_back({{"contact radius", "raggio di contatto"},
+                          "c",
+                          length,
+                          std::sqrt(found.a * found.b),
+                          std::sqrt(check.a * check.b)});
     } else {
         values.push_back({{"contact radius", "raggio di contatto"}, "a", length, found.a, check.a});
     }
@@ -241,12 +247,13 @@ Result<ProblemSolution> solve_hertz(const HertzProblem& problem, const HertzProb
     solution.values = values_of(problem, found, check_hertz(checked));
     for (const ProblemValue& each : solution.values)
         if (!std::isfinite(each.value) || !std::isfinite(*each.numeric) || !(each.value > 0))
-            return tl::unexpected(Errors{
-                {ErrorCode::bad_input,
-                 "/hertz",
-                 {"these numbers are too far apart for a contact: {0} comes out as no positive number; check the units of force, radii and moduli",
-                  "questi numeri sono troppo lontani fra loro per un contatto: {0} non risulta un numero positivo; controllare le unità di forza, raggi e moduli",
-                  each.name}}});
+            return tl::unexpected(Errors{{ErrorCode::bad_input,
+                                          "/hertz",
+                                          {"these numbers are too far apart for a contact: {0} comes out as no "
+                                           "positive number; check the units of force, radii and moduli",
+                                           "questi numeri sono troppo lontani fra loro per un contatto: {0} non "
+                                           "risulta un numero positivo; controllare le unità di forza, raggi e moduli",
+                                           each.name}}});
     solution.subject = {"Hertzian contact: pressure, approach and stresses",
                         "Contatto hertziano: pressione, accostamento e tensioni"};
     solution.remarks = remarks_on(problem, found);

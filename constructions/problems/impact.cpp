@@ -78,12 +78,13 @@ private:
     void orient_normal() {
         int sense = 0;
         if (!problem_.bodies[0].fixed) sense = dot(found_.bodies[0].centre - found_.at, found_.normal).sign();
-        if (sense == 0 && !problem_.bodies[1].fixed) sense = -dot(found_.bodies[1].centre - found_.at, found_.normal).sign();
+        if (sense == 0 && !problem_.bodies[1].fixed)
+            sense = -dot(found_.bodies[1].centre - found_.at, found_.normal).sign();
         if (sense < 0) found_.normal = -found_.normal;
     }
 
-    /// From the point about which the body's turning is counted to the point of impact, turned a quarter: its velocity there is ω
-    /// times it.
+    /// From the point about which the body's turning is counted to the point of impact, turned a quarter: its velocity
+    /// there is ω times it.
     Vector lever(const ImpactSolution::Body& body) const {
         return quarter_turn(found_.at - (body.pivot ? *body.pivot : body.centre));
     }
@@ -110,11 +111,14 @@ private:
         return {
             ErrorCode::bad_input, problem_.where,
             found_.approach.is_zero()
-                ? Words("the bodies do not approach at the point of impact, so there is none; check \"velocity\" and \"normal\"",
-                        "nel punto d’urto i corpi non si avvicinano, quindi non c’è urto; controllare \"velocity\" e \"normal\"")
-                : Words(
-                      "the bodies part at the point of impact, so there is none; check \"velocity\", or the sense of \"normal\", which points from the second body to the first where their centres do not tell",
-                      "nel punto d’urto i corpi si allontanano, quindi non c’è urto; controllare \"velocity\", o il verso di \"normal\", che va dal secondo corpo al primo dove i baricentri non lo dicono")};
+                ? Words("the bodies do not approach at the point of impact, so there is none; check \"velocity\" and "
+                        "\"normal\"",
+                        "nel punto d’urto i corpi non si avvicinano, quindi non c’è urto; controllare \"velocity\" e "
+                        "\"normal\"")
+                : Words("the bodies part at the point of impact, so there is none; check \"velocity\", or the sense of "
+                        "\"normal\", which points from the second body to the first where their centres do not tell",
+                        "nel punto d’urto i corpi si allontanano, quindi non c’è urto; controllare \"velocity\", o il "
+                        "verso di \"normal\", che va dal secondo corpo al primo dove i baricentri non lo dicono")};
     }
     void classify() {
         found_.central = true;
@@ -139,7 +143,8 @@ private:
             phase.kind = sticks ? ImpactSolution::Phase::Kind::sticks : ImpactSolution::Phase::Kind::slides;
             // Slip that sets in anew goes where the normal impulse drives it, for friction does not hold it.
             phase.sense = sticks ? 0 : sense_of(found_.b);
-            slope = sticks ? (found_.c.is_zero() ? Exact() : -(found_.b / found_.c)) : -(Exact(phase.sense) * found_.friction);
+            slope = sticks ? (found_.c.is_zero() ? Exact() : -(found_.b / found_.c))
+                           : -(Exact(phase.sense) * found_.friction);
         } else {
             slope = -(Exact(phase.sense) * found_.friction);
         }
@@ -189,8 +194,8 @@ private:
         const ImpactBody& given = problem_.bodies.at(i);
         const Vector impulse = i == 0 ? found_.impulse : -found_.impulse;
         body.omega_after = body.omega_before + body.inverse_inertia * dot(lever(body), impulse);
-        body.after =
-            body.pivot ? body.omega_after * quarter_turn(body.centre - *body.pivot) : body.before + body.inverse_mass * impulse;
+        body.after = body.pivot ? body.omega_after * quarter_turn(body.centre - *body.pivot)
+                                : body.before + body.inverse_mass * impulse;
         body.contact_after = velocity_at_contact(body, body.after, body.omega_after);
         if (!body.fixed) found_.energy_before += energy(given, body);
         if (!body.pivot) return;
@@ -198,11 +203,14 @@ private:
         const Vector arm = body.centre - *body.pivot;
         // At J_O/(m d) from the pivot on the line to the centre: an impulse across it there leaves the pivot in peace.
         if (!arm.is_zero())
-            body.percussion = *body.pivot + (Exact(1) / (body.inverse_inertia * given.mass * squared_length(arm))) * arm;
+            body.percussion =
+                *body.pivot + (Exact(1) / (body.inverse_inertia * given.mass * squared_length(arm))) * arm;
     }
     static Exact energy(const ImpactBody& given, const ImpactSolution::Body& body) {
         if (body.pivot) return square(body.omega_before) / (2 * body.inverse_inertia);
-        return (given.mass * squared_length(body.before) + given.inertia.value_or(Exact()) * square(body.omega_before)) / 2;
+        return (given.mass * squared_length(body.before) +
+                given.inertia.value_or(Exact()) * square(body.omega_before)) /
+               2;
     }
 
     const ImpactProblem& problem_;
@@ -216,8 +224,8 @@ std::vector<ProblemValue> values_of(const ImpactProblem& problem, const ImpactSo
                                     const Mechanism& mechanism) {
     using enum QuantityKind;
     std::vector<ProblemValue> values;
-    const auto add = [&](Words name, std::string symbol, QuantityKind kind, const Exact& value, std::optional<double> numeric,
-                         const char* unit = "") {
+    const auto add = [&](Words name, std::string symbol, QuantityKind kind, const Exact& value,
+                         std::optional<double> numeric, const char* unit = "") {
         values.push_back({std::move(name), std::move(symbol), kind, value.to_double(), numeric, false, unit, {}});
     };
     // By their keys in the results file; readers are told of which body, and that it is after the impact.
@@ -232,24 +240,28 @@ std::vector<ProblemValue> values_of(const ImpactProblem& problem, const ImpactSo
         if (body.fixed) continue;
         const kinegraph::Body& given = mechanism.body(problem.bodies.at(i).body);
         const std::string n = std::to_string(i + 1);
-        const auto add_of = [&](const Words& key, const Words& spoken, std::string symbol, QuantityKind kind, const Exact& value,
-                                double numeric, const char* unit = "") {
+        const auto add_of = [&](const Words& key, const Words& spoken, std::string symbol, QuantityKind kind,
+                                const Exact& value, double numeric, const char* unit = "") {
             add(Words(key.en, key.it, given.name), std::move(symbol), kind, value, numeric, unit);
             values.back().spoken = Words(spoken.en, spoken.it, called(given));
         };
-        add_of({"velocity {0} x", "velocità {0} x"}, {"{0}: velocity afterwards, along x", "{0}: velocità dopo l’urto, lungo x"},
-               "v′_" + n + "x", velocity, body.after.x, checked.velocity[0]);
-        add_of({"velocity {0} y", "velocità {0} y"}, {"{0}: velocity afterwards, along y", "{0}: velocità dopo l’urto, lungo y"},
-               "v′_" + n + "y", velocity, body.after.y, checked.velocity[1]);
+        add_of({"velocity {0} x", "velocità {0} x"},
+               {"{0}: velocity afterwards, along x", "{0}: velocità dopo l’urto, lungo x"}, "v′_" + n + "x", velocity,
+               body.after.x, checked.velocity[0]);
+        add_of({"velocity {0} y", "velocità {0} y"},
+               {"{0}: velocity afterwards, along y", "{0}: velocità dopo l’urto, lungo y"}, "v′_" + n + "y", velocity,
+               body.after.y, checked.velocity[1]);
         if (!body.inverse_inertia.is_zero())
             add_of({"angular velocity {0}", "velocità angolare {0}"},
-                   {"{0}: angular velocity afterwards", "{0}: velocità angolare dopo l’urto"}, "ω′_" + n, angular_velocity,
-                   body.omega_after, checked.omega);
+                   {"{0}: angular velocity afterwards", "{0}: velocità angolare dopo l’urto"}, "ω′_" + n,
+                   angular_velocity, body.omega_after, checked.omega);
         if (!body.reaction) continue;
-        add_of({"pivot {0} x", "cerniera {0} x"}, {"{0}: impulse of the pivot, along x", "{0}: impulso della cerniera, lungo x"},
-               "R_" + n + "x", dimensionless, body.reaction->x, checked.reaction[0], "N s");
-        add_of({"pivot {0} y", "cerniera {0} y"}, {"{0}: impulse of the pivot, along y", "{0}: impulso della cerniera, lungo y"},
-               "R_" + n + "y", dimensionless, body.reaction->y, checked.reaction[1], "N s");
+        add_of({"pivot {0} x", "cerniera {0} x"},
+               {"{0}: impulse of the pivot, along x", "{0}: impulso della cerniera, lungo x"}, "R_" + n + "x",
+               dimensionless, body.reaction->x, checked.reaction[0], "N s");
+        add_of({"pivot {0} y", "cerniera {0} y"},
+               {"{0}: impulse of the pivot, along y", "{0}: impulso della cerniera, lungo y"}, "R_" + n + "y",
+               dimensionless, body.reaction->y, checked.reaction[1], "N s");
     }
     add({"energy lost", "energia perduta"}, "T", dimensionless, found.energy_lost, check.energy_lost, "J");
     return values;
@@ -261,11 +273,12 @@ Result<ProblemSolution> solve_impact(const ImpactProblem& problem, const Mechani
     Impact impact(problem, pose);
     if (auto error = impact.set_up()) return tl::unexpected(Errors{*std::move(error)});
     if (!impact.run())
-        return tl::unexpected(Errors{
-            {ErrorCode::no_unique_answer,
-             problem.where,
-             {"with this friction the sliding bodies jam: the compression never ends, and rigid bodies have no answer; lower \"friction\"",
-              "con questo attrito i corpi che strisciano si bloccano: la compressione non finisce mai, e corpi rigidi non danno risposta; ridurre \"friction\""}}});
+        return tl::unexpected(Errors{{ErrorCode::no_unique_answer,
+                                      problem.where,
+                                      {"with this friction the sliding bodies jam: the compression never ends, and "
+                                       "rigid bodies have no answer; lower \"friction\"",
+                                       "con questo attrito i corpi che strisciano si bloccano: la compressione non "
+                                       "finisce mai, e corpi rigidi non danno risposta; ridurre \"friction\""}}});
     ImpactSolution found = std::move(impact).solution();
     ProblemSolution solution;
     solution.subject = {"Impact: momentum, restitution and friction", "Urto: quantità di moto, restituzione e attrito"};
@@ -273,8 +286,10 @@ Result<ProblemSolution> solve_impact(const ImpactProblem& problem, const Mechani
     if (auto why = why_no_numbers(solution.values, problem.where)) return tl::unexpected(*std::move(why));
     if (found.kinematic_restitution != found.restitution)
         solution.remarks.emplace_back(
-            "Friction makes the two coefficients of restitution differ: the ratio of the impulses (Poisson) is the one given, that of the normal velocities (Newton) comes out otherwise.",
-            "L’attrito rende diversi i due coefficienti di restituzione: il rapporto degli impulsi (Poisson) è quello dato, quello delle velocità normali (Newton) risulta diverso.");
+            "Friction makes the two coefficients of restitution differ: the ratio of the impulses (Poisson) is the one "
+            "given, that of the normal velocities (Newton) comes out otherwise.",
+            "L’attrito rende diversi i due coefficienti di restituzione: il rapporto degli impulsi (Poisson) è quello "
+            "dato, quello delle velocità normali (Newton) risulta diverso.");
     solution.of = std::move(found);
     return solution;
 }

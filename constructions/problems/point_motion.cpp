@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "constructions/problems/problems.hpp"
-#include "engine/file/algebra.hpp"
-#include "engine/number/assert.hpp"
 #include "engine/check/check_point_motion.hpp"
+#include "engine/file/algebra.hpp"
 #include "engine/file/expression_gap.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph {
 namespace {
@@ -25,13 +25,13 @@ Estimate operator-(const Estimate& a) { return {-a.value, a.noise}; }
 Estimate operator-(const Estimate& a, const Estimate& b) { return a + -b; }
 Estimate operator*(const Estimate& a, const Estimate& b) {
     const double value = a.value * b.value;
-    return {value,
-            std::abs(a.value) * b.noise + std::abs(b.value) * a.noise + std::numeric_limits<double>::epsilon() * std::abs(value)};
+    return {value, std::abs(a.value) * b.noise + std::abs(b.value) * a.noise +
+                       std::numeric_limits<double>::epsilon() * std::abs(value)};
 }
 Estimate operator/(const Estimate& a, const Estimate& b) {
     const double value = a.value / b.value;
-    return {value,
-            (a.noise + std::abs(value) * b.noise) / std::abs(b.value) + std::numeric_limits<double>::epsilon() * std::abs(value)};
+    return {value, (a.noise + std::abs(value) * b.noise) / std::abs(b.value) +
+                       std::numeric_limits<double>::epsilon() * std::abs(value)};
 }
 Estimate certain(double value) { return {value, std::numeric_limits<double>::epsilon() * std::abs(value)}; }
 Estimate certain(const Exact& value) { return certain(value.to_double()); }
@@ -205,9 +205,7 @@ private:
                 state.second = values_of(1, time);
                 take_polar(state);
                 break;
-            case Form::path:
-                take_path(state);
-                break;
+            case Form::path: take_path(state); break;
         }
         return state;
     }
@@ -229,7 +227,8 @@ private:
             const Estimate radius = certain(circle->radius), angle = certain(circle->start) + s / radius;
             tangent = {-sine(angle), cosine(angle)};
             curvature = certain(1.0) / radius;
-            state.place = {certain(circle->centre.x) + radius * tangent[1], certain(circle->centre.y) - radius * tangent[0]};
+            state.place = {certain(circle->centre.x) + radius * tangent[1],
+                           certain(circle->centre.y) - radius * tangent[0]};
         } else if (const auto* line = std::get_if<LinePath>(&*problem_.path)) {
             const double size = length(line->direction);
             tangent = {certain(line->direction.x.to_double() / size), certain(line->direction.y.to_double() / size)};
@@ -255,7 +254,8 @@ private:
             for (std::size_t i = 0; i < problem_.laws.size(); ++i)
                 if (!std::isfinite(values_of(i, time).at(order).value))
                     return not_finite(problem_.laws[i], order, std::isinf(values_of(i, time).at(order).value), time);
-        if (const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr) return path_ends(*graph, time);
+        if (const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr)
+            return path_ends(*graph, time);
         return Error{ErrorCode::bad_input,
                      where,
                      {"these numbers are too large to be computed with; check the units",
@@ -271,17 +271,19 @@ private:
         return {text, with_comma};
     }
     static Error path_ends(const GraphPath& graph, double time) {
-        return {ErrorCode::bad_input,
-                graph.f.where,
-                {"this path, as far as the point goes at t = {0} s, is not real or has an infinite slope or curvature; "
-                 "shorten the interval, or begin elsewhere (\"start\")",
-                 "questa traiettoria, dove il punto arriva per t = {0} s, non è reale o ha pendenza o curvatura infinita; "
-                 "accorciare l’intervallo, o partire altrove (\"start\")",
-                 number_text(time)}};
+        return {
+            ErrorCode::bad_input,
+            graph.f.where,
+            {"this path, as far as the point goes at t = {0} s, is not real or has an infinite slope or curvature; "
+             "shorten the interval, or begin elsewhere (\"start\")",
+             "questa traiettoria, dove il punto arriva per t = {0} s, non è reale o ha pendenza o curvatura infinita; "
+             "accorciare l’intervallo, o partire altrove (\"start\")",
+             number_text(time)}};
     }
     /// `order`: of the derivative.
     Error not_finite(const StatedLaw& law, std::size_t order, bool is_infinite, double time) const {
-        static const std::array<Words, 3> orders{Words("{0}", "{0}", std::string()), Words("the velocity of ", "la velocità di "),
+        static const std::array<Words, 3> orders{Words("{0}", "{0}", std::string()),
+                                                 Words("the velocity of ", "la velocità di "),
                                                  Words("the acceleration of ", "l’accelerazione di ")};
         const Words how = is_infinite ? Words("is infinite", "è infinita")
                                       : Words("is not real, or is infinite,", "non è reale, o è infinita,");
@@ -289,7 +291,8 @@ private:
             ErrorCode::bad_input,
             law.where,
             {"{0}{1} {2} at t = {3} s; choose an interval \"from\" … \"to\" without that instant, or correct the law",
-             "{0}{1} {2} per t = {3} s; scegliere un intervallo \"from\" … \"to\" senza quell’istante, o correggere la legge",
+             "{0}{1} {2} per t = {3} s; scegliere un intervallo \"from\" … \"to\" senza quell’istante, o correggere la "
+             "legge",
              orders.at(order), Words(law.symbol), how, number_text(time)}};
     }
 
@@ -320,8 +323,8 @@ private:
     std::optional<Error> gap_between_samples() const {
         for (std::size_t order = 0; order < 3; ++order)
             for (std::size_t i = 0; i < problem_.laws.size(); ++i)
-                if (const auto gap = gap_within(found_.laws[i].by_order.at(order), problem_.constants, problem_.from.to_double(),
-                                                problem_.to.to_double()))
+                if (const auto gap = gap_within(found_.laws[i].by_order.at(order), problem_.constants,
+                                                problem_.from.to_double(), problem_.to.to_double()))
                     return not_finite(problem_.laws[i], order, gap->is_infinite, gap->at);
         const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr;
         if (graph == nullptr) return std::nullopt;
@@ -351,7 +354,8 @@ private:
             const double half = (to - from) / (2 * parts), middle = from + half * (2 * part + 1);
             sum += half * weights[0] * speed_at(middle);
             for (std::size_t i = 1; i < 3; ++i)
-                sum += half * weights.at(i) * (speed_at(middle + half * places.at(i)) + speed_at(middle - half * places.at(i)));
+                sum += half * weights.at(i) *
+                       (speed_at(middle + half * places.at(i)) + speed_at(middle - half * places.at(i)));
         }
         return sum;
     }
@@ -372,8 +376,8 @@ private:
 
     // ----- at the instant
 
-    /// Doubles become exact. A component of the acceleration along or across the velocity that is no more than rounding is taken
-    /// off, so that the board need not judge it.
+    /// Doubles become exact. A component of the acceleration along or across the velocity that is no more than rounding
+    /// is taken off, so that the board need not judge it.
     void settle(const State& state) {
         const auto exact = [](const Pair& pair) {
             return Vector{Exact::from_double(cleaned(pair[0])), Exact::from_double(cleaned(pair[1]))};
@@ -401,7 +405,8 @@ private:
             found_.r = cleaned(r);
             found_.theta = cleaned(theta);
             found_.polar_velocity = {cleaned(r1), cleaned(r * theta1)};
-            found_.polar_acceleration = {cleaned(r2 - r * theta1 * theta1), cleaned(r * theta2 + certain(2.0) * r1 * theta1)};
+            found_.polar_acceleration = {cleaned(r2 - r * theta1 * theta1),
+                                         cleaned(r * theta2 + certain(2.0) * r1 * theta1)};
             return;
         }
         const Pair& z = state.place;
@@ -422,7 +427,9 @@ private:
         using enum Plane;
         const ScalarHandle one = board.number(1);
         PointOn<drawing> p = board.pole<drawing>();
-        const auto laid_off = [&](const Vector& v) { return board.carry(p, board.scale<drawing>(one, board.own_direction(v))); };
+        const auto laid_off = [&](const Vector& v) {
+            return board.carry(p, board.scale<drawing>(one, board.own_direction(v)));
+        };
         if (!found_.place.is_zero()) p = laid_off(found_.place);
         auto& elements = found_.elements;
         PointOn<drawing> tip = p;
@@ -471,7 +478,8 @@ private:
 
 // ----- as tables and results say it
 
-std::vector<ProblemValue> values_of(const PointProblem& problem, const PointMotionSolution& found, const PointCheck& check) {
+std::vector<ProblemValue> values_of(const PointProblem& problem, const PointMotionSolution& found,
+                                    const PointCheck& check) {
     using enum QuantityKind;
     std::vector<ProblemValue> values;
     const auto add = [&](Words name, const char* symbol, QuantityKind kind, double value, double numeric) {
@@ -489,21 +497,25 @@ std::vector<ProblemValue> values_of(const PointProblem& problem, const PointMoti
     add({"speed", "velocità (modulo)"}, "v", velocity, found.speed, check.speed);
     add({"acceleration x", "accelerazione x"}, "a_x", acceleration, a.x, check.acceleration.x);
     add({"acceleration y", "accelerazione y"}, "a_y", acceleration, a.y, check.acceleration.y);
-    add({"acceleration", "accelerazione (modulo)"}, "a", acceleration, found.acceleration_length, check.acceleration_length);
+    add({"acceleration", "accelerazione (modulo)"}, "a", acceleration, found.acceleration_length,
+        check.acceleration_length);
     if (!found.rests) {
         add({"tangential acceleration", "accelerazione tangenziale"}, "a_t", acceleration, found.along, check.along);
         add({"normal acceleration", "accelerazione normale"}, "a_n", acceleration, found.across, check.across);
     }
     if (found.centre) {
         add({"radius of curvature", "raggio di curvatura"}, "ρ", length, found.radius, check.radius);
-        add({"centre of curvature x", "centro di curvatura x"}, "x_C", length, found.centre->x.to_double(), check.centre.x);
-        add({"centre of curvature y", "centro di curvatura y"}, "y_C", length, found.centre->y.to_double(), check.centre.y);
+        add({"centre of curvature x", "centro di curvatura x"}, "x_C", length, found.centre->x.to_double(),
+            check.centre.x);
+        add({"centre of curvature y", "centro di curvatura y"}, "y_C", length, found.centre->y.to_double(),
+            check.centre.y);
     }
     add({"radius", "raggio vettore"}, "r", length, found.r, check.r);
     if (found.at_pole) return values;
     add({"angle", "anomalia"}, "θ", angle, found.theta, check.theta);
     add({"radial velocity", "velocità radiale"}, "v_r", velocity, found.polar_velocity[0], check.polar_velocity[0]);
-    add({"transverse velocity", "velocità trasversale"}, "v_θ", velocity, found.polar_velocity[1], check.polar_velocity[1]);
+    add({"transverse velocity", "velocità trasversale"}, "v_θ", velocity, found.polar_velocity[1],
+        check.polar_velocity[1]);
     add({"radial acceleration", "accelerazione radiale"}, "a_r", acceleration, found.polar_acceleration[0],
         check.polar_acceleration[0]);
     add({"transverse acceleration", "accelerazione trasversale"}, "a_θ", acceleration, found.polar_acceleration[1],
@@ -516,19 +528,24 @@ std::vector<Words> remarks_on(const PointProblem& problem, const PointMotionSolu
     std::vector<Words> remarks;
     if (found.rests)
         remarks.emplace_back(
-            "The point is at rest at this instant (v = 0): tangent, normal and radius of curvature are not defined, so the acceleration "
+            "The point is at rest at this instant (v = 0): tangent, normal and radius of curvature are not defined, so "
+            "the acceleration "
             "has no tangential and normal components.",
-            "In questo istante il punto è fermo (v = 0): tangente, normale e raggio di curvatura non sono definiti, quindi l’accelerazione "
+            "In questo istante il punto è fermo (v = 0): tangente, normale e raggio di curvatura non sono definiti, "
+            "quindi l’accelerazione "
             "non ha componenti tangenziale e normale.");
     else if (found.straight)
         remarks.emplace_back(
-            "The normal acceleration vanishes: the radius of curvature is infinite, the centre of curvature lies at infinity "
+            "The normal acceleration vanishes: the radius of curvature is infinite, the centre of curvature lies at "
+            "infinity "
             "on the normal.",
-            "L’accelerazione normale è nulla: il raggio di curvatura è infinito, il centro di curvatura è all’infinito sulla "
+            "L’accelerazione normale è nulla: il raggio di curvatura è infinito, il centro di curvatura è all’infinito "
+            "sulla "
             "normale.");
     if (found.at_pole)
         remarks.emplace_back(
-            "The point passes the origin: its polar angle and its radial and transverse components are not defined there.",
+            "The point passes the origin: its polar angle and its radial and transverse components are not defined "
+            "there.",
             "Il punto passa per l’origine: lì l’anomalia e le componenti radiale e trasversale non sono definite.");
     if (problem.form == Form::polar && found.r < 0)
         remarks.emplace_back("r is negative: the point lies on the radius drawn backwards.",

@@ -15,7 +15,8 @@ Result<ProblemSolution> solve_problem(const Problem& problem, const Mechanism& m
     if (const auto* hertz = std::get_if<HertzProblem>(&problem.of)) return solve_hertz(*hertz);
     if (const auto* reye = std::get_if<ReyeProblem>(&problem.of)) return solve_reye(*reye);
     if (const auto* point = std::get_if<PointProblem>(&problem.of)) return solve_point_motion(*point, mechanism, pose);
-    if (const auto* positions = std::get_if<PositionsProblem>(&problem.of)) return solve_positions(*positions, mechanism, pose);
+    if (const auto* positions = std::get_if<PositionsProblem>(&problem.of))
+        return solve_positions(*positions, mechanism, pose);
     KG_ASSERT(std::holds_alternative<ImpactProblem>(problem.of), "contacts at joints are no problem of their own");
     return solve_impact(std::get<ImpactProblem>(problem.of), mechanism, pose);
 }
@@ -27,7 +28,8 @@ std::optional<Errors> why_no_numbers(const std::vector<ProblemValue>& values, co
                 {ErrorCode::bad_input,
                  where,
                  {"these numbers are too far apart: {0} comes out as no number; check the units",
-                  "questi numeri sono troppo lontani fra loro: {0} non risulta un numero; controllare le unità", each.name}}};
+                  "questi numeri sono troppo lontani fra loro: {0} non risulta un numero; controllare le unità",
+                  each.name}}};
     return std::nullopt;
 }
 

@@ -13,7 +13,8 @@ namespace kinegraph {
 /// Errors: what no number of such a problem can be, with its place; bodies between which nothing happens.
 Result<ProblemSolution> solve_problem(const Problem& problem, const Mechanism& mechanism, const Pose& pose);
 
-/// Why these results are none, where one of them or its check is no number: data too far apart. `where`: the problem's place.
+/// Why these results are none, where one of them or its check is no number: data too far apart. `where`: the problem's
+/// place.
 std::optional<Errors> why_no_numbers(const std::vector<ProblemValue>& values, const std::string& where);
 
 }  // namespace kinegraph

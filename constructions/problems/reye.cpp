@@ -18,18 +18,10 @@ class Wear {
 public:
     explicit Wear(const ReyeProblem& problem) : problem_(problem), force_(problem.force.to_double()) {
         switch (problem.kind) {
-            case Kind::pad:
-                tilt();
-                break;
-            case Kind::block:
-                press_evenly();
-                break;
-            case Kind::disc:
-                turn_ring();
-                break;
-            case Kind::shoe:
-                turn_shoe();
-                break;
+            case Kind::pad: tilt(); break;
+            case Kind::block: press_evenly(); break;
+            case Kind::disc: turn_ring(); break;
+            case Kind::shoe: turn_shoe(); break;
         }
         sample();
         if (problem.wear) wear_off();
@@ -61,7 +53,8 @@ private:
     }
     void press_evenly() {
         found_.end = problem_.length.to_double();
-        found_.greatest = found_.first = found_.second = (problem_.force / (problem_.length * problem_.width)).to_double();
+        found_.greatest = found_.first = found_.second =
+            (problem_.force / (problem_.length * problem_.width)).to_double();
         found_.m = Exact();
         found_.resultant = problem_.length / 2;
         rub_straight();
@@ -82,7 +75,8 @@ private:
         found_.torque = f * force_ * (inner + outer) / 2;
         found_.uniform_pressure = force_ / (pi * (outer - inner) * (outer + inner));
         // (r₂³ − r₁³)/(r₂² − r₁²) without its cancellation.
-        found_.uniform_torque = 2.0 / 3 * f * force_ * (outer * outer + outer * inner + inner * inner) / (outer + inner);
+        found_.uniform_torque =
+            2.0 / 3 * f * force_ * (outer * outer + outer * inner + inner * inner) / (outer + inner);
     }
 
     void turn_shoe() {
@@ -144,12 +138,12 @@ private:
 std::array<Words, 2> ends_of(Kind kind) {
     switch (kind) {
         case Kind::disc:
-            return {Words("at the inner radius", "al raggio interno"), Words("at the outer radius", "al raggio esterno")};
+            return {Words("at the inner radius", "al raggio interno"),
+                    Words("at the outer radius", "al raggio esterno")};
         case Kind::shoe:
             return {Words("at the first end", "al primo estremo"), Words("at the second end", "al secondo estremo")};
         case Kind::pad:
-        case Kind::block:
-            break;
+        case Kind::block: break;
     }
     return {Words("at the end where x = 0", "all’estremo x = 0"), Words("at the other end", "all’altro estremo")};
 }
@@ -166,10 +160,10 @@ std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSoluti
     const auto at_end = [&](std::size_t end, const char* english, const char* italian) {
         return Words(english, italian, ends.at(end));
     };
-    add({"pressure 1", "pressione 1"}, "p_1", pressure, found.first, check.first, at_end(0, "pressure {0}", "pressione {0}"),
-        false);
-    add({"pressure 2", "pressione 2"}, "p_2", pressure, found.second, check.second, at_end(1, "pressure {0}", "pressione {0}"),
-        false);
+    add({"pressure 1", "pressione 1"}, "p_1", pressure, found.first, check.first,
+        at_end(0, "pressure {0}", "pressione {0}"), false);
+    add({"pressure 2", "pressione 2"}, "p_2", pressure, found.second, check.second,
+        at_end(1, "pressure {0}", "pressione {0}"), false);
     if (problem.kind == Kind::shoe)
         add({"greatest pressure", "pressione massima"}, "p_max", pressure, found.greatest, check.greatest, {});
     if (problem.kind == Kind::pad && found.m)
@@ -182,24 +176,26 @@ std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSoluti
         add({"contact from", "contatto da"}, "x_1", length, found.begin, check.begin, {});
         add({"contact to", "contatto fino a"}, "x_2", length, found.end, check.end, {});
     }
-    if (found.friction_force) add({"friction force", "forza d’attrito"}, "T", force, *found.friction_force, check.friction, {});
+    if (found.friction_force)
+        add({"friction force", "forza d’attrito"}, "T", force, *found.friction_force, check.friction, {});
     if (found.torque)
         add({"torque", "momento"}, "M", moment, *found.torque, check.torque,
             problem.kind == Kind::disc ? Words("torque when worn in (Reye)", "momento a rodaggio avvenuto (Reye)")
                                        : Words("torque on the drum", "momento sul tamburo"));
     if (found.uniform_torque) {
-        add({"uniform pressure", "pressione uniforme"}, "p_u", pressure, *found.uniform_pressure, check.uniform_pressure,
-            {"pressure when new, uniform", "pressione da nuovo, uniforme"});
+        add({"uniform pressure", "pressione uniforme"}, "p_u", pressure, *found.uniform_pressure,
+            check.uniform_pressure, {"pressure when new, uniform", "pressione da nuovo, uniforme"});
         add({"torque at uniform pressure", "momento a pressione uniforme"}, "M_u", moment, *found.uniform_torque,
             check.uniform_torque, {"torque when new, at uniform pressure", "momento da nuovo, a pressione uniforme"});
     }
     if (problem.kind == Kind::shoe) {
-        add({"normal force", "forza normale"}, "N", force, std::hypot(found.normal_force.x, found.normal_force.y), check.normal,
-            {"resultant of the pressures", "risultante delle pressioni"});
+        add({"normal force", "forza normale"}, "N", force, std::hypot(found.normal_force.x, found.normal_force.y),
+            check.normal, {"resultant of the pressures", "risultante delle pressioni"});
         add({"centre of pressure", "centro di pressione"}, "r_C", length, found.pressure_radius, check.pressure_radius,
             {"distance of the centre of pressure from O", "distanza del centro di pressione da O"});
         if (problem.leading && found.locking_friction)
-            add({"locking friction", "attrito di bloccaggio"}, "f_lim", dimensionless, *found.locking_friction, check.locking,
+            add({"locking friction", "attrito di bloccaggio"}, "f_lim", dimensionless, *found.locking_friction,
+                check.locking,
                 {"friction from which the shoe locks itself", "attrito da cui il ceppo si blocca da sé"});
     }
     if (found.worn) {
@@ -218,12 +214,13 @@ Result<ProblemSolution> solve_reye(const ReyeProblem& problem) {
     const bool locks = wear.locks();
     ReyeSolution found = std::move(wear).solution();
     if (locks)
-        return tl::unexpected(Errors{
-            {ErrorCode::no_unique_answer,
-             problem.where,
-             {"this shoe locks itself: from a friction of {0} on it needs no force; lower \"friction\", or move the pivot",
-              "questo ceppo si blocca da sé: da un attrito di {0} in su non serve forza; ridurre \"friction\", o spostare la cerniera",
-              std::to_string(*found.locking_friction)}}});
+        return tl::unexpected(Errors{{ErrorCode::no_unique_answer,
+                                      problem.where,
+                                      {"this shoe locks itself: from a friction of {0} on it needs no force; lower "
+                                       "\"friction\", or move the pivot",
+                                       "questo ceppo si blocca da sé: da un attrito di {0} in su non serve forza; "
+                                       "ridurre \"friction\", o spostare la cerniera",
+                                       std::to_string(*found.locking_friction)}}});
     ProblemSolution solution;
     solution.subject = {"Wear by Reye’s hypothesis: pressures and torque",
                         "Usura secondo l’ipotesi di Reye: pressioni e momento"};
@@ -231,8 +228,10 @@ Result<ProblemSolution> solve_reye(const ReyeProblem& problem) {
     if (auto why = why_no_numbers(solution.values, problem.where)) return tl::unexpected(*std::move(why));
     if (found.lifts)
         solution.remarks.emplace_back(
-            "The force lies outside the middle third, so the pad lifts at one end: the contact that remains is a triangle of pressure.",
-            "La forza è fuori dal terzo medio, quindi il pattino si solleva a un estremo: il contatto che resta ha pressione triangolare.");
+            "The force lies outside the middle third, so the pad lifts at one end: the contact that remains is a "
+            "triangle of pressure.",
+            "La forza è fuori dal terzo medio, quindi il pattino si solleva a un estremo: il contatto che resta ha "
+            "pressione triangolare.");
     solution.of = std::move(found);
     return solution;
 }

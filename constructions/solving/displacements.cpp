@@ -89,7 +89,8 @@ private:
     bool choose_coordinates() {
         const std::vector<int>& idle = solution_.mobility.idle_drivers;
         for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i)
-            if (std::find(idle.begin(), idle.end(), static_cast<int>(i)) == idle.end()) drivers_.push_back(mechanism_.drivers[i]);
+            if (std::find(idle.begin(), idle.end(), static_cast<int>(i)) == idle.end())
+                drivers_.push_back(mechanism_.drivers[i]);
         of_file_ = drivers_.size();
         const auto wanted = static_cast<std::size_t>(solution_.mobility.effective);
         if (drivers_.size() < wanted)
@@ -98,7 +99,8 @@ private:
                 if (moves_more(candidate)) drivers_.push_back(candidate);
             }
         if (drivers_.size() == wanted) return true;
-        found_.why_not = {"no coordinates were found that move it wholly", "non si trovano coordinate che lo muovano del tutto"};
+        found_.why_not = {"no coordinates were found that move it wholly",
+                          "non si trovano coordinate che lo muovano del tutto"};
         return false;
     }
     bool moves_more(const Driver& candidate) const {
@@ -114,15 +116,17 @@ private:
         loads_ = mechanism_.loads;
         if (!mechanism_.inertia_forces) return;
         for (const Mass& mass : mechanism_.masses) {
-            const auto motion = std::find_if(solution_.points.begin(), solution_.points.end(), [&](const PointMotion& each) {
-                return each.point == mass.centre &&
-                       std::find(each.bodies.begin(), each.bodies.end(), mass.body) != each.bodies.end();
-            });
+            const auto motion =
+                std::find_if(solution_.points.begin(), solution_.points.end(), [&](const PointMotion& each) {
+                    return each.point == mass.centre &&
+                           std::find(each.bodies.begin(), each.bodies.end(), mass.body) != each.bodies.end();
+                });
             const auto& alpha = solution_.bodies[at(mass.body)].alpha;
             if (motion == solution_.points.end() || !motion->acceleration || !alpha) {
-                found_.why_not = Words("the acceleration of body {0} is not known, so its force of inertia is not",
-                                       "l’accelerazione del corpo {0} non è nota, e quindi nemmeno la sua forza d’inerzia",
-                                       mechanism_.body(mass.body).name);
+                found_.why_not =
+                    Words("the acceleration of body {0} is not known, so its force of inertia is not",
+                          "l’accelerazione del corpo {0} non è nota, e quindi nemmeno la sua forza d’inerzia",
+                          mechanism_.body(mass.body).name);
                 return;
             }
             const std::string name = mechanism_.masses.size() == 1 ? "i" : "i" + mechanism_.body(mass.body).name;
@@ -191,7 +195,8 @@ private:
         }
         const WorkEquations::Found found = std::move(drawn).solved(count);
         found_.balanced = found.balanced;
-        const auto others = have_ratios ? std::move(by_ratios).solved(count).efforts : std::vector<std::optional<Exact>>(count);
+        const auto others =
+            have_ratios ? std::move(by_ratios).solved(count).efforts : std::vector<std::optional<Exact>>(count);
         for (std::size_t e = 0; e < count; ++e) {
             Displacements::Effort effort;
             effort.given = static_cast<int>(e);
@@ -204,8 +209,8 @@ private:
     static double size_of(const VirtualWork& work) {
         double largest = 0;
         for (const VirtualWork::Entry& entry : work.entries)
-            largest = std::max(
-                {largest, length(entry.force) * length(entry.velocity), std::abs((entry.couple * entry.omega).to_double())});
+            largest = std::max({largest, length(entry.force) * length(entry.velocity),
+                                std::abs((entry.couple * entry.omega).to_double())});
         return largest;
     }
     const Solution& solution_;
@@ -225,7 +230,8 @@ void hold_against_check(Solution& solution, const Displacements& found) {
     for (const Displacements::Effort& effort : found.efforts) {
         if (!effort.value || !numeric.effort_known[at(effort.given)]) continue;
         const double value = effort.value->to_double(), other = numeric.efforts[at(effort.given)];
-        solution.checks.push_back({{.kind = Quantity::Kind::virtual_effort, .given = effort.given}, value, other, value - other});
+        solution.checks.push_back(
+            {{.kind = Quantity::Kind::virtual_effort, .given = effort.given}, value, other, value - other});
     }
 }
 
@@ -236,7 +242,8 @@ void add_displacements(Solution& solution, const FinerPose& finer) {
     for (const Displacements::Freedom& freedom : found->freedoms)
         for (const Message& remark : freedom.moved->remarks) {
             const Sentence said = remark.sentence;
-            if (said == Sentence::check_differs || said == Sentence::check_stands_still || said == Sentence::check_moves)
+            if (said == Sentence::check_differs || said == Sentence::check_stands_still ||
+                said == Sentence::check_moves)
                 solution.remarks.push_back(remark);
         }
     hold_against_check(solution, *found);

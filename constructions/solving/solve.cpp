@@ -5,26 +5,26 @@
 #include <string>
 
 #include "constructions/kinematics/act_of_motion.hpp"
-#include "constructions/verdicts/check_rows.hpp"
-#include "constructions/problems/contacts.hpp"
 #include "constructions/kinematics/curvature.hpp"
 #include "constructions/kinematics/degeneracy.hpp"
+#include "constructions/kinematics/instant_centres.hpp"
+#include "constructions/kinematics/motion.hpp"
+#include "constructions/kinematics/plan.hpp"
+#include "constructions/kinematics/relative_motion.hpp"
+#include "constructions/kinematics/structure.hpp"
+#include "constructions/problems/contacts.hpp"
+#include "constructions/problems/problems.hpp"
 #include "constructions/solving/displacements.hpp"
 #include "constructions/statics/forces.hpp"
 #include "constructions/statics/free_bodies.hpp"
+#include "constructions/statics/virtual_work.hpp"
+#include "constructions/verdicts/check_rows.hpp"
 #include "constructions/verdicts/hairs.hpp"
-#include "constructions/kinematics/instant_centres.hpp"
-#include "constructions/kinematics/motion.hpp"
 #include "constructions/verdicts/noise.hpp"
 #include "constructions/verdicts/oversights.hpp"
-#include "constructions/kinematics/plan.hpp"
-#include "constructions/problems/problems.hpp"
-#include "constructions/kinematics/relative_motion.hpp"
-#include "constructions/kinematics/structure.hpp"
-#include "constructions/statics/virtual_work.hpp"
 #include "constructions/verdicts/workings.hpp"
-#include "engine/number/assert.hpp"
 #include "engine/equations/equations.hpp"
+#include "engine/number/assert.hpp"
 #include "engine/solution/problem_solution.hpp"
 
 namespace kinegraph {
@@ -42,7 +42,8 @@ struct Wanted {
 Wanted wanted_of(const Mechanism& mechanism) {
     const Find& find = mechanism.find;
     const bool driven = !mechanism.drivers.empty();
-    const bool loaded = !mechanism.loads.empty() || (mechanism.gravity && !mechanism.masses.empty()) || mechanism.inertia_forces;
+    const bool loaded =
+        !mechanism.loads.empty() || (mechanism.gravity && !mechanism.masses.empty()) || mechanism.inertia_forces;
     if (!find.stated && mechanism.motion) return {true, true, !mechanism.motion->accelerations.empty(), loaded, false};
     // Loads at rest ask for forces.
     if (!find.stated) return {driven || !loaded, driven, driven, loaded, false};
@@ -50,7 +51,8 @@ Wanted wanted_of(const Mechanism& mechanism) {
     // The equations' values stand beside the polygons'.
     if (find.curvature || (find.equations && driven)) wanted.velocities = wanted.accelerations = true;
     // Inertia is a load as the motion has it.
-    if ((find.virtual_work || find.forces) && driven && mechanism.inertia_forces) wanted.velocities = wanted.accelerations = true;
+    if ((find.virtual_work || find.forces) && driven && mechanism.inertia_forces)
+        wanted.velocities = wanted.accelerations = true;
     if (!find.relative_motion.empty()) {
         wanted.velocities = true;
         wanted.accelerations = wanted.accelerations || !mechanism.motion || !mechanism.motion->accelerations.empty();
@@ -150,7 +152,8 @@ private:
         const auto renumber = [&](ElementIndex& element) { element = record.element[at(element)]; };
         for_each_drawn(protocol, renumber);
         for_each_found(solution_, [&](ElementIndex& element, auto&) { renumber(element); });
-        for (int* settled : {&solution_.settled.velocities, &solution_.settled.accelerations, &solution_.settled.forces})
+        for (int* settled :
+             {&solution_.settled.velocities, &solution_.settled.accelerations, &solution_.settled.forces})
             *settled = static_cast<int>(std::count_if(record.element.begin(), record.element.begin() + *settled,
                                                       [](ElementIndex kept) { return kept != none; }));
         const auto keep = [&](std::vector<Value>& all) {
@@ -186,7 +189,8 @@ private:
                        std::get<PointName>(each.message.arguments[0]).name == point &&
                        std::get<BodyName>(each.message.arguments[1]).name == body;
             });
-            if (!through) solution_.remarks.push_back({Sentence::not_through_observer, {PointName{point}, BodyName{body}}});
+            if (!through)
+                solution_.remarks.push_back({Sentence::not_through_observer, {PointName{point}, BodyName{body}}});
         }
     }
 
@@ -224,7 +228,8 @@ private:
         for (Unsolved& missing : act.unsolved) solution_.unsolved.push_back(std::move(missing));
         const BodyIndex moved = mechanism_.motion->body;
         for (const BodyIndex body : mechanism_.moving_bodies()) {
-            if (body != moved) unsolved({Sentence::motion_of_body, {named(body)}}, {Sentence::one_body_only, {named(moved)}});
+            if (body != moved)
+                unsolved({Sentence::motion_of_body, {named(body)}}, {Sentence::one_body_only, {named(moved)}});
         }
         if (!wanted_.centres) return;
         for (const BodyIndex first : indices_of(mechanism_.bodies)) {
@@ -252,16 +257,18 @@ private:
         solution_.instant_motion = degenerate_motion(mechanism_, solution_.pose, solution_.mobility);
         for (Message& remark : remarks_on_mobility(mechanism_, solution_.mobility, solution_.instant_motion))
             solution_.remarks.push_back(std::move(remark));
-        for (Message& remark : remarks_on_lengths(mechanism_, solution_.pose)) solution_.remarks.push_back(std::move(remark));
+        for (Message& remark : remarks_on_lengths(mechanism_, solution_.pose))
+            solution_.remarks.push_back(std::move(remark));
         for (Message& remark : remarks_on_gravity(mechanism_)) solution_.remarks.push_back(std::move(remark));
     }
 
     /// What is not determined for want of drivers or efforts most likely wants what was forgotten: that is said first.
     void lead_with_oversights() {
-        const bool wanting = std::any_of(solution_.unsolved.begin(), solution_.unsolved.end(), [](const Unsolved& missing) {
-            const Sentence why = missing.why.sentence;
-            return why == Sentence::lacks_drivers || why == Sentence::nothing_drives || why == Sentence::unbalanced;
-        });
+        const bool wanting =
+            std::any_of(solution_.unsolved.begin(), solution_.unsolved.end(), [](const Unsolved& missing) {
+                const Sentence why = missing.why.sentence;
+                return why == Sentence::lacks_drivers || why == Sentence::nothing_drives || why == Sentence::unbalanced;
+            });
         if (wanting) solution_.remarks.insert(solution_.remarks.begin(), oversights_.begin(), oversights_.end());
     }
 
@@ -277,7 +284,8 @@ private:
         for (const int idle : solution_.mobility.idle_drivers) hold_against_motion(idle);
     }
 
-    /// A driver that fixes nothing new must ask what the mechanism does anyway; if not, it drives against a dead point or a lock.
+    /// A driver that fixes nothing new must ask what the mechanism does anyway; if not, it drives against a dead point
+    /// or a lock.
     void hold_against_motion(int driver) {
         const Message what = std::visit(
             [&](const auto& given) -> Message {
@@ -313,11 +321,12 @@ private:
             return board_.is_zero(board_.driver_velocity(driver)) && board_.is_zero(board_.driver_acceleration(driver));
         const DirectionHandle along = board_.guide_unit(slide.joint);
         const auto velocity = board_.vector(v.tip(guide), v.tip(slider));
-        if (!board_.is_zero(board_.subtract(velocity, board_.scale<Plane::velocity>(board_.driver_velocity(driver), along))))
+        if (!board_.is_zero(
+                board_.subtract(velocity, board_.scale<Plane::velocity>(board_.driver_velocity(driver), along))))
             return false;
         if (!wanted_.accelerations || !a.has(slider) || !a.has(guide) || !v.turns(joint.bodies[1])) return true;
-        const auto coriolis =
-            board_.scale<Plane::acceleration>(board_.product(board_.number(2), v.spin(joint.bodies[1])), board_.turn(velocity));
+        const auto coriolis = board_.scale<Plane::acceleration>(
+            board_.product(board_.number(2), v.spin(joint.bodies[1])), board_.turn(velocity));
         const auto relative = board_.subtract(board_.vector(a.tip(guide), a.tip(slider)), coriolis);
         return board_.is_zero(
             board_.subtract(relative, board_.scale<Plane::acceleration>(board_.driver_acceleration(driver), along)));
@@ -328,8 +337,8 @@ private:
         const auto same = [&]<Plane plane>(const Track<plane>& track, ScalarHandle asked) {
             if (node == none || !track.has(node)) return board_.is_zero(asked);
             const DirectionHandle along = board_.driver_unit(driver);
-            const auto rest =
-                board_.subtract(board_.vector(board_.pole<plane>(), track.tip(node)), board_.scale<plane>(asked, along));
+            const auto rest = board_.subtract(board_.vector(board_.pole<plane>(), track.tip(node)),
+                                              board_.scale<plane>(asked, along));
             return board_.is_zero(rest) || board_.parallel(board_.direction(rest), board_.perpendicular(along));
         };
         return same(motion_.velocity, board_.driver_velocity(driver)) &&
@@ -338,7 +347,8 @@ private:
 
     Sentence idle_reason() const {
         if (solution_.mobility.effective == 0) return Sentence::locked;
-        return solution_.mobility.driven < solution_.mobility.effective ? Sentence::undrivable : Sentence::driven_otherwise;
+        return solution_.mobility.driven < solution_.mobility.effective ? Sentence::undrivable
+                                                                        : Sentence::driven_otherwise;
     }
 
     void second_way(InstantCentres& centres) {
@@ -450,7 +460,8 @@ private:
         if (at(body) < mobility.determined.size() && !mobility.determined[at(body)]) {
             if (!mobility.idle_drivers.empty()) return {Sentence::stays_free, {}};
             for (const DeadPoint& dead : plan_.dead_points) {
-                if (carries(dead.node, body)) return {Sentence::dead_point_at, {PointName{structure_.node(dead.node).label}}};
+                if (carries(dead.node, body))
+                    return {Sentence::dead_point_at, {PointName{structure_.node(dead.node).label}}};
             }
             Message lacks{Sentence::lacks_drivers, {Count{mobility.effective}, Count{mobility.driven}}};
             // Drivers are no remedy where something was forgotten, which the remarks say.

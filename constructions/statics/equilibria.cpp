@@ -35,9 +35,11 @@ Equilibria::Equilibria(const ForceModel& model, Board& board, const Run& run, Gr
 void Equilibria::add_columns(int bond) {
     const Bond& here = model_.bonds()[at(bond)];
     const auto unit = [&](DirectionHandle along) { return board_.scale<Plane::force>(board_.number(1), along); };
-    if (here.kind == Bond::Kind::line || here.kind == Bond::Kind::guide) columns_.push_back({bond, unit(here.direction)});
+    if (here.kind == Bond::Kind::line || here.kind == Bond::Kind::guide)
+        columns_.push_back({bond, unit(here.direction)});
     if (here.kind == Bond::Kind::pin || here.kind == Bond::Kind::clamp)
-        for (const Vector& axis : {Vector{1, 0}, Vector{0, 1}}) columns_.push_back({bond, unit(board_.own_direction(axis))});
+        for (const Vector& axis : {Vector{1, 0}, Vector{0, 1}})
+            columns_.push_back({bond, unit(board_.own_direction(axis))});
     if (here.kind == Bond::Kind::couple || here.kind == Bond::Kind::guide || here.kind == Bond::Kind::clamp)
         columns_.push_back({bond, std::nullopt});
 }
@@ -62,7 +64,8 @@ void Equilibria::write_end(const Column& column, std::size_t index, MemberIndex 
     if (!board_.coincide(place, origin_)) enter(2, board_.moment(board_.vector(origin_, place), *column.unit));
 }
 
-// --- elimination -------------------------------------------------------------------------------------------------------------
+// --- elimination
+// -------------------------------------------------------------------------------------------------------------
 
 Equilibria::Cell Equilibria::times(const Cell& factor, const Cell& what) {
     if (!factor || !what) return {};
@@ -97,11 +100,14 @@ void Equilibria::subtract(Row& row, const Row& other, ScalarHandle factor) {
 
 /// The largest, so that on rounded data none is taken that is little more than noise.
 std::optional<std::size_t> Equilibria::pivot_row(std::size_t column) {
-    const auto as_force = [&](ScalarHandle value) { return board_.scale<Plane::force>(value, board_.own_direction({1, 0})); };
+    const auto as_force = [&](ScalarHandle value) {
+        return board_.scale<Plane::force>(value, board_.own_direction({1, 0}));
+    };
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (rows_[i].pivot >= 0 || !rows_[i].work[column]) continue;
-        if (!best || board_.choose_longer(as_force(*rows_[i].work[column]), as_force(*rows_[*best].work[column]))) best = i;
+        if (!best || board_.choose_longer(as_force(*rows_[i].work[column]), as_force(*rows_[*best].work[column])))
+            best = i;
     }
     return best;
 }
@@ -130,7 +136,8 @@ void Equilibria::eliminate() {
     }
 }
 
-// --- what all equilibria have alike ------------------------------------------------------------------------------------------
+// --- what all equilibria have alike
+// ------------------------------------------------------------------------------------------
 
 Equilibria::Motion Equilibria::motion_of(const Row& row) const {
     Motion motion;
@@ -224,8 +231,11 @@ std::optional<Equilibria::Component> Equilibria::component(std::size_t first, st
     Component found{direction, !sum.power, board_.direction(direction), simplest(sum)};
     if (!sum.power) return found;
     const Cell square_0 = times(c_0, c_0), square_1 = times(c_1, c_1);
-    const ScalarHandle square = square_0 && square_1 ? board_.sum(*square_0, *square_1) : square_0 ? *square_0 : *square_1;
-    found.force = board_.scale<Plane::force>(board_.quotient(board_.opposite(*sum.power), square), board_.direction(direction));
+    const ScalarHandle square = square_0 && square_1 ? board_.sum(*square_0, *square_1)
+                                : square_0           ? *square_0
+                                                     : *square_1;
+    found.force =
+        board_.scale<Plane::force>(board_.quotient(board_.opposite(*sum.power), square), board_.direction(direction));
     return found;
 }
 
@@ -240,7 +250,8 @@ Equilibria::Alike Equilibria::of(int bond) {
             couple = c;
     }
     Alike alike;
-    alike.whole_force = std::all_of(forces.begin(), forces.end(), [&](std::size_t c) { return vanishes(change_of(c)); });
+    alike.whole_force =
+        std::all_of(forces.begin(), forces.end(), [&](std::size_t c) { return vanishes(change_of(c)); });
     if (alike.whole_force) {
         for (const std::size_t c : forces) alike.components.push_back(along_unit(c));
     } else if (forces.size() == 2) {
@@ -255,7 +266,8 @@ Equilibria::Alike Equilibria::of(int bond) {
     return alike;
 }
 
-// --- motions -----------------------------------------------------------------------------------------------------------------
+// --- motions
+// -----------------------------------------------------------------------------------------------------------------
 
 std::optional<PlaceOnDrawing> Equilibria::centre(const Motion::Twist& twist) {
     if (!twist.turn) return std::nullopt;

@@ -1,12 +1,12 @@
-// Equilibria: what all equilibria of bodies that hang together have alike, where equilibrium does not determine everything. The
-// equations are eliminated on the board, so every verdict is recorded and what is found is exact. It knows bonds and wrenches, no
-// sentence.
+// Equilibria: what all equilibria of bodies that hang together have alike, where equilibrium does not determine
+// everything. The equations are eliminated on the board, so every verdict is recorded and what is found is exact. It
+// knows bonds and wrenches, no sentence.
 //
-// An equation, or any combination of them, is a virtual motion of the bodies (principle of virtual work): what stands in it under
-// an unknown is the power of that unknown, and beside the unknowns stands the power of all that is known. After elimination
-// (Gauss, Jordan) an unknown, or a component of a force, that stands alone in a combination is the same in every equilibrium, and
-// that combination is the motion by which virtual work gives it. Where none stands and a power is left over, there is no
-// equilibrium.
+// An equation, or any combination of them, is a virtual motion of the bodies (principle of virtual work): what stands
+// in it under an unknown is the power of that unknown, and beside the unknowns stands the power of all that is known.
+// After elimination (Gauss, Jordan) an unknown, or a component of a force, that stands alone in a combination is the
+// same in every equilibrium, and that combination is the motion by which virtual work gives it. Where none stands and a
+// power is left over, there is no equilibrium.
 #pragma once
 
 #include <array>
@@ -46,8 +46,9 @@ public:
         Motion motion;
     };
     struct Alike {
-        std::vector<Component> components;  ///< of a hinge or clamp both, of x and y, one, or none; of a line or guide its force
-        bool whole_force = false;           ///< they are the force
+        std::vector<Component>
+            components;            ///< of a hinge or clamp both, of x and y, one, or none; of a line or guide its force
+        bool whole_force = false;  ///< they are the force
         std::optional<Couple> couple;
         bool all = false;  ///< the reaction is determined
     };
@@ -92,7 +93,8 @@ private:
     void divide(Row& row, ScalarHandle by);
     void subtract(Row& row, const Row& other, ScalarHandle factor);
     Motion motion_of(const Row& row) const;
-    /// The same force found by as few moving members as may be: free motions do no work, so any of them may be taken away.
+    /// The same force found by as few moving members as may be: free motions do no work, so any of them may be taken
+    /// away.
     Motion simplest(Row row);
     std::size_t moving(const Row& row) const;
     /// The row in which a column is the pivot; none: the column is free.

@@ -14,7 +14,9 @@ Symbol marked(Symbol symbol, const std::string& mark) {
 }
 
 ForceModel::ForceModel(Structure& structure, Board& board, const Motion& motion)
-    : board_(board), mechanism_(structure.mechanism()), members_(static_cast<int>(structure.mechanism().bodies.size())) {
+    : board_(board),
+      mechanism_(structure.mechanism()),
+      members_(static_cast<int>(structure.mechanism().bodies.size())) {
     for (const JointIndex joint : indices_of(mechanism_.joints)) add_joint(joint);
     for (std::size_t e = 0; e < mechanism_.efforts.size(); ++e) add_effort(static_cast<int>(e));
     bonds_of_.resize(at(members_));
@@ -98,7 +100,8 @@ void ForceModel::add_joint(JointIndex index) {
         pin_of_.emplace(index, pin);
         for (const BodyIndex body : joint.bodies) add(member_of(body), pin);
     } else {
-        for (std::size_t b = 1; b < joint.bodies.size(); ++b) add(member_of(joint.bodies[b]), member_of(joint.bodies[0]));
+        for (std::size_t b = 1; b < joint.bodies.size(); ++b)
+            add(member_of(joint.bodies[b]), member_of(joint.bodies[0]));
     }
 }
 
@@ -257,7 +260,8 @@ Wrench ForceModel::known_on(const Group& group, const std::vector<Load>& loads, 
 }
 
 bool ForceModel::is_inner(const Load& load, const Group& group) const {
-    return load.kind == AppliedForce::Kind::spring && std::any_of(loads().begin(), loads().end(), [&](const Load& other) {
+    return load.kind == AppliedForce::Kind::spring &&
+           std::any_of(loads().begin(), loads().end(), [&](const Load& other) {
                return other.kind == load.kind && other.given == load.given && other.member != load.member &&
                       in(group, other.member);
            });

@@ -1,5 +1,6 @@
-// The model of the forces: what bodies may exert on each other (bonds), what loads them (constructions/forces/loads_of_members),
-// and the reduction of forces to a resultant. It says what is unknown, not how it is found.
+// The model of the forces: what bodies may exert on each other (bonds), what loads them
+// (constructions/forces/loads_of_members), and the reduction of forces to a resultant. It says what is unknown, not how
+// it is found.
 #pragma once
 
 #include <array>
@@ -9,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "constructions/statics/force_nouns.hpp"
-#include "constructions/statics/forces/loads_of_members.hpp"
 #include "constructions/kinematics/motion.hpp"
 #include "constructions/kinematics/structure.hpp"
+#include "constructions/statics/force_nouns.hpp"
+#include "constructions/statics/forces/loads_of_members.hpp"
 #include "engine/board/board.hpp"
 #include "engine/solution/solution.hpp"
 
@@ -50,13 +51,13 @@ public:
     Quantity quantity_at(std::size_t bond, bool on_first) const;
     /// F_32: of 3 on 2.
     Symbol force_symbol(MemberIndex of, MemberIndex on) const;
-    /// One-sided pairs are assumed to push: teeth into the gear's own material, a contact in the sense that the file gives.
-    /// Whether the reaction found at a bond says that it would have to pull.
+    /// One-sided pairs are assumed to push: teeth into the gear's own material, a contact in the sense that the file
+    /// gives. Whether the reaction found at a bond says that it would have to pull.
     bool pulls(std::size_t bond, const Run& run);
     /// Teeth that would pull. (Contacts may pull, too, but have no other flank: they lift off.)
     std::vector<JointIndex> pulling_teeth(const Run& run);
-    /// They push on their other flank from then on: along the line of action mirrored at the common tangent. All is to be found
-    /// anew.
+    /// They push on their other flank from then on: along the line of action mirrored at the common tangent. All is to
+    /// be found anew.
     void turn_flanks(const std::vector<JointIndex>& teeth);
     Action action(PlaceOnDrawing place, DirectionHandle direction);
     LineOn<drawing> line_of(const Wrench& wrench);
@@ -71,8 +72,10 @@ public:
     Wrench known_on(const Group& group, const std::vector<Load>& loads, const Run& run);
     /// A spring between two members of a group, which the group does not feel.
     bool is_inner(const Load& load, const Group& group) const;
-    /// What the loads and the known reactions leave on a member: components along x and y, and the moment about a place.
-    std::array<ScalarHandle, 3> gap(MemberIndex member, const std::vector<Load>& loads, const Run& run, PlaceOnDrawing about);
+    /// What the loads and the known reactions leave on a member: components along x and y, and the moment about a
+    /// place.
+    std::array<ScalarHandle, 3> gap(MemberIndex member, const std::vector<Load>& loads, const Run& run,
+                                    PlaceOnDrawing about);
     /// Bonds between a group and the rest.
     std::vector<int> outer_bonds(const Group& group) const;
 
@@ -81,8 +84,8 @@ private:
     bool is_of_teeth(std::size_t bond) const;
     void add_joint(JointIndex index);
     void add_effort(int index);
-    /// On which side of the common tangent's normal the material of bodies[0] lies: the sign of 1/x_0 − 1/x_1, x the centres'
-    /// places along it (0 for a rack); 0 where the file gives only a tangent.
+    /// On which side of the common tangent's normal the material of bodies[0] lies: the sign of 1/x_0 − 1/x_1, x the
+    /// centres' places along it (0 for a rack); 0 where the file gives only a tangent.
     int material_side(JointIndex index);
 
     Board& board_;

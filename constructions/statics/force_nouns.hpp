@@ -1,5 +1,5 @@
-// The nouns of the forces: bodies and pins as members, what bodies may exert on each other (bonds), what is known of that in one
-// run, loads, wrenches, and what was done on the way. Values alone.
+// The nouns of the forces: bodies and pins as members, what bodies may exert on each other (bonds), what is known of
+// that in one run, loads, wrenches, and what was done on the way. Values alone.
 #pragma once
 
 #include <optional>
@@ -54,7 +54,8 @@ struct Reaction {
     bool deduced = false;                   ///< the line was found, not given
     StatementIndex line_statement = none;   ///< the first that says or needs its line
     StatementIndex force_statement = none;  ///< by which it is known
-    /// Of what is not known, what every equilibrium has alike: all of the force, its component along one direction, the couple.
+    /// Of what is not known, what every equilibrium has alike: all of the force, its component along one direction, the
+    /// couple.
     enum class Alike { nothing, component, force } alike = Alike::nothing;
     bool couple_alike = false;
     std::optional<DirectionHandle> along;  ///< of the component; `force` holds it
@@ -150,10 +151,11 @@ struct Run {
     std::vector<Strings> strings;
     std::vector<PartRun> parts;    ///< whose sum it is; empty: it is none
     StatementIndex summed = none;  ///< by which they are added
-    Group redundant;               ///< members of which equilibrium leaves something open, though there is an equilibrium
+    Group redundant;  ///< members of which equilibrium leaves something open, though there is an equilibrium
     bool complete = false;
-    std::size_t beyond_members = 0;  ///< > 0: so many members at most are taken together, and redundant constraints hold more
-    bool in_parts = false;           ///< a sum of parts found apart, or of trials
+    std::size_t beyond_members =
+        0;                  ///< > 0: so many members at most are taken together, and redundant constraints hold more
+    bool in_parts = false;  ///< a sum of parts found apart, or of trials
 };
 
 /// The loads of one member alone.

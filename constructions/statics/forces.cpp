@@ -22,8 +22,8 @@ Group hung_bars(const ForceModel& model, Board& board, const TrussStructure& tru
     for (const TrussStructure::Pin& pin : truss.pins) {
         if (pin.hinges.empty() || pin.bars.size() != 1) continue;
         const ElementIndex here = board.place(pin.point).element;
-        const bool loaded =
-            std::any_of(model.loads().begin(), model.loads().end(), [&](const Load& load) { return load.place.element == here; });
+        const bool loaded = std::any_of(model.loads().begin(), model.loads().end(),
+                                        [&](const Load& load) { return load.place.element == here; });
         if (!loaded) hung.push_back(member_of(truss.bars[at(pin.bars.front())].body));
     }
     for (const Bond& bond : model.bonds())
@@ -46,8 +46,8 @@ std::optional<Truss::Whole> whole_of(ForceModel& model, const NamedMeets& meets,
     whole.through = Recorded<Vector>::at(given.place.element);
     for (const auto& [member, named] : meets)
         for (const NamedMeet& meet : named) {
-            const bool listed =
-                std::any_of(whole.meets.begin(), whole.meets.end(), [&](const auto& each) { return each.name == meet.name; });
+            const bool listed = std::any_of(whole.meets.begin(), whole.meets.end(),
+                                            [&](const auto& each) { return each.name == meet.name; });
             if (!listed) whole.meets.push_back({meet.name, Recorded<Vector>::at(meet.place.element), meet.statement});
         }
     return whole;

@@ -1,11 +1,12 @@
-// Forces: graphical statics and kinetostatics of the whole mechanism. Lines of action before magnitudes, body by body: two-force
-// bodies, three forces through one point, Culmann's line for four, a couple as an arm; bodies that slide in one another taken
-// together; several loads by superposition; and what no order of bodies resolves by one trial value (everything is linear).
+// Forces: graphical statics and kinetostatics of the whole mechanism. Lines of action before magnitudes, body by body:
+// two-force bodies, three forces through one point, Culmann's line for four, a couple as an arm; bodies that slide in
+// one another taken together; several loads by superposition; and what no order of bodies resolves by one trial value
+// (everything is linear).
 //
-// A Bond is what two bodies may exert on each other at a joint or through an effort. It may be a force through a point (hinge,
-// rolling), a force normal to a guide with an unknown place (sleeve), a force along a line (slot, contact, gear, actuator,
-// force), a couple, or all three (weld). Sources: Culmann, Die graphische Statik (1866); Cremona (1872); Ritter's method of
-// moments (1863).
+// A Bond is what two bodies may exert on each other at a joint or through an effort. It may be a force through a point
+// (hinge, rolling), a force normal to a guide with an unknown place (sleeve), a force along a line (slot, contact,
+// gear, actuator, force), a couple, or all three (weld). Sources: Culmann, Die graphische Statik (1866); Cremona
+// (1872); Ritter's method of moments (1863).
 #pragma once
 
 #include <optional>

@@ -15,8 +15,9 @@ void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose) {
     constexpr double amplified = 64;
     const auto passes = [&](const AppliedForce& applied, const Vector& place) {
         const Exact moment = cross(applied.force, place - applied.at);
-        return moment.is_zero() || (pose.is_rounded() && std::abs(moment.to_double()) <=
-                                                             amplified * pose.precision.to_double() * length(applied.force));
+        return moment.is_zero() ||
+               (pose.is_rounded() &&
+                std::abs(moment.to_double()) <= amplified * pose.precision.to_double() * length(applied.force));
     };
     for (FreeBody& body : bodies) {
         for (AppliedForce& applied : body.forces) {
@@ -30,8 +31,8 @@ void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose) {
     }
 }
 
-ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
-                      const NamedMeets& meets, const std::vector<Loose>& loose, bool one_by_one) {
+ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
+                      const Run& run, const NamedMeets& meets, const std::vector<Loose>& loose, bool one_by_one) {
     ForceResults results;
     const UnderLoads under{&model.loads()};
     ForcePolygons polygons(model, board);

@@ -1,5 +1,6 @@
-// Free bodies: what a finished run says of each body cut free, its closed force polygon, and the polygons laid side by side on
-// their common forces (Cremona), so that the external forces close. Says why, where something is not determined.
+// Free bodies: what a finished run says of each body cut free, its closed force polygon, and the polygons laid side by
+// side on their common forces (Cremona), so that the external forces close. Says why, where something is not
+// determined.
 #pragma once
 
 #include <map>
@@ -23,8 +24,8 @@ struct NamedMeet {
 using NamedMeets = std::map<MemberIndex, std::vector<NamedMeet>>;
 
 /// `one_by_one`: with each body cut free, and their polygons; else the forces at joints alone.
-ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
-                      const NamedMeets& meets, const std::vector<Loose>& loose, bool one_by_one = true);
+ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
+                      const Run& run, const NamedMeets& meets, const std::vector<Loose>& loose, bool one_by_one = true);
 
 /// The line of a load is first needed where it leads to a point of concurrency. Asked once the values are read.
 void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose);

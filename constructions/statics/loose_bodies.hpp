@@ -1,5 +1,6 @@
-// Loose bodies: those of which it is asked whether what is given on them is in equilibrium, for no effort holds them and nothing
-// drives. Either nothing holds them at all, or a body hangs on the frame by joints that leave it free to move.
+// Loose bodies: those of which it is asked whether what is given on them is in equilibrium, for no effort holds them
+// and nothing drives. Either nothing holds them at all, or a body hangs on the frame by joints that leave it free to
+// move.
 #pragma once
 
 #include <optional>
@@ -12,7 +13,8 @@ namespace kinegraph::statics {
 struct Loose {
     Group group;
     bool balanced = false;
-    /// Of a body on the frame that is not balanced and has one freedom: the place about which it turns, or along which it goes.
+    /// Of a body on the frame that is not balanced and has one freedom: the place about which it turns, or along which
+    /// it goes.
     std::optional<PlaceOnDrawing> centre;
     std::optional<DirectionHandle> along;
 };

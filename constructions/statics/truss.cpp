@@ -19,12 +19,14 @@ TrussDrawing::TrussDrawing(ForceModel& model, Board& board, const Mechanism& mec
     known_.take_supports(whole);
 }
 
-// --- resolving ----------------------------------------------------------------------------------------------------------------
+// --- resolving
+// ----------------------------------------------------------------------------------------------------------------
 
 bool TrussDrawing::resolve() {
     settle_idle_bars(known_);
     const auto& supports = known_.supports();
-    const auto supports_known = std::all_of(supports.begin(), supports.end(), [](const auto& each) { return each.known; });
+    const auto supports_known =
+        std::all_of(supports.begin(), supports.end(), [](const auto& each) { return each.known; });
     if (plan_.exists() && supports_known && !model_.loads().empty()) open_plan();
     cuts_.make_those_of_file(false);
     while (!known_.all_known() && !pins_.is_contradictory()) {
@@ -39,7 +41,8 @@ bool TrussDrawing::resolve() {
 
 void TrussDrawing::open_plan() { opening_ = known_.say(Sentence::truss_plan, {std::string()}, "Bow"); }
 
-// --- what was found ----------------------------------------------------------------------------------------------------------
+// --- what was found
+// ----------------------------------------------------------------------------------------------------------
 
 /// The force at each joint of a pin, from those with one unknown on: they hold its bodies together as a tree.
 bool TrussDrawing::settle_joints(int pin, Run& run) {
@@ -50,7 +53,8 @@ bool TrussDrawing::settle_joints(int pin, Run& run) {
     const auto unknown_of = [&](MemberIndex member) {
         std::vector<int> unknown;
         for (const int b : bonds)
-            if (!run.reactions[at(b)].known && (model_.bonds()[at(b)].first == member || model_.bonds()[at(b)].second == member))
+            if (!run.reactions[at(b)].known &&
+                (model_.bonds()[at(b)].first == member || model_.bonds()[at(b)].second == member))
                 unknown.push_back(b);
         return unknown;
     };
@@ -93,8 +97,9 @@ Run TrussDrawing::run(Run from) {
         reaction.force_statement = support.statement;
         reaction.force.reset();
         if (support.force)
-            reaction.force =
-                model_.bonds()[at(support.bonds[0])].first == member_of(frame) ? board_.negate(*support.force) : *support.force;
+            reaction.force = model_.bonds()[at(support.bonds[0])].first == member_of(frame)
+                                 ? board_.negate(*support.force)
+                                 : *support.force;
     }
     from.complete = true;
     for (int pin = 0; pin < known_.pins(); ++pin) from.complete = settle_joints(pin, from) && from.complete;
@@ -114,7 +119,8 @@ void TrussDrawing::read_off(const Run& run) {
             if (bond.place.element != known_.place(pin).element || !run.reactions[at(b)].force) continue;
             add(bond.first == member ? *run.reactions[at(b)].force : board_.negate(*run.reactions[at(b)].force));
         }
-        known_.take_bar(static_cast<int>(bar), sum && !board_.is_zero(*sum) ? std::optional(board_.negate(*sum)) : std::nullopt);
+        known_.take_bar(static_cast<int>(bar),
+                        sum && !board_.is_zero(*sum) ? std::optional(board_.negate(*sum)) : std::nullopt);
     }
     known_.take_supports(run);
 }
@@ -142,7 +148,8 @@ std::vector<OuterForce> TrussDrawing::outer_forces() const {
         told.joint = bond.joint;
         told.symbol = known_.symbol_of(support);
         told.statement = support.statement;
-        const Quantity quantity{.kind = Quantity::Kind::force, .body = model_.body_of(on), .other = frame, .joint = bond.joint};
+        const Quantity quantity{
+            .kind = Quantity::Kind::force, .body = model_.body_of(on), .other = frame, .joint = bond.joint};
         outer.push_back({std::move(told), *support.force, quantity});
     }
     return outer;

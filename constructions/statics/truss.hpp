@@ -1,6 +1,6 @@
-// Trusses drawn: bars that carry nothing by rule, the cuts of the file, pin after pin, and a cut where no pin leads on; then the
-// forces at the joints, and the plan. Owns the order of these; each rule has a file of its own in constructions/truss/. Which
-// forces the frame exerts it is told, or finds at the pins.
+// Trusses drawn: bars that carry nothing by rule, the cuts of the file, pin after pin, and a cut where no pin leads on;
+// then the forces at the joints, and the plan. Owns the order of these; each rule has a file of its own in
+// constructions/truss/. Which forces the frame exerts it is told, or finds at the pins.
 #pragma once
 
 #include <vector>
@@ -17,14 +17,15 @@ namespace kinegraph::statics {
 class TrussDrawing {
 public:
     /// `whole`: with the reactions that the truss cut free whole gave.
-    TrussDrawing(ForceModel& model, Board& board, const Mechanism& mechanism, const TrussStructure& truss, const Run& whole);
+    TrussDrawing(ForceModel& model, Board& board, const Mechanism& mechanism, const TrussStructure& truss,
+                 const Run& whole);
     TrussDrawing(const TrussDrawing&) = delete;
     TrussDrawing& operator=(const TrussDrawing&) = delete;
 
     /// All bars; false where pins and cuts do not lead to the end, or what is given is not in equilibrium.
     bool resolve();
-    /// The bars of a run that was resolved in another way: a bar pulls with what acts on its end at the other side of the pull,
-    /// the joints' forces there and its loads.
+    /// The bars of a run that was resolved in another way: a bar pulls with what acts on its end at the other side of
+    /// the pull, the joints' forces there and its loads.
     void read_off(const Run& run);
     /// The forces at the joints.
     Run run(Run from);

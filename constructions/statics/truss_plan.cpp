@@ -40,11 +40,12 @@ bool TrussPlan::cross(int bar, int other) {
     for (const int common : {a, b})
         if (common == c || common == d) {
             const int end = common == a ? b : a, its = common == c ? d : c;
-            return side(common, end, its) == 0 &&
-                   board_.choose_along(board_.vector(place(common), place(end)), board_.vector(place(common), place(its))) > 0;
+            return side(common, end, its) == 0 && board_.choose_along(board_.vector(place(common), place(end)),
+                                                                      board_.vector(place(common), place(its))) > 0;
         }
     const int sides[] = {side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b)};
-    if (sides[0] == 0 && sides[1] == 0) {  // on one line: apart where both ends of one lie beyond the same end of the other
+    if (sides[0] == 0 &&
+        sides[1] == 0) {  // on one line: apart where both ends of one lie beyond the same end of the other
         const auto beyond = [&](int from, int to) {
             const auto along = board_.vector(place(from), place(to));
             return board_.choose_along(along, board_.vector(place(to), place(c))) > 0 &&
@@ -119,7 +120,8 @@ void TrussPlan::walk_faces() {
 /// A force stands outside: its arrow ends at the pin, or begins there where its tail would lie among the bars.
 TrussPlan::Ray TrussPlan::ray_of(const OuterForce& force, std::size_t corner) {
     const Ray arriving = ray(border_[corner] ^ 1), leaving = ray(border_[(corner + 1) % border_.size()]);
-    const Ray ahead = board_.scale<drawing>(board_.number(1), board_.direction(force.force)), behind = board_.negate(ahead);
+    const Ray ahead = board_.scale<drawing>(board_.number(1), board_.direction(force.force)),
+              behind = board_.negate(ahead);
     const auto is_outside = [&](Ray of) {
         return comes_first(arriving, of, leaving, -1) && board_.choose_turn(arriving, of) != 0;
     };
@@ -189,8 +191,8 @@ void TrussPlan::name_spaces(Truss& truss, const std::vector<OuterForce>& outer) 
     }
 }
 
-void TrussPlan::draw_sides(Truss& truss, const std::vector<OuterForce>& outer, const std::vector<std::optional<Force>>& pulls,
-                           StatementIndex opening) {
+void TrussPlan::draw_sides(Truss& truss, const std::vector<OuterForce>& outer,
+                           const std::vector<std::optional<Force>>& pulls, StatementIndex opening) {
     using Corner = PointOn<Plane::force>;
     std::vector<std::optional<Corner>> corner(truss.spaces.size());
     corner[0] = board_.pole<Plane::force>();
@@ -213,8 +215,8 @@ void TrussPlan::draw_sides(Truss& truss, const std::vector<OuterForce>& outer, c
             KG_ASSERT(board_.coincide(after, *corner[0]), "forces from outside in equilibrium close");
         else
             corner[at(told.after)] = after;
-        side(told.symbol, outer[i].quantity, told.statement == none ? opening : told.statement, before, *corner[at(told.after)],
-             true);
+        side(told.symbol, outer[i].quantity, told.statement == none ? opening : told.statement, before,
+             *corner[at(told.after)], true);
     }
     for (std::size_t round = 0; round < truss.spaces.size(); ++round)
         for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {

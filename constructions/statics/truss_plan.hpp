@@ -1,6 +1,6 @@
-// The plan of a truss: its spaces by Bow's notation, and their corners in the force plane (Cremona, Le figure reciproche nella
-// statica grafica, 1872; Maxwell 1864). Owns which regions bars and lines of forces part, and where their corners lie; finds no
-// force.
+// The plan of a truss: its spaces by Bow's notation, and their corners in the force plane (Cremona, Le figure
+// reciproche nella statica grafica, 1872; Maxwell 1864). Owns which regions bars and lines of forces part, and where
+// their corners lie; finds no force.
 #pragma once
 
 #include <optional>

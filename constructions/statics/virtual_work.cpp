@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "constructions/statics/force_model.hpp"
 #include "constructions/kinematics/space_diagram.hpp"
+#include "constructions/statics/force_model.hpp"
 #include "engine/number/assert.hpp"
 
 namespace kinegraph {
@@ -67,8 +67,8 @@ private:
 
 }  // namespace
 
-std::optional<VirtualWork> virtual_work(const Structure& structure, Board& board, const Track<Plane::velocity>& velocities,
-                                        const std::vector<FreeBody>& bodies) {
+std::optional<VirtualWork> virtual_work(const Structure& structure, Board& board,
+                                        const Track<Plane::velocity>& velocities, const std::vector<FreeBody>& bodies) {
     VirtualWork work;
     Powers powers(structure, board, velocities);
     for (const FreeBody& free : bodies) {
@@ -141,8 +141,9 @@ private:
         total_ = total_ ? board_.sum(*total_, power) : power;
         VirtualWork::Entry entry;
         entry.symbol = load.symbol;
-        entry.quantity = load.kind == AppliedForce::Kind::weight ? Quantity{.kind = Quantity::Kind::weight, .given = load.given}
-                                                                 : Quantity{.kind = Quantity::Kind::load, .given = load.given};
+        entry.quantity = load.kind == AppliedForce::Kind::weight
+                             ? Quantity{.kind = Quantity::Kind::weight, .given = load.given}
+                             : Quantity{.kind = Quantity::Kind::load, .given = load.given};
         entry.body = carrier;
         entry.elements = {load.place.element,
                           moved.element,

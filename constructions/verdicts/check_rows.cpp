@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "engine/results/quantity_name.hpp"
 #include "engine/check/check.hpp"
 #include "engine/check/check_forces.hpp"
-#include "engine/solution/magnitudes.hpp"
 #include "engine/drawing/spring_force.hpp"
+#include "engine/results/quantity_name.hpp"
+#include "engine/solution/magnitudes.hpp"
 
 namespace kinegraph {
 namespace {
@@ -25,7 +25,9 @@ double length(const Pair& a) { return std::hypot(a[0], a[1]); }
 class Comparer {
 public:
     explicit Comparer(const Solution& solution)
-        : solution_(solution), mechanism_(solution.mechanism), numeric_(check_motion(solution.mechanism, solution.pose)) {}
+        : solution_(solution),
+          mechanism_(solution.mechanism),
+          numeric_(check_motion(solution.mechanism, solution.pose)) {}
 
     Comparison compare() && {
         for (const BodyIndex body : mechanism_.moving_bodies()) compare_turning(body);
@@ -33,7 +35,8 @@ public:
         for (const Sliding& sliding : solution_.sliding) compare_sliding(sliding);
         for (const InstantCentre& centre : solution_.centres) compare_centre(centre);
         for (const Curvature& found : solution_.curvature) compare_curvature(found);
-        if (!solution_.forces.empty() || !solution_.efforts.empty() || !solution_.resultants.empty() || solution_.virtual_work)
+        if (!solution_.forces.empty() || !solution_.efforts.empty() || !solution_.resultants.empty() ||
+            solution_.virtual_work)
             compare_forces();
         for (const DrawnVector& vector : solution_.protocol.vectors) comparison_.moduli.push_back(modulus(vector));
         tell_what_moves();
@@ -54,7 +57,8 @@ private:
     void compare_turning(BodyIndex body) {
         const auto& state = numeric_.bodies[at(body)];
         const BodyMotion& found = solution_.bodies[at(body)];
-        if (found.omega && state.velocity_known) add({.kind = Kind::omega, .body = body}, found.omega->to_double(), state.omega);
+        if (found.omega && state.velocity_known)
+            add({.kind = Kind::omega, .body = body}, found.omega->to_double(), state.omega);
         if (found.alpha && state.acceleration_known)
             add({.kind = Kind::alpha, .body = body}, found.alpha->to_double(), state.alpha);
     }
@@ -64,7 +68,8 @@ private:
         if (body == frame) return;
         const auto& state = numeric_.bodies[at(body)];
         const Vector& place = solution_.pose.at(point.point);
-        if (point.velocity && state.velocity_known) add(velocity_of(point), *point.velocity, numeric_.velocity(body, place));
+        if (point.velocity && state.velocity_known)
+            add(velocity_of(point), *point.velocity, numeric_.velocity(body, place));
         if (point.acceleration && state.acceleration_known)
             add(acceleration_of(point), *point.acceleration, numeric_.acceleration(body, place));
     }
@@ -77,10 +82,12 @@ private:
         const Vector& place = solution_.pose.at(joint.point);
         if (!slider.velocity_known || !guide.velocity_known) return;
         const Pair velocity = minus(numeric_.velocity(i, place), numeric_.velocity(j, place));
-        if (sliding.velocity) add({.kind = Kind::sliding_velocity, .joint = sliding.joint}, *sliding.velocity, velocity);
+        if (sliding.velocity)
+            add({.kind = Kind::sliding_velocity, .joint = sliding.joint}, *sliding.velocity, velocity);
         if (!slider.acceleration_known || !guide.acceleration_known || !sliding.acceleration) return;
         const Pair coriolis{-2 * guide.omega * velocity[1], 2 * guide.omega * velocity[0]};
-        const Pair acceleration = minus(minus(numeric_.acceleration(i, place), numeric_.acceleration(j, place)), coriolis);
+        const Pair acceleration =
+            minus(minus(numeric_.acceleration(i, place), numeric_.acceleration(j, place)), coriolis);
         add({.kind = Kind::sliding_acceleration, .joint = sliding.joint}, *sliding.acceleration, acceleration);
         add({.kind = Kind::sliding_coriolis, .joint = sliding.joint}, *sliding.coriolis, coriolis);
     }
@@ -94,7 +101,8 @@ private:
         const double omega = second.omega - first.omega;
         // Below this the two bodies hardly turn against each other, and the quotient says nothing about the place.
         constexpr double least_relative_spin = 1e-6;
-        if (std::abs(omega) <= least_relative_spin * std::max(std::abs(first.omega), std::abs(second.omega)) || omega == 0)
+        if (std::abs(omega) <= least_relative_spin * std::max(std::abs(first.omega), std::abs(second.omega)) ||
+            omega == 0)
             return;
         const Vector place = centre.at->place();
         const Pair relative = minus(numeric_.velocity(centre.second, place), numeric_.velocity(centre.first, place));
@@ -112,8 +120,8 @@ private:
             const Pair v = numeric_.velocity(found.body, place), a = numeric_.acceleration(found.body, place);
             const double speed = length(v), across = std::abs(v[0] * a[1] - v[1] * a[0]);
             if (!(across > 0)) continue;
-            add({.kind = Kind::radius, .body = found.body, .point = path.point}, kinegraph::length(path.centre->place() - place),
-                speed * speed * speed / across);
+            add({.kind = Kind::radius, .body = found.body, .point = path.point},
+                kinegraph::length(path.centre->place() - place), speed * speed * speed / across);
         }
         if (found.kind != Curvature::Kind::general || state.omega == 0) return;
         const Vector pole = found.pole->place();
@@ -129,7 +137,8 @@ private:
     void compare_forces() {
         const NumericForces numeric = check_forces(mechanism_, solution_.pose, numeric_);
         for (const JointForce& found : solution_.forces)
-            if (const auto* action = action_of(numeric, found.joint, found.on, found.from)) compare_action(found, *action);
+            if (const auto* action = action_of(numeric, found.joint, found.on, found.from))
+                compare_action(found, *action);
         if (solution_.virtual_work)
             add({.kind = Kind::virtual_power}, solution_.virtual_work->total.to_double(), numeric_power());
         for (std::size_t e = 0; e < solution_.efforts.size(); ++e)
@@ -163,7 +172,8 @@ private:
             }
             if (!known || !truss.bars[b].force) continue;
             const Vector along = places[at(second)] - places[at(first)];
-            const Pair unit{along.x.to_double() / kinegraph::length(along), along.y.to_double() / kinegraph::length(along)};
+            const Pair unit{along.x.to_double() / kinegraph::length(along),
+                            along.y.to_double() / kinegraph::length(along)};
             const double pull = -(end[0] * unit[0] + end[1] * unit[1]);
             add({.kind = Kind::bar, .body = bar.body}, truss.tension(b, places), pull);
             comparison_.bars.emplace_back(b, pull);
@@ -200,10 +210,11 @@ private:
         add({.kind = Kind::resultant_couple, .body = found.bodies.front()}, found.couple->to_double(), sum.couple);
     }
     /// Where equilibrium determines something of it.
-    static const NumericForces::Action* action_of(const NumericForces& numeric, JointIndex joint, BodyIndex on, BodyIndex from) {
+    static const NumericForces::Action* action_of(const NumericForces& numeric, JointIndex joint, BodyIndex on,
+                                                  BodyIndex from) {
         for (const NumericForces::Action& action : numeric.actions)
-            if ((action.force_known || action.couple_known || action.along) && action.joint == joint && action.on == on &&
-                action.from == from)
+            if ((action.force_known || action.couple_known || action.along) && action.joint == joint &&
+                action.on == on && action.from == from)
                 return &action;
         return nullptr;
     }
@@ -223,7 +234,8 @@ private:
         return action.component * same;
     }
 
-    Comparison::Action action_on(const FreeBody& body, const AppliedForce& applied, const NumericForces& numeric) const {
+    Comparison::Action action_on(const FreeBody& body, const AppliedForce& applied,
+                                 const NumericForces& numeric) const {
         switch (applied.kind) {
             case AppliedForce::Kind::reaction: {
                 if (const auto* action = action_of(numeric, applied.joint, body.body, applied.from)) {
@@ -231,7 +243,8 @@ private:
                     return {length(action->force), action->couple};
                 }
                 // What a body gives to the pin of a multiple hinge is told as what the pin gives to the body.
-                const auto* action = body.body == none ? action_of(numeric, applied.joint, applied.from, none) : nullptr;
+                const auto* action =
+                    body.body == none ? action_of(numeric, applied.joint, applied.from, none) : nullptr;
                 if (action == nullptr) return {};
                 return {length(action->force), -action->couple};
             }
@@ -239,9 +252,9 @@ private:
                 if (!numeric.effort_known[at(applied.given)]) return {};
                 return effort_on(body, mechanism_.efforts[at(applied.given)], numeric.efforts[at(applied.given)]);
             case AppliedForce::Kind::weight:
-                return {mechanism_.masses[at(applied.given)].mass.to_double() * kinegraph::length(*mechanism_.gravity), {}};
-            case AppliedForce::Kind::inertia:
-                return inertia_of(mechanism_.masses[at(applied.given)]);
+                return {mechanism_.masses[at(applied.given)].mass.to_double() * kinegraph::length(*mechanism_.gravity),
+                        {}};
+            case AppliedForce::Kind::inertia: return inertia_of(mechanism_.masses[at(applied.given)]);
             case AppliedForce::Kind::resultant: {
                 const NumericForces::Sum& sum = numeric.given[at(body.body)];
                 if (applied.force.is_zero()) return {{}, sum.couple};
@@ -275,7 +288,9 @@ private:
     }
     static Comparison::Action size_of(const CoupleLoad& load) { return {{}, load.value.to_double()}; }
     static Comparison::Action size_of(const TorsionLoad& load) { return {{}, couple_of(load).to_double()}; }
-    Comparison::Action size_of(const SpringLoad& load) const { return {std::abs(pull_of(load, solution_.pose).to_double()), {}}; }
+    Comparison::Action size_of(const SpringLoad& load) const {
+        return {std::abs(pull_of(load, solution_.pose).to_double()), {}};
+    }
     Comparison::Action size_of(const DistributedLoad& load) const {
         const Centroid centroid = centroid_of(load);
         const double force = force_of(load, solution_.pose).to_double();
@@ -330,18 +345,15 @@ private:
             radius = {difference_to_double(end.x, centre.x), difference_to_double(end.y, centre.y)};
         }
         const double r = length(radius);
-        const auto along_circle = [&](const Pair& part) { return std::abs(radius[0] * part[1] - radius[1] * part[0]) / r; };
+        const auto along_circle = [&](const Pair& part) {
+            return std::abs(radius[0] * part[1] - radius[1] * part[0]) / r;
+        };
         switch (vector.role) {
-            case Role::coriolis:
-                return length(coriolis);
-            case Role::normal:
-                return r > 0 ? length(v) * length(v) / r : length(a);
-            case Role::tangential:
-                return r > 0 ? along_circle(a) : length(a);
-            case Role::sliding:
-                return r > 0 ? along_circle(minus(a, coriolis)) : length(minus(a, coriolis));
-            default:
-                return length(a);
+            case Role::coriolis: return length(coriolis);
+            case Role::normal: return r > 0 ? length(v) * length(v) / r : length(a);
+            case Role::tangential: return r > 0 ? along_circle(a) : length(a);
+            case Role::sliding: return r > 0 ? along_circle(minus(a, coriolis)) : length(minus(a, coriolis));
+            default: return length(a);
         }
     }
     bool is_known(const CarriedPlace& carried, bool velocity) const {
@@ -376,31 +388,23 @@ std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
     using Kind = Quantity::Kind;
     switch (quantity.kind) {
         case Kind::velocity:
-        case Kind::sliding_velocity:
-            return "m/s";
+        case Kind::sliding_velocity: return "m/s";
         case Kind::acceleration:
         case Kind::sliding_acceleration:
-        case Kind::sliding_coriolis:
-            return "m/s²";
-        case Kind::omega:
-            return "rad/s";
-        case Kind::alpha:
-            return "rad/s²";
+        case Kind::sliding_coriolis: return "m/s²";
+        case Kind::omega: return "rad/s";
+        case Kind::alpha: return "rad/s²";
         case Kind::centre:
         case Kind::acceleration_pole:
         case Kind::radius:
-        case Kind::inflection_diameter:
-            return "m";
+        case Kind::inflection_diameter: return "m";
         case Kind::couple:
-        case Kind::resultant_couple:
-            return "N m";
+        case Kind::resultant_couple: return "N m";
         case Kind::effort:
         case Kind::virtual_effort:
             return std::holds_alternative<CoupleEffort>(mechanism.efforts[at(quantity.given)]) ? "N m" : "N";
-        case Kind::virtual_power:
-            return "W";
-        default:
-            return "N";
+        case Kind::virtual_power: return "W";
+        default: return "N";
     }
 }
 
@@ -414,8 +418,8 @@ public:
     /// `name` gives what the quantity is called.
     template <class Name>
     void hold(const Quantity& quantity, const Name& name, double graphical, double numeric) {
-        // A thousand times the share below which a number is the check's rounding: near a dead point it loses some digits. Where
-        // constraints repeat each other within rounded data the two may rely on different ones.
+        // A thousand times the share below which a number is the check's rounding: near a dead point it loses some
+        // digits. Where constraints repeat each other within rounded data the two may rely on different ones.
         constexpr double times_rounding = 256;
         const double allowed = std::max(1e3 * Magnitudes::noise, times_rounding * solution_.pose.rounding());
         const double difference = graphical - numeric;
@@ -448,10 +452,11 @@ private:
 bool moves(const Solution& solution, BodyIndex body) {
     const auto& omega = solution.bodies[at(body)].omega;
     if (!omega) return false;
-    return !omega->is_zero() || std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& point) {
-        return point.velocity && !point.velocity->is_zero() &&
-               std::find(point.bodies.begin(), point.bodies.end(), body) != point.bodies.end();
-    });
+    return !omega->is_zero() ||
+           std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& point) {
+               return point.velocity && !point.velocity->is_zero() &&
+                      std::find(point.bodies.begin(), point.bodies.end(), body) != point.bodies.end();
+           });
 }
 
 }  // namespace
@@ -492,7 +497,8 @@ std::vector<Message> disagreements(const Solution& solution, const std::vector<C
         // Of a body that is not determined a construction may still find how it turns.
         if (determined[b] && moves(solution, body) && !bodies[b].determined)
             messages.push_back({Sentence::check_stands_still, {name}});
-        if (bodies[b].determined && bodies[b].moves && !determined[b]) messages.push_back({Sentence::check_moves, {name}});
+        if (bodies[b].determined && bodies[b].moves && !determined[b])
+            messages.push_back({Sentence::check_moves, {name}});
     }
     return messages;
 }

@@ -7,15 +7,16 @@
 #include <set>
 #include <string>
 
-#include "engine/number/assert.hpp"
 #include "engine/board/replay.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph {
 namespace {
 
 constexpr double nearly = 1e-3;
 
-/// A direction of the drawing as the file's own: of the join of two points, or of a joint's guide or normal; perhaps turned.
+/// A direction of the drawing as the file's own: of the join of two points, or of a joint's guide or normal; perhaps
+/// turned.
 struct NamedDirection {
     LineReason reason;
     PointIndex from, to;  ///< of a join
@@ -26,7 +27,10 @@ struct NamedDirection {
 class NearMisses {
 public:
     explicit NearMisses(const Solution& solution)
-        : mechanism_(solution.mechanism), protocol_(solution.protocol), program_(protocol_.program), pose_(solution.pose) {}
+        : mechanism_(solution.mechanism),
+          protocol_(solution.protocol),
+          program_(protocol_.program),
+          pose_(solution.pose) {}
 
     std::vector<Message> told() {
         for (const Guard& guard : program_.guards) {
@@ -60,17 +64,12 @@ private:
                 return found;
             }
             case Verb::negate:
-            case Verb::direction_of_line:
-                return direction(a);
-            case Verb::through:
-                return direction(b);
+            case Verb::direction_of_line: return direction(a);
+            case Verb::through: return direction(b);
             case Verb::join:
-            case Verb::vector_between:
-                return between(given_point(a), given_point(b));
-            case Verb::given_vector:
-                return of_joint(*given(element));
-            default:
-                return std::nullopt;
+            case Verb::vector_between: return between(given_point(a), given_point(b));
+            case Verb::given_vector: return of_joint(*given(element));
+            default: return std::nullopt;
         }
     }
     std::optional<NamedDirection> between(PointIndex from, PointIndex to) const {
@@ -79,7 +78,8 @@ private:
     }
     std::optional<NamedDirection> of_joint(const Given& given) const {
         using Kind = Given::Kind;
-        if (given.kind != Kind::guide && given.kind != Kind::guide_unit && given.kind != Kind::normal) return std::nullopt;
+        if (given.kind != Kind::guide && given.kind != Kind::guide_unit && given.kind != Kind::normal)
+            return std::nullopt;
         const bool guide = given.kind != Kind::normal;
         return NamedDirection{{guide ? LineReason::Kind::parallel_to_guide : LineReason::Kind::parallel_to_normal,
                                mechanism_.joints[at_index(given.index)].name, ""},
@@ -113,13 +113,14 @@ private:
             for (NamedDirection* each : {&*one, &*other})
                 if (each->is_turned && !turn(each->reason)) return;
         if (!is_new(one->reason, other->reason)) return;
-        messages_.push_back(
-            {Sentence::nearly_parallel, {one->reason, other->reason, Amount{std::asin(sine) * 180 / std::numbers::pi, "°"}}});
+        messages_.push_back({Sentence::nearly_parallel,
+                             {one->reason, other->reason, Amount{std::asin(sine) * 180 / std::numbers::pi, "°"}}});
     }
     /// Most are: doubles tell, with much to spare for their rounding.
     static bool are_clearly_apart(const Vector& d, const Vector& e) {
         const VectorOf<double> first{d.x.to_double(), d.y.to_double()}, second{e.x.to_double(), e.y.to_double()};
-        return std::abs(cross(first, second)) > 2 * nearly * std::hypot(first.x, first.y) * std::hypot(second.x, second.y);
+        return std::abs(cross(first, second)) >
+               2 * nearly * std::hypot(first.x, first.y) * std::hypot(second.x, second.y);
     }
     static bool share_a_point(const NamedDirection& one, const NamedDirection& other) {
         if (one.from == none || other.from == none) return false;
@@ -131,13 +132,16 @@ private:
         if (reason.kind == Kind::parallel_to_guide) return reason.kind = Kind::perpendicular_to_guide, true;
         return false;
     }
-    /// Of three points on nearly one line: the one between the others, or else the one nearest to the line of the others.
+    /// Of three points on nearly one line: the one between the others, or else the one nearest to the line of the
+    /// others.
     void tell_of_line(const NamedDirection& one, const NamedDirection& other) {
         std::set<PointIndex> three{one.from, one.to, other.from, other.to};
         if (three.size() != 3) return;
         std::array<PointIndex, 3> points{};
         std::copy(three.begin(), three.end(), points.begin());
-        const auto apart = [&](std::size_t i, std::size_t j) { return distance(pose_.at(points[i]), pose_.at(points[j])); };
+        const auto apart = [&](std::size_t i, std::size_t j) {
+            return distance(pose_.at(points[i]), pose_.at(points[j]));
+        };
         std::size_t middle = 0;
         for (std::size_t i = 1; i < 3; ++i)
             if (apart((i + 1) % 3, (i + 2) % 3) > apart((middle + 1) % 3, (middle + 2) % 3)) middle = i;
@@ -145,7 +149,8 @@ private:
         const Vector along = pose_.at(to) - pose_.at(from);
         const double off = std::abs(cross(along, pose_.at(p) - pose_.at(from)).to_double()) / kinegraph::length(along);
         if (!lines_said_.insert({p, from}).second) return;
-        messages_.push_back({Sentence::nearly_on_line, {PointName{name(p)}, Segment{name(from), name(to)}, length_said(off)}});
+        messages_.push_back(
+            {Sentence::nearly_on_line, {PointName{name(p)}, Segment{name(from), name(to)}, length_said(off)}});
     }
 
     void look_at_points(ElementIndex first, ElementIndex second) {
@@ -153,7 +158,8 @@ private:
         if (p == none || q == none) return;
         const double apart = distance(pose_.at(p), pose_.at(q));
         if (!(apart < nearly * pose_.size.to_double()) || !said_.insert({first, second}).second) return;
-        messages_.push_back({Sentence::nearly_coincident, {PointName{name(p)}, PointName{name(q)}, length_said(apart)}});
+        messages_.push_back(
+            {Sentence::nearly_coincident, {PointName{name(p)}, PointName{name(q)}, length_said(apart)}});
     }
 
     /// For direction_in().
@@ -162,7 +168,9 @@ private:
         const Protocol& protocol;
         const ProjectiveLine& line(ElementIndex i) const { return protocol.line(i); }
         const Vector& vector(ElementIndex i) const { return protocol.vector(i); }
-        bool is_line(ElementIndex i) const { return std::holds_alternative<ProjectiveLine>(protocol.values[at_index(i)]); }
+        bool is_line(ElementIndex i) const {
+            return std::holds_alternative<ProjectiveLine>(protocol.values[at_index(i)]);
+        }
     };
 
     const Mechanism& mechanism_;
@@ -241,10 +249,11 @@ private:
         const Mechanism& mechanism = solution_.mechanism;
         const Unit& unit = mechanism.units.length;
         constexpr int percent = 100;
-        return {Sentence::hangs_on_a_hair,
-                {Symbol{Symbol::Letter::omega, mechanism.bodies[at_index(worst.body)].name, ""},
-                 Amount{percent * worst.share * move / solution_.pose.size.to_double(), "%"},
-                 PointName{mechanism.points[at_index(worst.point)].name}, Amount{move / unit.si.to_double(), unit.symbol}}};
+        return {
+            Sentence::hangs_on_a_hair,
+            {Symbol{Symbol::Letter::omega, mechanism.bodies[at_index(worst.body)].name, ""},
+             Amount{percent * worst.share * move / solution_.pose.size.to_double(), "%"},
+             PointName{mechanism.points[at_index(worst.point)].name}, Amount{move / unit.si.to_double(), unit.symbol}}};
     }
 
     const Solution& solution_;

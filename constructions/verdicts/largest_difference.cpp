@@ -42,25 +42,19 @@ double LargestDifference::measure(Kind kind, double size) const {
         return index < largest_.size() ? largest_[index] : 0.0;
     };
     const double v = std::max({of(Kind::velocity), of(Kind::sliding_velocity), of(Kind::omega) * size});
-    const double a = std::max({of(Kind::acceleration), of(Kind::sliding_acceleration), of(Kind::alpha) * size, v * v / size});
+    const double a =
+        std::max({of(Kind::acceleration), of(Kind::sliding_acceleration), of(Kind::alpha) * size, v * v / size});
     const double f = std::max({of(Kind::force), of(Kind::couple) / size});
     switch (kind) {
-        case Kind::omega:
-            return v / size;
-        case Kind::alpha:
-            return a / size;
+        case Kind::omega: return v / size;
+        case Kind::alpha: return a / size;
         case Kind::velocity:
-        case Kind::sliding_velocity:
-            return v;
+        case Kind::sliding_velocity: return v;
         case Kind::acceleration:
-        case Kind::sliding_acceleration:
-            return a;
-        case Kind::force:
-            return f;
-        case Kind::couple:
-            return f * size;
-        default:
-            return of(kind);
+        case Kind::sliding_acceleration: return a;
+        case Kind::force: return f;
+        case Kind::couple: return f * size;
+        default: return of(kind);
     }
 }
 

@@ -1,5 +1,5 @@
-// The largest difference of many rows of results from the numeric check, as a share of the largest of its kind. Knows neither how
-// rows are found nor how they are checked.
+// The largest difference of many rows of results from the numeric check, as a share of the largest of its kind. Knows
+// neither how rows are found nor how they are checked.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,8 @@ namespace {
 
 std::size_t at(Plane plane) { return static_cast<std::size_t>(plane); }
 
-/// An element as a vector: of a finite point its place, of a point at infinity its direction, of a scalar its value in x.
+/// An element as a vector: of a finite point its place, of a point at infinity its direction, of a scalar its value in
+/// x.
 Vector as_vector(const Value& value) {
     if (const auto* p = std::get_if<ProjectivePoint>(&value)) return p->at_infinity() ? Vector{p->x, p->y} : p->place();
     if (const auto* v = std::get_if<Vector>(&value)) return *v;
@@ -23,7 +24,8 @@ public:
         : protocol_(solution.protocol), mechanism_(solution.mechanism), pose_(solution.pose), draw_finer_(finer) {
         largest_.vector[at(Plane::drawing)] = magnitude_of(pose_.size);
         for (std::size_t i = 0; i < protocol_.values.size(); ++i)
-            std::visit([&](const auto& made) { largest_.note(protocol_.program.strokes[i].plane, made); }, protocol_.values[i]);
+            std::visit([&](const auto& made) { largest_.note(protocol_.program.strokes[i].plane, made); },
+                       protocol_.values[i]);
     }
 
     bool vanishes(const DrawnVector& drawn) const {
@@ -43,18 +45,20 @@ public:
         clean_components(element, unit, value.x, value.y);
     }
     void clean(ElementIndex element, ProjectivePoint& point) const {
-        clean_components(
-            element,
-            point.at_infinity() ? magnitude_of(Vector{point.x, point.y}) : magnitude_of(Vector{point.w, 0}) * largest_.vector[0],
-            point.x, point.y);
+        clean_components(element,
+                         point.at_infinity() ? magnitude_of(Vector{point.x, point.y})
+                                             : magnitude_of(Vector{point.w, 0}) * largest_.vector[0],
+                         point.x, point.y);
     }
 
 private:
     Plane plane_of(ElementIndex element) const { return protocol_.program.strokes[at_index(element)].plane; }
 
     void clean_components(ElementIndex element, const Magnitude<Exact>& unit, Exact& x, Exact& y) const {
-        if (is_noise([&](const auto& values) { return Vector{as_vector(values[at_index(element)]).x, 0}; }, unit)) x = 0;
-        if (is_noise([&](const auto& values) { return Vector{0, as_vector(values[at_index(element)]).y}; }, unit)) y = 0;
+        if (is_noise([&](const auto& values) { return Vector{as_vector(values[at_index(element)]).x, 0}; }, unit))
+            x = 0;
+        if (is_noise([&](const auto& values) { return Vector{0, as_vector(values[at_index(element)]).y}; }, unit))
+            y = 0;
     }
 
     template <class Read>
@@ -74,8 +78,8 @@ private:
     const std::vector<Value>& finer() const {
         if (finer_.empty()) {
             const Pose pose = draw_finer_();
-            finer_ =
-                trimmed_values(protocol_.program, givens_of(protocol_.program, mechanism_, pose), digits_to_compare(pose.bits));
+            finer_ = trimmed_values(protocol_.program, givens_of(protocol_.program, mechanism_, pose),
+                                    digits_to_compare(pose.bits));
         }
         return finer_;
     }

@@ -49,7 +49,8 @@ public:
     }
 
 private:
-    /// Points at one place, the place rounded to a billionth of the drawing: what is drawn twice there is meant to be one.
+    /// Points at one place, the place rounded to a billionth of the drawing: what is drawn twice there is meant to be
+    /// one.
     std::vector<std::vector<PointIndex>> places() const {
         const double step = pose_.size.to_double() * 1e-9;
         std::map<std::pair<double, double>, std::vector<PointIndex>> by_place;
@@ -88,9 +89,9 @@ private:
     void miss_pin(BodyIndex first, PointIndex at, BodyIndex second, PointIndex other) {
         if (!unjoined_.insert({first, second}).second) return;
         named_.insert({first, second});
-        found_.push_back(
-            {Sentence::unjoined_pin,
-             {body(first), body(second), point(at), point(other == at ? PointIndex() : other), hinge(at, first, second)}});
+        found_.push_back({Sentence::unjoined_pin,
+                          {body(first), body(second), point(at), point(other == at ? PointIndex() : other),
+                           hinge(at, first, second)}});
     }
 
     void find_loose_bodies() {
@@ -115,7 +116,8 @@ private:
         for (const BodyIndex body : indices<BodyIndex>(mechanism_.bodies.size(), frame.next()))
             if (groups.of(body) != frame) apart[groups.of(body)].push_back(body);
         for (const auto& [root, bodies] : apart) {
-            if (std::any_of(bodies.begin(), bodies.end(), [&](BodyIndex each) { return named_.contains(each); })) continue;
+            if (std::any_of(bodies.begin(), bodies.end(), [&](BodyIndex each) { return named_.contains(each); }))
+                continue;
             Names names;
             std::string hinge;
             for (const BodyIndex each : bodies) {
@@ -160,8 +162,8 @@ private:
     }
 
     std::string hinge(PointIndex at, BodyIndex first, BodyIndex second) const {
-        return "{\"revolute\": " + quoted(mechanism_.point(at).name) + ", \"bodies\": [" + quoted(mechanism_.body(first).name) +
-               ", " + quoted(mechanism_.body(second).name) + "]}";
+        return "{\"revolute\": " + quoted(mechanism_.point(at).name) + ", \"bodies\": [" +
+               quoted(mechanism_.body(first).name) + ", " + quoted(mechanism_.body(second).name) + "]}";
     }
     BodyName body(BodyIndex index) const { return {mechanism_.body(index).name}; }
     PointName point(PointIndex index) const { return {index == none ? std::string() : mechanism_.point(index).name}; }

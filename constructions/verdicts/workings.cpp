@@ -1,4 +1,5 @@
-// What each statement works out, in the order in which it comes up: motion, then what a statement ends with, then sums of forces.
+// What each statement works out, in the order in which it comes up: motion, then what a statement ends with, then sums
+// of forces.
 #include "constructions/verdicts/workings.hpp"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ public:
     }
 
 private:
-    // --- what sentences leave out --------------------------------------------------------------------------------------------
+    // --- what sentences leave out
+    // --------------------------------------------------------------------------------------------
 
     bool turns(const Argument& argument) const {
         const Symbol& symbol = std::get<Symbol>(argument);
@@ -72,7 +74,9 @@ private:
     }
     /// From outside on bodies taken together.
     static int forces_on(const std::vector<BodyIndex>& bodies, const std::vector<FreeBody>& cut_free) {
-        const auto among = [&](BodyIndex body) { return std::find(bodies.begin(), bodies.end(), body) != bodies.end(); };
+        const auto among = [&](BodyIndex body) {
+            return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
+        };
         int count = 0;
         for (const FreeBody& body : cut_free) {
             if (!among(body.body)) continue;
@@ -82,14 +86,18 @@ private:
         return count;
     }
 
-    // --- what a statement ends with ------------------------------------------------------------------------------------------
+    // --- what a statement ends with
+    // ------------------------------------------------------------------------------------------
 
     void found(StatementIndex statement) {
         const Sentence sentence = telling_.message(statement).sentence;
-        if (sentence == Sentence::inertia_force || sentence == Sentence::inertia_couple) return forces_.inertia(statement);
+        if (sentence == Sentence::inertia_force || sentence == Sentence::inertia_couple)
+            return forces_.inertia(statement);
         for (const Quantity& quantity : protocol_.statements[at_index(statement)].finds) {
-            if (quantity.kind == Quantity::Kind::omega) motion_.turning_found(statement, quantity, Symbol::Letter::omega);
-            if (quantity.kind == Quantity::Kind::alpha) motion_.turning_found(statement, quantity, Symbol::Letter::alpha);
+            if (quantity.kind == Quantity::Kind::omega)
+                motion_.turning_found(statement, quantity, Symbol::Letter::omega);
+            if (quantity.kind == Quantity::Kind::alpha)
+                motion_.turning_found(statement, quantity, Symbol::Letter::alpha);
         }
         const std::vector<FreeBody>& bodies = bodies_at(statement);
         if (&bodies == &solution_.free_bodies)

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/number/assert.hpp"
 #include "engine/mechanism/rounding.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph {
 namespace {
@@ -22,19 +22,15 @@ Verb verb_of(const Value& given) {
 Plane plane_of(Given::Kind kind) {
     switch (kind) {
         case Given::Kind::driver_velocity:
-        case Given::Kind::act_velocity:
-            return Plane::velocity;
+        case Given::Kind::act_velocity: return Plane::velocity;
         case Given::Kind::driver_acceleration:
         case Given::Kind::act_acceleration:
-        case Given::Kind::gravity:
-            return Plane::acceleration;
+        case Given::Kind::gravity: return Plane::acceleration;
         case Given::Kind::load_force:
         case Given::Kind::load_magnitude:
         case Given::Kind::mass:
-        case Given::Kind::inertia:
-            return Plane::force;
-        default:
-            return Plane::drawing;
+        case Given::Kind::inertia: return Plane::force;
+        default: return Plane::drawing;
     }
 }
 
@@ -51,7 +47,8 @@ Board::Board(const Mechanism& mechanism, const Pose& pose, std::function<const P
     if (!pose.is_rounded()) return;
     protocol_.program.doubtful_bits = bits_in_question(pose.rounding());
     constexpr int digits_of_a_shift = 200;  // a bit more than twice as fine as any precision that a file may state
-    for (const ShiftedDrawing& each : *pose.shifted) shifted_.push_back(echo_on(each.mechanism, each.pose, digits_of_a_shift));
+    for (const ShiftedDrawing& each : *pose.shifted)
+        shifted_.push_back(echo_on(each.mechanism, each.pose, digits_of_a_shift));
 }
 
 Board::Echo Board::echo_on(const Mechanism& mechanism, const Pose& pose, int digits) const {
@@ -185,7 +182,9 @@ ElementIndex Board::join(Plane plane, ElementIndex p, ElementIndex q) {
 }
 
 ElementIndex Board::meet(Plane plane, ElementIndex l, ElementIndex m) {
-    const auto at_infinity = [&](ElementIndex element) { return kinegraph::is_at_infinity(protocol_.program, element); };
+    const auto at_infinity = [&](ElementIndex element) {
+        return kinegraph::is_at_infinity(protocol_.program, element);
+    };
     if (!ask(Guard::Question::parallel, l, m))
         return binary(at_infinity(l) || at_infinity(m) ? Verb::meet_at_infinity : Verb::meet, plane, l, m);
     if (at_infinity(l)) return none;
@@ -340,20 +339,13 @@ Protocol Board::finish() && {
 
 std::string_view name_of(Topic topic) {
     switch (topic) {
-        case Topic::unnamed:
-            return "";
-        case Topic::velocity:
-            return "velocity";
-        case Topic::acceleration:
-            return "acceleration";
-        case Topic::relative_motion:
-            return "relative motion";
-        case Topic::centres:
-            return "centres";
-        case Topic::curvature:
-            return "curvature";
-        case Topic::forces:
-            return "forces";
+        case Topic::unnamed: return "";
+        case Topic::velocity: return "velocity";
+        case Topic::acceleration: return "acceleration";
+        case Topic::relative_motion: return "relative motion";
+        case Topic::centres: return "centres";
+        case Topic::curvature: return "curvature";
+        case Topic::forces: return "forces";
     }
     KG_ASSERT(false, "a sentence has a topic");
 }

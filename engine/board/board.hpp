@@ -1,8 +1,9 @@
-// The drawing board: the instruments and nothing else. Each call does a construction exactly and enters a stroke in the Protocol:
-// verb, inputs, output, figure. Predicates answer and are entered as guards. Nothing asks a number off the board: what was found
-// is read from the finished protocol. It knows no mechanism theory, no millimetre.
+// The drawing board: the instruments and nothing else. Each call does a construction exactly and enters a stroke in the
+// Protocol: verb, inputs, output, figure. Predicates answer and are entered as guards. Nothing asks a number off the
+// board: what was found is read from the finished protocol. It knows no mechanism theory, no millimetre.
 //
-// The board replays its program on a finer pose, which is how a suspiciously small value is decided (docs/notation.md, "Exact").
+// The board replays its program on a finer pose, which is how a suspiciously small value is decided (docs/notation.md,
+// "Exact").
 #pragma once
 
 #include <functional>
@@ -14,17 +15,18 @@
 #include <utility>
 #include <vector>
 
+#include "engine/board/program.hpp"
+#include "engine/drawing/pose.hpp"
+#include "engine/mechanism/mechanism.hpp"
 #include "engine/number/exact.hpp"
 #include "engine/number/geometry.hpp"
-#include "engine/mechanism/mechanism.hpp"
-#include "engine/drawing/pose.hpp"
-#include "engine/board/program.hpp"
 #include "engine/sentences/quantity.hpp"
 #include "engine/sentences/statement.hpp"
 
 namespace kinegraph {
 
-/// Typed handles: an index into the protocol's elements that knows its plane. A point of the drawing cannot be joined to a tip.
+/// Typed handles: an index into the protocol's elements that knows its plane. A point of the drawing cannot be joined
+/// to a tip.
 template <Plane plane>
 struct PointOn {
     ElementIndex element = none;
@@ -53,8 +55,8 @@ struct Face {
 struct Polygon {
     Plane plane = Plane::velocity;
     std::string id;               ///< "velocity", "acceleration", "velocity-E-2"
-    std::string point, observer;  ///< relative-motion polygons: of which point, seen by whom ("translating" ones: observer is the
-                                  ///< origin's name, `translating` true)
+    std::string point, observer;  ///< relative-motion polygons: of which point, seen by whom ("translating" ones:
+                                  ///< observer is the origin's name, `translating` true)
     bool translating = false;
     std::vector<int> vectors;  ///< indices into Protocol::vectors
     std::vector<int> images;   ///< indices into Protocol::images
@@ -96,8 +98,9 @@ struct DrawnVector {
         internal
     } role = Role::absolute;
     StatementIndex statement = none;
-    int trial = 0;          ///< 1, 2: from the first, the second trial value of an assumption (Protocol::trials); 0: the solution
-    Seen seen;              ///< nothing for a force, nor for a component along a line
+    int trial =
+        0;      ///< 1, 2: from the first, the second trial value of an assumption (Protocol::trials); 0: the solution
+    Seen seen;  ///< nothing for a force, nor for a component along a line
     Quantity quantity;      ///< nothing for a component along a line
     bool vanishes = false;  ///< zero within the precision of the data: it is not drawn
 };
@@ -110,8 +113,8 @@ struct Image {
     StatementIndex statement = none;
     int trial = 0;  ///< as DrawnVector::trial
 };
-/// A construction line of a polygon or of the drawing worth showing, with its direction in words and the places it was drawn
-/// between.
+/// A construction line of a polygon or of the drawing worth showing, with its direction in words and the places it was
+/// drawn between.
 struct DrawnLine {
     ElementIndex line = none;
     int polygon = -1;  ///< −1: in the drawing of the mechanism
@@ -167,12 +170,18 @@ struct Protocol {
     /// By element, on each of the pose's shifted drawings; to some 200 bits. Empty where nothing is rounded.
     std::vector<std::vector<Value>> shifted;
 
-    const ProjectivePoint& point(ElementIndex element) const { return std::get<ProjectivePoint>(values[at_index(element)]); }
-    const ProjectiveLine& line(ElementIndex element) const { return std::get<ProjectiveLine>(values[at_index(element)]); }
+    const ProjectivePoint& point(ElementIndex element) const {
+        return std::get<ProjectivePoint>(values[at_index(element)]);
+    }
+    const ProjectiveLine& line(ElementIndex element) const {
+        return std::get<ProjectiveLine>(values[at_index(element)]);
+    }
     const Vector& vector(ElementIndex element) const { return std::get<Vector>(values[at_index(element)]); }
     const Exact& scalar(ElementIndex element) const { return std::get<Exact>(values[at_index(element)]); }
     /// Tip − tail of a drawn vector, exact, in its plane's SI unit; nothing where it is zero within the data.
-    Vector value_of(const DrawnVector& drawn) const { return drawn.vanishes ? Vector{} : point(drawn.tip) - point(drawn.tail); }
+    Vector value_of(const DrawnVector& drawn) const {
+        return drawn.vanishes ? Vector{} : point(drawn.tip) - point(drawn.tail);
+    }
     /// Its length, to the nearest double.
     double modulus_of(const DrawnVector& drawn) const {
         return drawn.vanishes ? 0 : distance(point(drawn.tail), point(drawn.tip));
@@ -184,8 +193,8 @@ void for_each_drawn(Protocol& protocol, const std::function<void(ElementIndex& e
 
 class Board {
 public:
-    /// `finer` gives the same mechanism's pose at twice the bits, asked for only when a predicate needs a second look. All three
-    /// must outlive the board.
+    /// `finer` gives the same mechanism's pose at twice the bits, asked for only when a predicate needs a second look.
+    /// All three must outlive the board.
     Board(const Mechanism& mechanism, const Pose& pose, std::function<const Pose&()> finer);
     Board(const Board&) = delete;
     Board& operator=(const Board&) = delete;
@@ -254,7 +263,9 @@ public:
         if (element == none) return std::nullopt;
         return PointOn<plane>{element};
     }
-    PointOn<Plane::drawing> at_infinity(DirectionHandle d) { return {unary(Verb::point_at_infinity, Plane::drawing, d.element)}; }
+    PointOn<Plane::drawing> at_infinity(DirectionHandle d) {
+        return {unary(Verb::point_at_infinity, Plane::drawing, d.element)};
+    }
     template <Plane plane>
     PointOn<plane> carry(PointOn<plane> p, VectorOn<plane> v) {
         return {binary(Verb::carry, plane, p.element, v.element)};
@@ -315,15 +326,19 @@ public:
         return {binary(Verb::arm, Plane::drawing, couple.element, force.element)};
     }
     ScalarHandle sum(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::sum, a.element, b.element)}; }
-    ScalarHandle difference(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::difference, a.element, b.element)}; }
+    ScalarHandle difference(ScalarHandle a, ScalarHandle b) {
+        return {of_scalars(Verb::difference, a.element, b.element)};
+    }
 
-    // Predicates: answered exactly, on a pose with a leftover by the finer pose, on rounded data within their precision; entered
-    // as guards. Asked twice, the answer is the one already entered.
+    // Predicates: answered exactly, on a pose with a leftover by the finer pose, on rounded data within their
+    // precision; entered as guards. Asked twice, the answer is the one already entered.
     template <Plane plane>
     bool coincide(PointOn<plane> p, PointOn<plane> q) {
         return ask(Guard::Question::coincide, p.element, q.element) != 0;
     }
-    bool parallel(DirectionHandle d, DirectionHandle e) { return ask(Guard::Question::parallel, d.element, e.element) != 0; }
+    bool parallel(DirectionHandle d, DirectionHandle e) {
+        return ask(Guard::Question::parallel, d.element, e.element) != 0;
+    }
     template <Plane plane>
     bool parallel(LineOn<plane> l, LineOn<plane> m) {
         return ask(Guard::Question::parallel, l.element, m.element) != 0;
@@ -353,7 +368,8 @@ public:
         return ask(Guard::Question::along_sign, v.element, w.element);
     }
 
-    // The same where every answer is right and the handier way is taken (the order of a polygon's sides, a trial's size).
+    // The same where every answer is right and the handier way is taken (the order of a polygon's sides, a trial's
+    // size).
     /// To which side of v is w turned: counter-clockwise 1, clockwise −1; 0 along the same line.
     template <Plane plane>
     int choose_turn(VectorOn<plane> v, VectorOn<plane> w) {
@@ -368,8 +384,8 @@ public:
         return ask(Guard::Question::longer, v.element, w.element, Guard::How::by_choice) != 0;
     }
 
-    /// How far the board is; `rewind` wipes off what came after, where an attempt led nowhere: search is not solution. Handles
-    /// made since are void.
+    /// How far the board is; `rewind` wipes off what came after, where an attempt led nowhere: search is not solution.
+    /// Handles made since are void.
     struct Mark {
         std::size_t strokes = 0, guards = 0, givens = 0, statements = 0, made = 0, asked = 0;
         StatementIndex statement = none;
@@ -391,7 +407,8 @@ public:
 
     /// The strokes so far, to be replayed; recipes and planner look at none.
     const Program& program() const { return protocol_.program; }
-    /// The record as it stands, with all that was tried and led nowhere still in it: to be cut by who knows what was wanted.
+    /// The record as it stands, with all that was tried and led nowhere still in it: to be cut by who knows what was
+    /// wanted.
     Protocol finish() &&;
 
 private:

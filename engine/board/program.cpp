@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "engine/mechanism/drivers.hpp"
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/drawing/pose.hpp"
 #include "engine/drawing/spring_force.hpp"
+#include "engine/mechanism/drivers.hpp"
+#include "engine/mechanism/mechanism.hpp"
 
 namespace kinegraph {
 namespace {
@@ -59,52 +59,30 @@ Value given_value(const Given& given, const Mechanism& mechanism, const Pose& po
     using Kind = Given::Kind;
     const std::size_t i = given.index < 0 ? 0 : at(given.index);
     switch (given.kind) {
-        case Kind::place:
-            return point_at(pose.points[i]);
-        case Kind::guide:
-            return pose.guides[i];
-        case Kind::guide_unit:
-            return pose.guide_units[i];
-        case Kind::normal:
-            return pose.normals[i];
-        case Kind::other_normal:
-            return other_normal(pose.normals[i], pose.tangents[i]);
-        case Kind::tangent:
-            return pose.tangents[i];
-        case Kind::push:
-            return *mechanism.joints[i].pushes;
-        case Kind::driver_direction:
-            return pose.driver_directions[i];
-        case Kind::driver_unit:
-            return pose.driver_units[i];
-        case Kind::driver_velocity:
-            return rates_of(mechanism.drivers[i]).first;
-        case Kind::driver_acceleration:
-            return rates_of(mechanism.drivers[i]).second;
-        case Kind::act_velocity:
-            return act_vector(mechanism.motion->velocities[i], pose);
-        case Kind::act_acceleration:
-            return act_vector(mechanism.motion->accelerations[i], pose);
-        case Kind::load_force:
-            return *std::get<ForceLoad>(mechanism.loads[i]).value;
-        case Kind::load_magnitude:
-            return load_magnitude(mechanism.loads[i], pose);
-        case Kind::load_unit:
-            return load_unit(mechanism.loads[i], pose);
-        case Kind::load_unit_back:
-            return load_unit_back(mechanism.loads[i], pose);
+        case Kind::place: return point_at(pose.points[i]);
+        case Kind::guide: return pose.guides[i];
+        case Kind::guide_unit: return pose.guide_units[i];
+        case Kind::normal: return pose.normals[i];
+        case Kind::other_normal: return other_normal(pose.normals[i], pose.tangents[i]);
+        case Kind::tangent: return pose.tangents[i];
+        case Kind::push: return *mechanism.joints[i].pushes;
+        case Kind::driver_direction: return pose.driver_directions[i];
+        case Kind::driver_unit: return pose.driver_units[i];
+        case Kind::driver_velocity: return rates_of(mechanism.drivers[i]).first;
+        case Kind::driver_acceleration: return rates_of(mechanism.drivers[i]).second;
+        case Kind::act_velocity: return act_vector(mechanism.motion->velocities[i], pose);
+        case Kind::act_acceleration: return act_vector(mechanism.motion->accelerations[i], pose);
+        case Kind::load_force: return *std::get<ForceLoad>(mechanism.loads[i]).value;
+        case Kind::load_magnitude: return load_magnitude(mechanism.loads[i], pose);
+        case Kind::load_unit: return load_unit(mechanism.loads[i], pose);
+        case Kind::load_unit_back: return load_unit_back(mechanism.loads[i], pose);
         case Kind::effort_unit:
             return unit_along(direction_of(std::get<ForceEffort>(mechanism.efforts[i]).along, pose), pose.bits);
-        case Kind::gravity:
-            return *mechanism.gravity;
-        case Kind::mass:
-            return mechanism.masses[i].mass;
-        case Kind::inertia:
-            return mechanism.masses[i].inertia;
-        case Kind::number:
-            return given.constant.x;
-        case Kind::direction:
-            return given.constant;
+        case Kind::gravity: return *mechanism.gravity;
+        case Kind::mass: return mechanism.masses[i].mass;
+        case Kind::inertia: return mechanism.masses[i].inertia;
+        case Kind::number: return given.constant.x;
+        case Kind::direction: return given.constant;
     }
     KG_ASSERT(false, "every given has a value");
 }
@@ -117,44 +95,29 @@ std::string name_of_given(Given::Kind kind, int index, const Mechanism& mechanis
         return where_of(mechanism.drivers[i]) + (spins ? of_spin : of_slide);
     };
     switch (kind) {
-        case Kind::place:
-            return mechanism.points[i].where;
+        case Kind::place: return mechanism.points[i].where;
         case Kind::guide:
-        case Kind::guide_unit:
-            return mechanism.joints[i].where + "/along";
+        case Kind::guide_unit: return mechanism.joints[i].where + "/along";
         case Kind::normal:
         case Kind::other_normal:
-        case Kind::tangent:
-            return mechanism.joints[i].where;
-        case Kind::push:
-            return mechanism.joints[i].where + "/pushes";
+        case Kind::tangent: return mechanism.joints[i].where;
+        case Kind::push: return mechanism.joints[i].where + "/pushes";
         case Kind::driver_direction:
-        case Kind::driver_unit:
-            return where_of(mechanism.drivers[i]) + "/along";
-        case Kind::driver_velocity:
-            return driver("/omega", "/speed");
-        case Kind::driver_acceleration:
-            return driver("/alpha", "/acceleration");
-        case Kind::act_velocity:
-            return mechanism.motion->where + "/velocities/" + std::to_string(index);
-        case Kind::act_acceleration:
-            return mechanism.motion->where + "/accelerations/" + std::to_string(index);
+        case Kind::driver_unit: return where_of(mechanism.drivers[i]) + "/along";
+        case Kind::driver_velocity: return driver("/omega", "/speed");
+        case Kind::driver_acceleration: return driver("/alpha", "/acceleration");
+        case Kind::act_velocity: return mechanism.motion->where + "/velocities/" + std::to_string(index);
+        case Kind::act_acceleration: return mechanism.motion->where + "/accelerations/" + std::to_string(index);
         case Kind::load_force:
         case Kind::load_magnitude:
         case Kind::load_unit:
-        case Kind::load_unit_back:
-            return where_of(mechanism.loads[i]);
-        case Kind::effort_unit:
-            return std::get<ForceEffort>(mechanism.efforts[i]).where + "/along";
-        case Kind::gravity:
-            return "/gravity";
-        case Kind::mass:
-            return mechanism.masses[i].where + "/mass";
-        case Kind::inertia:
-            return mechanism.masses[i].where + "/inertia";
+        case Kind::load_unit_back: return where_of(mechanism.loads[i]);
+        case Kind::effort_unit: return std::get<ForceEffort>(mechanism.efforts[i]).where + "/along";
+        case Kind::gravity: return "/gravity";
+        case Kind::mass: return mechanism.masses[i].where + "/mass";
+        case Kind::inertia: return mechanism.masses[i].where + "/inertia";
         case Kind::number:
-        case Kind::direction:
-            return {};
+        case Kind::direction: return {};
     }
     KG_ASSERT(false, "every given has a name");
 }
@@ -168,7 +131,8 @@ std::vector<Value> givens_of(const Program& program, const Mechanism& mechanism,
 
 ValueOf<double> to_double(const Value& value) {
     const auto near = [](const Exact& number) { return number.to_double(); };
-    if (const auto* p = std::get_if<ProjectivePoint>(&value)) return PointOf<double>{near(p->x), near(p->y), near(p->w)};
+    if (const auto* p = std::get_if<ProjectivePoint>(&value))
+        return PointOf<double>{near(p->x), near(p->y), near(p->w)};
     if (const auto* l = std::get_if<ProjectiveLine>(&value)) return LineOf<double>{near(l->a), near(l->b), near(l->c)};
     if (const auto* v = std::get_if<Vector>(&value)) return VectorOf<double>{near(v->x), near(v->y)};
     return near(std::get<Exact>(value));
@@ -178,14 +142,10 @@ bool is_at_infinity(const Program& program, ElementIndex element) {
     const Stroke& stroke = program.strokes[at(element)];
     switch (stroke.verb) {
         case Verb::point_at_infinity:
-        case Verb::meet_at_infinity:
-            return true;
-        case Verb::through:
-            return is_at_infinity(program, stroke.inputs[0]);
-        case Verb::join:
-            return is_at_infinity(program, stroke.inputs[0]) && is_at_infinity(program, stroke.inputs[1]);
-        default:
-            return false;
+        case Verb::meet_at_infinity: return true;
+        case Verb::through: return is_at_infinity(program, stroke.inputs[0]);
+        case Verb::join: return is_at_infinity(program, stroke.inputs[0]) && is_at_infinity(program, stroke.inputs[1]);
+        default: return false;
     }
 }
 
@@ -236,7 +196,9 @@ std::vector<int> hangs_on(const Program& program, ElementIndex element) {
 Cut cut(const Program& program, const std::vector<ElementIndex>& wanted, int settled) {
     std::vector<bool> needed(program.strokes.size(), false);
     for (const ElementIndex element : wanted) needed[at(element)] = true;
-    const auto decides = [&](const Guard& guard) { return guard.before <= settled && guard.how != Guard::How::by_choice; };
+    const auto decides = [&](const Guard& guard) {
+        return guard.before <= settled && guard.how != Guard::How::by_choice;
+    };
     for (const Guard& guard : program.guards)
         for (const ElementIndex input : guard.inputs)
             if (input != none && decides(guard)) needed[at(input)] = true;
@@ -321,8 +283,10 @@ Value trimmed(const Value& value, int digits) {
     const auto number = [&](const Exact& full) {
         return full.is_zero() ? full : rounded(full, static_cast<int>(digits - magnitude_of(full).order));
     };
-    if (const auto* p = std::get_if<ProjectivePoint>(&value)) return ProjectivePoint{number(p->x), number(p->y), number(p->w)};
-    if (const auto* l = std::get_if<ProjectiveLine>(&value)) return ProjectiveLine{number(l->a), number(l->b), number(l->c)};
+    if (const auto* p = std::get_if<ProjectivePoint>(&value))
+        return ProjectivePoint{number(p->x), number(p->y), number(p->w)};
+    if (const auto* l = std::get_if<ProjectiveLine>(&value))
+        return ProjectiveLine{number(l->a), number(l->b), number(l->c)};
     if (const auto* v = std::get_if<Vector>(&value)) return Vector{number(v->x), number(v->y)};
     return number(std::get<Exact>(value));
 }

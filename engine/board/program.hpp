@@ -1,9 +1,10 @@
-// Program: a construction as a straight-line program. Givens are data with their names in the file; strokes make elements of
-// them; guards are the verdicts that the construction went on with, in their place among the strokes. Branch-free: a verdict
-// chose the verb. So anyone can replay it, in any number, with other givens, for as long as its guards hold.
+// Program: a construction as a straight-line program. Givens are data with their names in the file; strokes make
+// elements of them; guards are the verdicts that the construction went on with, in their place among the strokes.
+// Branch-free: a verdict chose the verb. So anyone can replay it, in any number, with other givens, for as long as its
+// guards hold.
 //
-// One text, carry_out(), says what each verb does; the board calls it in Exact, Replay in doubles. Knows no mechanism theory and
-// no word of what a stroke is for: that is the protocol's (engine/board/board.hpp).
+// One text, carry_out(), says what each verb does; the board calls it in Exact, Replay in doubles. Knows no mechanism
+// theory and no word of what a stroke is for: that is the protocol's (engine/board/board.hpp).
 #pragma once
 
 #include <algorithm>
@@ -26,9 +27,10 @@ namespace kinegraph {
 struct Mechanism;
 struct Pose;
 
-/// The planes a stroke may lie in: the drawing of the mechanism (m), the velocity plane (m/s), the acceleration plane (m/s²),
-/// the force plane (N). A scalar has the plane of the vectors it is proportional to: angular velocities the velocity plane,
-/// angular accelerations and ω² the acceleration plane, couples and powers the force plane, pure numbers the drawing.
+/// The planes a stroke may lie in: the drawing of the mechanism (m), the velocity plane (m/s), the acceleration plane
+/// (m/s²), the force plane (N). A scalar has the plane of the vectors it is proportional to: angular velocities the
+/// velocity plane, angular accelerations and ω² the acceleration plane, couples and powers the force plane, pure
+/// numbers the drawing.
 enum class Plane : std::uint8_t { drawing, velocity, acceleration, force };
 inline constexpr std::size_t plane_count = 4;
 
@@ -114,9 +116,9 @@ struct Guard {
         parallel,     ///< two directions or lines
         zero_vector,  ///< …
         zero_scalar,
-        on_line,     ///< a point and a line
-        sign,        ///< of a scalar: −1, 0, 1
-        turn_sign,   ///< of two vectors: 1 where the second is turned counter-clockwise from the first by less than 180°
+        on_line,    ///< a point and a line
+        sign,       ///< of a scalar: −1, 0, 1
+        turn_sign,  ///< of two vectors: 1 where the second is turned counter-clockwise from the first by less than 180°
         along_sign,  ///< of two vectors: 1 where the second has a part along the first, −1 where against it
         longer       ///< of two vectors: the first is
     } question = Question::coincide;
@@ -135,7 +137,8 @@ struct Program {
     std::vector<Given> givens;
     std::vector<Stroke> strokes;
     std::vector<Guard> guards;  ///< in the order asked
-    int doubtful_bits = 0;  ///< what guards judged zero by the precision of the givens is below 2^-this of what it stands beside
+    int doubtful_bits =
+        0;  ///< what guards judged zero by the precision of the givens is below 2^-this of what it stands beside
 };
 
 /// Whether a point or a line lies at infinity: its verb tells, for the verb was chosen by what the guards say.
@@ -160,9 +163,9 @@ struct Cut {
     Program program;
     std::vector<ElementIndex> element;  ///< by element of the whole: its index in `program`; none: dropped
 };
-/// Keeps the strokes that `wanted` needs and every guard asked before `settled` strokes were made, with the strokes it needs: a
-/// result hangs on each verdict that was given before it was settled, even where no stroke tells so (a body that translates).
-/// Guards that are a mere choice go.
+/// Keeps the strokes that `wanted` needs and every guard asked before `settled` strokes were made, with the strokes it
+/// needs: a result hangs on each verdict that was given before it was settled, even where no stroke tells so (a body
+/// that translates). Guards that are a mere choice go.
 Cut cut(const Program& program, const std::vector<ElementIndex>& wanted, int settled);
 
 /// A program evaluated in Exact.
@@ -170,20 +173,23 @@ struct Evaluation {
     std::vector<Value> values;   ///< by element; shorter than the program where a guard flipped
     std::optional<int> flipped;  ///< index of the first guard whose verdict is another
 };
-/// With givens of one's own. `pose` says how large the drawing is and with how many bits the compass worked: what is as small as
-/// its leftovers counts as zero.
+/// With givens of one's own. `pose` says how large the drawing is and with how many bits the compass worked: what is as
+/// small as its leftovers counts as zero.
 Evaluation evaluate(const Program& program, const std::vector<Value>& givens, const Pose& pose);
 
 /// A value with so many binary digits of each of its numbers.
 Value trimmed(const Value& value, int digits);
-/// As many digits as tell how large values are on a pose whose compass worked to so many bits, with all that cancels on the way.
+/// As many digits as tell how large values are on a pose whose compass worked to so many bits, with all that cancels on
+/// the way.
 constexpr int digits_to_compare(int bits) { return 4 * bits; }
 /// By element, each with so many digits: for who compares sizes and asks no guard.
 std::vector<Value> trimmed_values(const Program& program, const std::vector<Value>& givens, int digits);
 
-// --- the one text ------------------------------------------------------------------------------------------------------------
+// --- the one text
+// ------------------------------------------------------------------------------------------------------------
 
-/// k with v = k·w: the component along w, so that a replay on another pose, where they are parallel only nearly, is defined too.
+/// k with v = k·w: the component along w, so that a replay on another pose, where they are parallel only nearly, is
+/// defined too.
 template <class Number>
 Number ratio_of(const VectorOf<Number>& v, const VectorOf<Number>& w) {
     if (is_zero(w.x)) return v.y / w.y;
@@ -191,8 +197,8 @@ Number ratio_of(const VectorOf<Number>& v, const VectorOf<Number>& w) {
     return dot(v, w) / squared_length(w);
 }
 
-/// What a verb does. `Memory` has Number, point(i), line(i), vector(i), scalar(i) and put(i, …) for each of these; givens are
-/// put by who has them.
+/// What a verb does. `Memory` has Number, point(i), line(i), vector(i), scalar(i) and put(i, …) for each of these;
+/// givens are put by who has them.
 template <class Memory>
 void carry_out(const Stroke& stroke, ElementIndex element, Memory& memory) {
     using Number = typename Memory::Number;
@@ -201,55 +207,35 @@ void carry_out(const Stroke& stroke, ElementIndex element, Memory& memory) {
     switch (stroke.verb) {
         case Verb::given_point:
         case Verb::given_vector:
-        case Verb::given_scalar:
-            return;
-        case Verb::pole:
-            return memory.put(element, Point{0, 0, 1});
-        case Verb::vector_between:
-            return memory.put(element, memory.point(b) - memory.point(a));
+        case Verb::given_scalar: return;
+        case Verb::pole: return memory.put(element, Point{0, 0, 1});
+        case Verb::vector_between: return memory.put(element, memory.point(b) - memory.point(a));
         case Verb::perpendicular:
-        case Verb::turn:
-            return memory.put(element, quarter_turn(memory.vector(a)));
-        case Verb::direction_of_line:
-            return memory.put(element, memory.line(a).direction());
-        case Verb::point_at_infinity:
-            return memory.put(element, Point{memory.vector(a).x, memory.vector(a).y, 0});
-        case Verb::through:
-            return memory.put(element, line_through(memory.point(a), memory.vector(b)));
-        case Verb::join:
-            return memory.put(element, line_joining(memory.point(a), memory.point(b)));
-        case Verb::meet:
-            return memory.put(element, finite_meet(memory.line(a), memory.line(b)));
+        case Verb::turn: return memory.put(element, quarter_turn(memory.vector(a)));
+        case Verb::direction_of_line: return memory.put(element, memory.line(a).direction());
+        case Verb::point_at_infinity: return memory.put(element, Point{memory.vector(a).x, memory.vector(a).y, 0});
+        case Verb::through: return memory.put(element, line_through(memory.point(a), memory.vector(b)));
+        case Verb::join: return memory.put(element, line_joining(memory.point(a), memory.point(b)));
+        case Verb::meet: return memory.put(element, finite_meet(memory.line(a), memory.line(b)));
         case Verb::meet_at_infinity:
-            return memory.put(element, point_at_infinity_of(memory.line(a).at_infinity() ? memory.line(b) : memory.line(a)));
+            return memory.put(element,
+                              point_at_infinity_of(memory.line(a).at_infinity() ? memory.line(b) : memory.line(a)));
         case Verb::carry: {
             const auto tip = memory.point(a).place() + memory.vector(b);
             return memory.put(element, Point{tip.x, tip.y, 1});
         }
-        case Verb::add:
-            return memory.put(element, memory.vector(a) + memory.vector(b));
-        case Verb::subtract:
-            return memory.put(element, memory.vector(a) - memory.vector(b));
-        case Verb::negate:
-            return memory.put(element, -memory.vector(a));
-        case Verb::scale:
-            return memory.put(element, memory.scalar(a) * memory.vector(b));
-        case Verb::ratio:
-            return memory.put(element, ratio_of(memory.vector(a), memory.vector(b)));
-        case Verb::product:
-            return memory.put(element, Number(memory.scalar(a) * memory.scalar(b)));
-        case Verb::sum:
-            return memory.put(element, Number(memory.scalar(a) + memory.scalar(b)));
-        case Verb::difference:
-            return memory.put(element, Number(memory.scalar(a) - memory.scalar(b)));
-        case Verb::opposite:
-            return memory.put(element, Number(-memory.scalar(a)));
-        case Verb::quotient:
-            return memory.put(element, Number(memory.scalar(a) / memory.scalar(b)));
-        case Verb::moment:
-            return memory.put(element, cross(memory.vector(a), memory.vector(b)));
-        case Verb::projection:
-            return memory.put(element, dot(memory.vector(a), memory.vector(b)));
+        case Verb::add: return memory.put(element, memory.vector(a) + memory.vector(b));
+        case Verb::subtract: return memory.put(element, memory.vector(a) - memory.vector(b));
+        case Verb::negate: return memory.put(element, -memory.vector(a));
+        case Verb::scale: return memory.put(element, memory.scalar(a) * memory.vector(b));
+        case Verb::ratio: return memory.put(element, ratio_of(memory.vector(a), memory.vector(b)));
+        case Verb::product: return memory.put(element, Number(memory.scalar(a) * memory.scalar(b)));
+        case Verb::sum: return memory.put(element, Number(memory.scalar(a) + memory.scalar(b)));
+        case Verb::difference: return memory.put(element, Number(memory.scalar(a) - memory.scalar(b)));
+        case Verb::opposite: return memory.put(element, Number(-memory.scalar(a)));
+        case Verb::quotient: return memory.put(element, Number(memory.scalar(a) / memory.scalar(b)));
+        case Verb::moment: return memory.put(element, cross(memory.vector(a), memory.vector(b)));
+        case Verb::projection: return memory.put(element, dot(memory.vector(a), memory.vector(b)));
         case Verb::arm: {
             const auto& force = memory.vector(b);
             return memory.put(element, Number(-memory.scalar(a) / squared_length(force)) * quarter_turn(force));
@@ -258,8 +244,8 @@ void carry_out(const Stroke& stroke, ElementIndex element, Memory& memory) {
     KG_ASSERT(false, "every verb is carried out");
 }
 
-/// How large a number is, for what is suspiciously small: of an Exact its binary order, which costs nothing beside the number;
-/// of a double its absolute value.
+/// How large a number is, for what is suspiciously small: of an Exact its binary order, which costs nothing beside the
+/// number; of a double its absolute value.
 template <class Number>
 struct Magnitude;
 template <>
@@ -282,7 +268,9 @@ struct Magnitude<double> {
     friend Magnitude operator*(const Magnitude& a, const Magnitude& b) { return {a.size * b.size}; }
     friend Magnitude operator/(const Magnitude& a, const Magnitude& b) { return {a.size / b.size}; }
     friend bool operator<(const Magnitude& a, const Magnitude& b) { return a.size < b.size; }
-    bool is_below(const Magnitude& unit, int bits) const { return size * static_cast<double>(1ULL << bits) <= unit.size; }
+    bool is_below(const Magnitude& unit, int bits) const {
+        return size * static_cast<double>(1ULL << bits) <= unit.size;
+    }
 };
 template <class Number>
 Magnitude<Number> magnitude_of(const Number& value) {
@@ -293,13 +281,14 @@ Magnitude<Number> magnitude_of(const VectorOf<Number>& vector) {
     return std::max(magnitude_of(vector.x), magnitude_of(vector.y));
 }
 
-/// What "small" is compared with in each plane: the longest vector and the largest scalar so far; in the drawing its size.
+/// What "small" is compared with in each plane: the longest vector and the largest scalar so far; in the drawing its
+/// size.
 template <class Number>
 struct Largest {
     std::array<Magnitude<Number>, plane_count> vector, scalar;
 
-    /// What a scalar is small beside: the largest so far, or what the vectors of its plane make with the drawing's size (a couple
-    /// F·l, an angular velocity v/l).
+    /// What a scalar is small beside: the largest so far, or what the vectors of its plane make with the drawing's size
+    /// (a couple F·l, an angular velocity v/l).
     Magnitude<Number> beside_scalar(Plane plane) const {
         const auto at = static_cast<std::size_t>(plane);
         if (plane == Plane::drawing) return scalar[at];
@@ -335,7 +324,8 @@ struct Answer {
 /// A direction of a vector or a line.
 template <class Memory>
 VectorOf<typename Memory::Number> direction_in(const Memory& memory, ElementIndex element) {
-    return memory.is_line(element) ? memory.line(element).direction() : VectorOf<typename Memory::Number>(memory.vector(element));
+    return memory.is_line(element) ? memory.line(element).direction()
+                                   : VectorOf<typename Memory::Number>(memory.vector(element));
 }
 
 template <class Memory>
@@ -347,35 +337,34 @@ Magnitude<typename Memory::Number> magnitude_of_direction(const Memory& memory, 
 
 /// How large the vectors are of which a direction is the difference: what its rounding is a part of.
 template <class Memory>
-Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, const Memory& memory, ElementIndex element,
-                                            const Largest<typename Memory::Number>& largest) {
+Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, const Memory& memory,
+                                            ElementIndex element, const Largest<typename Memory::Number>& largest) {
     const Stroke& stroke = strokes[at_index(element)];
     switch (stroke.verb) {
-        case Verb::given_vector:
-            return magnitude_of(memory.vector(element));
-        case Verb::through:
-            return scale_of(strokes, memory, stroke.inputs[1], largest);
+        case Verb::given_vector: return magnitude_of(memory.vector(element));
+        case Verb::through: return scale_of(strokes, memory, stroke.inputs[1], largest);
         case Verb::perpendicular:
         case Verb::turn:
         case Verb::negate:
-        case Verb::direction_of_line:
-            return scale_of(strokes, memory, stroke.inputs[0], largest);
+        case Verb::direction_of_line: return scale_of(strokes, memory, stroke.inputs[0], largest);
         default:
-            return std::max(largest.vector[static_cast<std::size_t>(stroke.plane)], magnitude_of_direction(memory, element));
+            return std::max(largest.vector[static_cast<std::size_t>(stroke.plane)],
+                            magnitude_of_direction(memory, element));
     }
 }
 
 /// Beside what rounding alone may make the excess of two directions that are parallel.
 template <class Memory>
 Magnitude<typename Memory::Number> slack_of_parallels(const Guard& guard, const std::vector<Stroke>& strokes,
-                                                      const Memory& memory, const Largest<typename Memory::Number>& largest) {
+                                                      const Memory& memory,
+                                                      const Largest<typename Memory::Number>& largest) {
     const ElementIndex a = guard.inputs[0], b = guard.inputs[1];
     return std::max(scale_of(strokes, memory, a, largest) * magnitude_of_direction(memory, b),
                     magnitude_of_direction(memory, a) * scale_of(strokes, memory, b, largest));
 }
 
-/// Answers a predicate with exact zeros; whoever asks decides what a small excess means. For predicates of zero the verdict 1
-/// says that the excess is exactly zero.
+/// Answers a predicate with exact zeros; whoever asks decides what a small excess means. For predicates of zero the
+/// verdict 1 says that the excess is exactly zero.
 template <class Memory>
 Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Stroke>& strokes, const Memory& memory,
                                        const Largest<typename Memory::Number>& largest, bool measures = false) {
@@ -421,32 +410,30 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
             if (first || second) return plain(first && second);
             return angle(direction_in(memory, a), direction_in(memory, b));
         }
-        case Question::zero_vector:
-            return zero(memory.vector(a), largest.vector[plane]);
-        case Question::zero_scalar:
-            return zero(memory.scalar(a), largest.beside_scalar(lies_in));
+        case Question::zero_vector: return zero(memory.vector(a), largest.vector[plane]);
+        case Question::zero_scalar: return zero(memory.scalar(a), largest.beside_scalar(lies_in));
         case Question::on_line: {
             const auto& p = memory.point(a);
             const auto& l = memory.line(b);
             if (l.at_infinity()) return plain(p.at_infinity());
             if (p.at_infinity()) return angle(p.place(), l.direction());
-            return zero(Number(sum_of_products(l.a, p.x, l.b, p.y) + l.c), magnitude_of(l.direction()) * largest.vector[plane]);
+            return zero(Number(sum_of_products(l.a, p.x, l.b, p.y) + l.c),
+                        magnitude_of(l.direction()) * largest.vector[plane]);
         }
-        case Question::sign:
-            return sign(memory.scalar(a), largest.beside_scalar(lies_in));
+        case Question::sign: return sign(memory.scalar(a), largest.beside_scalar(lies_in));
         case Question::turn_sign:
             return sign(Number(cross(memory.vector(a), memory.vector(b))),
                         magnitude_of(memory.vector(a)) * magnitude_of(memory.vector(b)));
         case Question::along_sign:
             return sign(Number(dot(memory.vector(a), memory.vector(b))),
                         magnitude_of(memory.vector(a)) * magnitude_of(memory.vector(b)));
-        case Question::longer:
-            return plain(squared_length(memory.vector(b)) < squared_length(memory.vector(a)));
+        case Question::longer: return plain(squared_length(memory.vector(b)) < squared_length(memory.vector(a)));
     }
     KG_ASSERT(false, "every question has an answer");
 }
 
-/// A predicate of zero: its verdict is 1 where what it asks about is zero. The others' is a sign, 0 for zero, or an order.
+/// A predicate of zero: its verdict is 1 where what it asks about is zero. The others' is a sign, 0 for zero, or an
+/// order.
 constexpr bool asks_for_zero(Guard::Question question) { return question <= Guard::Question::on_line; }
 
 }  // namespace kinegraph

@@ -5,8 +5,9 @@ namespace {
 
 std::size_t at(auto index) { return at_index(index); }
 
-/// What is this much smaller than what it is small beside may be zero in doubles: 2^-30, a millionth of a millimetre in a drawing
-/// of a metre, and some six orders above what rounding leaves of the deepest constructions met (chains of ten dyads).
+/// What is this much smaller than what it is small beside may be zero in doubles: 2^-30, a millionth of a millimetre in
+/// a drawing of a metre, and some six orders above what rounding leaves of the deepest constructions met (chains of ten
+/// dyads).
 constexpr int zero_bits = 30;
 /// And this much smaller it is nothing: within a thousand roundings of a double.
 constexpr int vanishing_bits = 42;
@@ -20,11 +21,9 @@ Kind kind_of(Verb verb) {
         case Verb::point_at_infinity:
         case Verb::meet:
         case Verb::meet_at_infinity:
-        case Verb::carry:
-            return Kind::point;
+        case Verb::carry: return Kind::point;
         case Verb::through:
-        case Verb::join:
-            return Kind::line;
+        case Verb::join: return Kind::line;
         case Verb::given_scalar:
         case Verb::ratio:
         case Verb::product:
@@ -33,10 +32,8 @@ Kind kind_of(Verb verb) {
         case Verb::opposite:
         case Verb::quotient:
         case Verb::moment:
-        case Verb::projection:
-            return Kind::scalar;
-        default:
-            return Kind::vector;
+        case Verb::projection: return Kind::scalar;
+        default: return Kind::vector;
     }
 }
 

@@ -1,5 +1,5 @@
-// Replay: a program evaluated in doubles, again and again with other givens. Made once from a program cut to what is wanted;
-// running it allocates nothing. For sweeps, plots and pages that move.
+// Replay: a program evaluated in doubles, again and again with other givens. Made once from a program cut to what is
+// wanted; running it allocates nothing. For sweeps, plots and pages that move.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,9 @@ public:
 
     /// Another value for a given (index in Program::givens), of the same kind.
     void give(int given, const ValueOf<double>& value);
-    /// Evaluates every stroke; returns the index of the first guard that flipped (in Program::guards), after which nothing was
-    /// evaluated. Givens that are not finite, or a division by what a guard should have excluded, show as values that are not.
+    /// Evaluates every stroke; returns the index of the first guard that flipped (in Program::guards), after which
+    /// nothing was evaluated. Givens that are not finite, or a division by what a guard should have excluded, show as
+    /// values that are not.
     std::optional<int> run();
 
     PointOf<double> point(ElementIndex element) const { return memory_.point(element); }

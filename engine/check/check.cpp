@@ -1,8 +1,8 @@
-// Writes the joints and drivers as linear equations in doubles and solves them with Eigen: velocities first, then accelerations,
-// whose known terms need the velocities. Shares nothing with the constructions but Mechanism and Pose.
+// Writes the joints and drivers as linear equations in doubles and solves them with Eigen: velocities first, then
+// accelerations, whose known terms need the velocities. Shares nothing with the constructions but Mechanism and Pose.
 //
-// Unknowns, for each body but the frame: velocity (or acceleration) of its reference place over the drawing's size L, and ω (or
-// α). Below: n a unit vector, r = P − reference, z× a quarter turn, u·v the dot product, and
+// Unknowns, for each body but the frame: velocity (or acceleration) of its reference place over the drawing's size L,
+// and ω (or α). Below: n a unit vector, r = P − reference, z× a quarter turn, u·v the dot product, and
 //   n·v_i(P) = n·v_ref + ω (r × n),      n·a_i(P) = n·a_ref + α (r × n) − ω² n·r.
 #include "engine/check/check.hpp"
 
@@ -58,7 +58,8 @@ public:
             if (largest > 0) scale_[j] = 1 / largest;
         }
         matrix_ = matrix_ * scale_.asDiagonal();
-        // An entry is off by the rounding of its points, once more than that where the body is small; a pivot by a few entries.
+        // An entry is off by the rounding of its points, once more than that where the body is small; a pivot by a few
+        // entries.
         constexpr double entries = 16;
         const double doubt = entries * rounding * scale_.maxCoeff();
         nothing_ = std::max(nothing_, doubt);
@@ -85,8 +86,8 @@ public:
         return matrix;
     }
 
-    /// Of rounded data: the rank ends at the first small pivot that the shifts of the data explain, instead of at a fixed one.
-    /// `shifted`: the same equations of the shifted drawings.
+    /// Of rounded data: the rank ends at the first small pivot that the shifts of the data explain, instead of at a
+    /// fixed one. `shifted`: the same equations of the shifted drawings.
     void end_rank_within(const std::vector<Eigen::MatrixXd>& shifted, double share) {
         if (is_regular_ || matrix_.rows() == 0) return;
         const Eigen::VectorXd pivots = orthogonal_.matrixQR().diagonal().cwiseAbs();
@@ -106,7 +107,8 @@ public:
     }
 
     Solved solve(const Eigen::VectorXd& right) const {
-        Solved solved{Eigen::VectorXd::Zero(columns_), std::vector<bool>(at_index(static_cast<int>(columns_)), is_regular_)};
+        Solved solved{Eigen::VectorXd::Zero(columns_),
+                      std::vector<bool>(at_index(static_cast<int>(columns_)), is_regular_)};
         if (matrix_.rows() == 0) return solved;
         Eigen::VectorXd x = particular(right);
         const Eigen::VectorXd miss = residual(right, x);
@@ -135,7 +137,8 @@ private:
         const Eigen::Index rank = orthogonal_.rank();
         const Eigen::VectorXd turned = orthogonal_.householderQ().transpose() * right;
         Eigen::VectorXd x = Eigen::VectorXd::Zero(columns_);
-        x.head(rank) = orthogonal_.matrixQR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(turned.head(rank));
+        x.head(rank) =
+            orthogonal_.matrixQR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(turned.head(rank));
         return orthogonal_.colsPermutation() * x;
     }
     void mark_known(const Eigen::VectorXd& right, const Eigen::VectorXd& x, std::vector<bool>& known) const {
@@ -147,8 +150,10 @@ private:
         Eigen::MatrixXd null(columns_, free);
         if (free > 0) {
             const auto& qr = orthogonal_.matrixQR();
-            null.topRows(rank) =
-                -qr.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(qr.topRightCorner(rank, free)).eval();
+            null.topRows(rank) = -qr.topLeftCorner(rank, rank)
+                                      .triangularView<Eigen::Upper>()
+                                      .solve(qr.topRightCorner(rank, free))
+                                      .eval();
             null.bottomRows(free).setIdentity();
             null = orthogonal_.colsPermutation() * null;
         }
@@ -180,7 +185,8 @@ public:
             Pair& reference = motion_.bodies[i].reference;
             for (const PointIndex point : points) {
                 const Pair place = rough(pose.at(point));
-                for (const int k : {0, 1}) reference[at_index(k)] += place[at_index(k)] / static_cast<double>(points.size());
+                for (const int k : {0, 1})
+                    reference[at_index(k)] += place[at_index(k)] / static_cast<double>(points.size());
             }
             references_.push_back(exactly(reference));
         }
@@ -193,8 +199,9 @@ public:
 
         System velocities(rows_, columns_, rounding_);
         if (pose_.is_rounded()) velocities.end_rank_within(shifted_matrices(), rounding_);
-        take(velocities.solve(right_side([](const Row& row) { return row.velocity; })), &NumericMotion::BodyState::velocity,
-             &NumericMotion::BodyState::omega, &NumericMotion::BodyState::velocity_known);
+        take(velocities.solve(right_side([](const Row& row) { return row.velocity; })),
+             &NumericMotion::BodyState::velocity, &NumericMotion::BodyState::omega,
+             &NumericMotion::BodyState::velocity_known);
 
         for (std::size_t i = 0; i < rows_.size(); ++i) {
             Row& row = rows_[i];
@@ -259,7 +266,8 @@ private:
         }
     }
 
-    // --- pieces of equations; lengths over the drawing's size ----------------------------------------------------------------
+    // --- pieces of equations; lengths over the drawing's size
+    // ----------------------------------------------------------------
     Pair arm(BodyIndex body, const Vector& place) const {
         const Vector& reference = references_[at_index(body)];
         const Pair r{difference_to_double(place.x, reference.x), difference_to_double(place.y, reference.y)};
@@ -299,7 +307,8 @@ private:
     static double square_of(double x) { return x * x; }
 
     /// n·(v_i − v_j) at P is `velocity`; n·(a_i − a_j) there is `second_order()`.
-    void equal_speeds(BodyIndex i, BodyIndex j, const Vector& place, const Pair& n, double velocity, SecondOrder second_order) {
+    void equal_speeds(BodyIndex i, BodyIndex j, const Vector& place, const Pair& n, double velocity,
+                      SecondOrder second_order) {
         Row row;
         const Pair on_i = arm(i, place), on_j = arm(j, place);
         add_speed(row, i, on_i, n, 1);
@@ -317,7 +326,8 @@ private:
         enter(std::move(row), velocity, [=] { return acceleration; });
     }
 
-    // --- joints --------------------------------------------------------------------------------------------------------------
+    // --- joints
+    // --------------------------------------------------------------------------------------------------------------
     void write(const Joint& joint, JointIndex index) {
         switch (joint.kind) {
             case JointKind::revolute:
@@ -338,15 +348,9 @@ private:
                     slide(joint, index);
                 }
                 return;
-            case JointKind::rolling:
-                roll(joint, index);
-                return;
-            case JointKind::contact:
-                touch(joint, index);
-                return;
-            case JointKind::gear:
-                mesh(joint, index);
-                return;
+            case JointKind::rolling: roll(joint, index); return;
+            case JointKind::contact: touch(joint, index); return;
+            case JointKind::gear: mesh(joint, index); return;
         }
     }
 
@@ -378,7 +382,8 @@ private:
         });
     }
 
-    /// Where the profile's centre of curvature lies along the normal, over the size: a number, or nothing for a straight profile.
+    /// Where the profile's centre of curvature lies along the normal, over the size: a number, or nothing for a
+    /// straight profile.
     struct Curvature {
         bool stated = false;
         bool straight = false;
@@ -395,8 +400,8 @@ private:
         return {true, false, inner(n, reach) / size_, place};
     }
 
-    /// Rolling: the points in contact differ by ω_ij² / (1/x_i − 1/x_j) along n, x the centres' places along n (a line has 1/x =
-    /// 0).
+    /// Rolling: the points in contact differ by ω_ij² / (1/x_i − 1/x_j) along n, x the centres' places along n (a line
+    /// has 1/x = 0).
     void roll(const Joint& joint, JointIndex index) {
         const BodyIndex i = joint.bodies[0];
         const BodyIndex j = joint.bodies[1];
@@ -422,7 +427,8 @@ private:
         return std::abs(a.centre - b.centre) <= same * std::max(std::abs(a.centre), std::abs(b.centre));
     }
 
-    /// Sliding contact: to second order a rod between the centres of curvature, or a pin at the one centre in a straight slot.
+    /// Sliding contact: to second order a rod between the centres of curvature, or a pin at the one centre in a
+    /// straight slot.
     void touch(const Joint& joint, JointIndex index) {
         const BodyIndex i = joint.bodies[0];
         const BodyIndex j = joint.bodies[1];
@@ -453,14 +459,17 @@ private:
     }
 
     /// Gears: equal speeds along the common tangent of the pitch curves. Seen from the arm k that holds both centres,
-    ///   (ω_i − ω_k) x_i = (ω_j − ω_k) x_j  at every instant, so the same holds of the α; put into the accelerations at P, the
-    /// terms of the arm cancel and the tangential components are equal (what is left lies along the normal). So too for a rack.
+    ///   (ω_i − ω_k) x_i = (ω_j − ω_k) x_j  at every instant, so the same holds of the α; put into the accelerations at
+    ///   P, the
+    /// terms of the arm cancel and the tangential components are equal (what is left lies along the normal). So too for
+    /// a rack.
     void mesh(const Joint& joint, JointIndex index) {
         const Pair t = unit(pose_.tangents[at_index(index)]);
         equal_speeds(joint.bodies[0], joint.bodies[1], pose_.at(joint.point), t, 0, [] { return 0.0; });
     }
 
-    // --- drivers -------------------------------------------------------------------------------------------------------------
+    // --- drivers
+    // -------------------------------------------------------------------------------------------------------------
     void write(const SpinDriver& driver) {
         equal_turns(driver.body, driver.relative_to, driver.omega.to_double(), driver.alpha.to_double());
     }
@@ -469,10 +478,11 @@ private:
         const Joint& joint = mechanism_.joint(driver.joint);
         const Vector place = pose_.at(joint.point);
         const bool straight = !pose_.guides[at_index(driver.joint)].is_zero();
-        const Pair u =
-            straight ? unit(pose_.guides[at_index(driver.joint)]) : quarter(unit(pose_.normals[at_index(driver.joint)]));
+        const Pair u = straight ? unit(pose_.guides[at_index(driver.joint)])
+                                : quarter(unit(pose_.normals[at_index(driver.joint)]));
         const double second = driver.acceleration.to_double() / size_;
-        equal_speeds(joint.bodies[0], joint.bodies[1], place, u, driver.speed.to_double() / size_, [=] { return second; });
+        equal_speeds(joint.bodies[0], joint.bodies[1], place, u, driver.speed.to_double() / size_,
+                     [=] { return second; });
     }
     void write(const PointDriver& driver) {
         const double second = driver.acceleration.to_double() / size_;
@@ -480,8 +490,8 @@ private:
                      driver.speed.to_double() / size_, [=] { return second; });
     }
     void write(const ActOfMotion& motion) {
-        // A direction says that the component square to it is zero. Accelerations are rows of their own, with no velocity to
-        // give: both lists are written as rows that serve one of the two systems only.
+        // A direction says that the component square to it is zero. Accelerations are rows of their own, with no
+        // velocity to give: both lists are written as rows that serve one of the two systems only.
         given(motion.body, motion.velocities, true);
         given(motion.body, motion.accelerations, false);
     }
@@ -494,8 +504,9 @@ private:
                 if (velocity) {
                     enter(std::move(row), value, [] { return std::nullopt; });
                 } else {
-                    later_.emplace_back(std::move(row),
-                                        [=, this] { return value + square_of(omega(body)) * inner(n, arm(body, place)); });
+                    later_.emplace_back(std::move(row), [=, this] {
+                        return value + square_of(omega(body)) * inner(n, arm(body, place));
+                    });
                 }
             };
             if (const auto* vector = std::get_if<Vector>(&each.value)) {
@@ -514,7 +525,8 @@ private:
     NumericMotion motion_;
     std::vector<Vector> references_;  ///< the states' references as exact places
     std::vector<Row> rows_;
-    std::vector<SecondOrder> second_order_;  ///< by row: the right side of its accelerations, once the velocities are known
+    std::vector<SecondOrder>
+        second_order_;  ///< by row: the right side of its accelerations, once the velocities are known
     std::vector<std::pair<Row, SecondOrder>> later_;  ///< rows of accelerations alone
 };
 

@@ -1,13 +1,13 @@
-// The check: the same mechanism as plain linear algebra in doubles (Jacobian, its time derivative) with Eigen. Shares nothing
-// with the constructions but Mechanism and Pose, so that agreement means something. Only this and the check of the forces see
-// Eigen.
+// The check: the same mechanism as plain linear algebra in doubles (Jacobian, its time derivative) with Eigen. Shares
+// nothing with the constructions but Mechanism and Pose, so that agreement means something. Only this and the check of
+// the forces see Eigen.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/mechanism/mechanism.hpp"
 
 namespace kinegraph {
 
@@ -27,16 +27,19 @@ struct NumericMotion {
     std::array<double, 2> arm(BodyIndex body, const Vector& place) const;
     std::array<double, 2> velocity_at_arm(BodyIndex body, const std::array<double, 2>& arm) const;
     std::array<double, 2> acceleration_at_arm(BodyIndex body, const std::array<double, 2>& arm) const;
-    std::array<double, 2> velocity(BodyIndex body, const Vector& place) const { return velocity_at_arm(body, arm(body, place)); }
+    std::array<double, 2> velocity(BodyIndex body, const Vector& place) const {
+        return velocity_at_arm(body, arm(body, place));
+    }
     std::array<double, 2> acceleration(BodyIndex body, const Vector& place) const {
         return acceleration_at_arm(body, arm(body, place));
     }
 };
 
-/// Velocities from J q̇ = b, accelerations from J q̈ = ḃ − J̇ q̇. A body whose motion the drivers do not determine is marked so.
-/// Lengths are scaled by the drawing's size; LU where the equations are square and regular, rank-revealing QR elsewhere, and one
-/// step of refinement with residuals in long double keep the error near 1e-13 of the largest velocity unless the mechanism is
-/// close to a dead point. Drivers that contradict each other or the pose leave every body unknown.
+/// Velocities from J q̇ = b, accelerations from J q̈ = ḃ − J̇ q̇. A body whose motion the drivers do not determine is
+/// marked so. Lengths are scaled by the drawing's size; LU where the equations are square and regular, rank-revealing
+/// QR elsewhere, and one step of refinement with residuals in long double keep the error near 1e-13 of the largest
+/// velocity unless the mechanism is close to a dead point. Drivers that contradict each other or the pose leave every
+/// body unknown.
 NumericMotion check_motion(const Mechanism& mechanism, const Pose& pose);
 
 }  // namespace kinegraph

@@ -1,5 +1,5 @@
-// The check of the forces: equations of equilibrium (engine/check/equilibrium_equations.hpp), solved. Owns what is left out
-// where not every body can be in equilibrium, and the rule that picks a gear's line of action.
+// The check of the forces: equations of equilibrium (engine/check/equilibrium_equations.hpp), solved. Owns what is left
+// out where not every body can be in equilibrium, and the rule that picks a gear's line of action.
 #include "engine/check/check_forces.hpp"
 
 #include <Eigen/Dense>
@@ -9,11 +9,11 @@
 #include <utility>
 #include <variant>
 
-#include "engine/number/assert.hpp"
 #include "engine/check/determined_system.hpp"
 #include "engine/check/equilibrium_equations.hpp"
 #include "engine/check/given_loads.hpp"
 #include "engine/check/plane_pair.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph::numeric {
 namespace {
@@ -28,8 +28,8 @@ public:
     NumericForces run() {
         std::vector<bool> clockwise(mechanism_.joints.size(), false);
         Solved solved = solve(clockwise);
-        // The other line changes the radial component only, and with wheels on their axles nothing that the sense depends on: one
-        // round settles them all. Where wheels float, a few more may be needed.
+        // The other line changes the radial component only, and with wheels on their axles nothing that the sense
+        // depends on: one round settles them all. Where wheels float, a few more may be needed.
         for (std::size_t round = 0; round <= mechanism_.joints.size() && turn_gears(solved, clockwise); ++round)
             solved = solve(clockwise);
         return report(solved, clockwise);
@@ -46,7 +46,8 @@ private:
         double residual = 0;
     };
 
-    // --- solving ---------------------------------------------------------------------------------------------------------------
+    // --- solving
+    // ---------------------------------------------------------------------------------------------------------------
     Solved solve(const std::vector<bool>& clockwise) const {
         const Eigen::MatrixXd matrix = equations_.matrix(clockwise);
         // A body whose inertia nobody knows has no equations that could be used.
@@ -70,8 +71,8 @@ private:
         leave_out_unbalanced(miss, solved.values, used);
         return solve_part(matrix, used, solved);
     }
-    /// Some bodies are left out: what the others determine. What the residual of the least squares leaves untouched is satisfied
-    /// without the rest, so one pass finds the part that is in equilibrium by itself.
+    /// Some bodies are left out: what the others determine. What the residual of the least squares leaves untouched is
+    /// satisfied without the rest, so one pass finds the part that is in equilibrium by itself.
     Solved solve_part(const Eigen::MatrixXd& matrix, std::vector<bool>& used, Solved solved) const {
         for (;;) {
             const auto count = static_cast<Index>(std::count(used.begin(), used.end(), true));
@@ -131,7 +132,8 @@ private:
         for (Index k = 0; k < 3; ++k) used[static_cast<std::size_t>(first + k)] = false;
     }
     /// Whole bodies: one of whose equations fails is not at rest, so its others say nothing either.
-    void leave_out_unbalanced(const Eigen::VectorXd& miss, const Eigen::VectorXd& values, std::vector<bool>& used) const {
+    void leave_out_unbalanced(const Eigen::VectorXd& miss, const Eigen::VectorXd& values,
+                              std::vector<bool>& used) const {
         const double tolerated = tolerance(values);
         for (Index i = 0; i < equations_.rows(); ++i) {
             if (std::abs(miss[i]) <= tolerated) continue;
@@ -143,13 +145,15 @@ private:
         }
     }
 
-    // --- gears -----------------------------------------------------------------------------------------------------------------
-    /// Teeth only push, so the radial component of a gear's force separates the wheels: on bodies[0] it points into its own
-    /// material. With n the normal of the pitch curves and 1/x their curvatures (x the centre's place along n; 0 for a rack) the
-    /// material of bodies[0] lies on the side sign(1/x_0 − 1/x_1) of n: two wheels outside each other curve apart, and a wheel
-    /// inside a ring curves more than the ring. Of the two lines of action the one is taken on which the tangential force that
-    /// equilibrium asks for comes with a radial force of that sign. (Joints given by "tangent" alone do not say where their
-    /// material lies and keep the line turned counter-clockwise.) True where a line was changed.
+    // --- gears
+    // -----------------------------------------------------------------------------------------------------------------
+    /// Teeth only push, so the radial component of a gear's force separates the wheels: on bodies[0] it points into its
+    /// own material. With n the normal of the pitch curves and 1/x their curvatures (x the centre's place along n; 0
+    /// for a rack) the material of bodies[0] lies on the side sign(1/x_0 − 1/x_1) of n: two wheels outside each other
+    /// curve apart, and a wheel inside a ring curves more than the ring. Of the two lines of action the one is taken on
+    /// which the tangential force that equilibrium asks for comes with a radial force of that sign. (Joints given by
+    /// "tangent" alone do not say where their material lies and keep the line turned counter-clockwise.) True where a
+    /// line was changed.
     bool turn_gears(const Solved& solved, std::vector<bool>& clockwise) const {
         bool changed = false;
         for (const JointIndex index : indices_of(mechanism_.joints)) {
@@ -176,9 +180,11 @@ private:
         return 1 / inner(n, rough(pose_.at(circle->centre) - pose_.at(joint.point)));
     }
 
-    // --- answer ----------------------------------------------------------------------------------------------------------------
+    // --- answer
+    // ----------------------------------------------------------------------------------------------------------------
     /// Of a joint whose unknowns begin at a column, which goes on behind them.
-    NumericForces::Action action_at(Index& column, JointIndex index, const std::vector<Pair>& along, const Solved& solved) const {
+    NumericForces::Action action_at(Index& column, JointIndex index, const std::vector<Pair>& along,
+                                    const Solved& solved) const {
         const auto known = [&](Index each) { return static_cast<bool>(solved.known[static_cast<std::size_t>(each)]); };
         const bool has_couple = EquilibriumEquations::carries_couple(mechanism_.joint(index));
         NumericForces::Action action;
@@ -212,7 +218,9 @@ private:
             sum.force = sum.force + each.force;
             sum.couple += each.couple + outer(rough(each.place), each.force);
         }
-        const auto known = [&](Index column) { return static_cast<bool>(solved.known[static_cast<std::size_t>(column)]); };
+        const auto known = [&](Index column) {
+            return static_cast<bool>(solved.known[static_cast<std::size_t>(column)]);
+        };
         for (const JointIndex index : indices_of(mechanism_.joints)) {
             const Joint& joint = mechanism_.joint(index);
             const auto along = equations_.directions(index, clockwise[at_index(index)]);

@@ -1,5 +1,5 @@
-// The check of the forces: equilibrium of every body as one system of linear equations in doubles, with Eigen. Shares nothing
-// with the constructions but Mechanism, Pose and the numeric motion (for inertia).
+// The check of the forces: equilibrium of every body as one system of linear equations in doubles, with Eigen. Shares
+// nothing with the constructions but Mechanism, Pose and the numeric motion (for inertia).
 #pragma once
 
 #include <array>
@@ -7,23 +7,23 @@
 #include <vector>
 
 #include "engine/check/check.hpp"
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/mechanism/mechanism.hpp"
 
 namespace kinegraph {
 
 /// Reactions and efforts from equilibrium; SI units.
 struct NumericForces {
-    /// The action of `from` on `on` at a joint, reduced to the joint's point. At a hinge of three bodies or more the pin acts on
-    /// each: `from` is none then.
+    /// The action of `from` on `on` at a joint, reduced to the joint's point. At a hinge of three bodies or more the
+    /// pin acts on each: `from` is none then.
     struct Action {
         JointIndex joint = none;
         BodyIndex on = none, from = none;
         std::array<double, 2> force{};
         double couple = 0;
         bool known = false;  ///< determined by equilibrium
-        /// Of what is not: the force, or the couple, is the same in every equilibrium; or of the force its component along one
-        /// direction, a unit vector (`component` N). Where one is not, its value above is zero.
+        /// Of what is not: the force, or the couple, is the same in every equilibrium; or of the force its component
+        /// along one direction, a unit vector (`component` N). Where one is not, its value above is zero.
         bool force_known = false, couple_known = false;
         std::optional<std::array<double, 2>> along;
         double component = 0;
@@ -42,9 +42,9 @@ struct NumericForces {
     double residual = 0;     ///< largest unbalanced force relative to the largest load
 };
 
-/// Loads, weights, inertia (where the file says so), springs; frictionless reactions by pair: revolute and rolling two components
-/// through the point, prismatic a force ⟂ guide and a couple, pin-slot, contact and gear a force along Pose::normals, weld force
-/// and couple.
+/// Loads, weights, inertia (where the file says so), springs; frictionless reactions by pair: revolute and rolling two
+/// components through the point, prismatic a force ⟂ guide and a couple, pin-slot, contact and gear a force along
+/// Pose::normals, weld force and couple.
 NumericForces check_forces(const Mechanism& mechanism, const Pose& pose, const NumericMotion& motion);
 
 }  // namespace kinegraph

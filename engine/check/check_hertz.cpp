@@ -94,8 +94,12 @@ private:
         found_.radius = 0.5 / std::sqrt(curvature(0) * curvature(1));
         // Timoshenko and Goodier, Theory of Elasticity, art. 141; lengths over a.
         const auto denominator = [](double k, double s) { return std::sqrt((1 + s) * (k * k + s) * s); };
-        const auto along = [&](double k) { return over_all([&](double s) { return 1 / ((1 + s) * denominator(k, s)); }); };
-        const auto across = [&](double k) { return over_all([&](double s) { return 1 / ((k * k + s) * denominator(k, s)); }); };
+        const auto along = [&](double k) {
+            return over_all([&](double s) { return 1 / ((1 + s) * denominator(k, s)); });
+        };
+        const auto across = [&](double k) {
+            return over_all([&](double s) { return 1 / ((k * k + s) * denominator(k, s)); });
+        };
         const double ratio = curvature(0) / curvature(1);
         double low = -14, high = 0;
         for (int i = 0; i < 60 && ratio < 1 - 1e-12; ++i) {
@@ -116,8 +120,8 @@ private:
         return gauss().between(0, pi / 2, [](double u) { return 2 * pi * std::sin(u) * std::cos(u) * std::cos(u); });
     }
 
-    /// ∫ q(t)/(x − t) dt = πx on −1 … 1 with q = g √(1 − t²): g at the nodes of Chebyshev's second kind, the equation at those of
-    /// the first. Then p = (E* b/2R) q.
+    /// ∫ q(t)/(x − t) dt = πx on −1 … 1 with q = g √(1 − t²): g at the nodes of Chebyshev's second kind, the equation
+    /// at those of the first. Then p = (E* b/2R) q.
     void solve_line() {
         constexpr int n = 41;
         Eigen::MatrixXd system(n + 1, n);
@@ -169,8 +173,8 @@ private:
         const Eigen::Vector2d stress = plane_stresses(z);
         return 0.5 * std::abs(stress(0) - stress(1));
     }
-    /// The strain added up from the contact to the datum; a round body is pressed from its other side by the same force, and the
-    /// rim between is kept free (Johnson 5.6).
+    /// The strain added up from the contact to the datum; a round body is pressed from its other side by the same
+    /// force, and the rim between is kept free (Johnson 5.6).
     double approach_of(std::size_t i, double load) const {
         const HertzBody& body = problem_.bodies[i];
         const Datum datum = datum_of(problem_, i);
@@ -186,19 +190,21 @@ private:
         return sum;
     }
 
-    /// Boussinesq: the stresses of one force on the face, summed over the ellipse; x = a sin u cos v, y = b sin u sin v.
+    /// Boussinesq: the stresses of one force on the face, summed over the ellipse; x = a sin u cos v, y = b sin u sin
+    /// v.
     double shear_below_point(double nu, double z) const {
         constexpr int around = 64;  // of a quarter
         double difference = 0;
         for (int i = 0; i < Gauss::size; ++i) {
             const double u = pi / 4 * (1 + gauss().nodes(i)), s = std::sin(u), c = std::cos(u);
             for (int j = 0; j < around; ++j) {
-                const double v = (j + 0.5) * pi / (2 * around), x = found_.a * s * std::cos(v), y = found_.b * s * std::sin(v);
-                const double force =
-                    4 * found_.greatest * c * found_.a * found_.b * s * c * (pi / 4 * gauss().weights(i)) * (pi / (2 * around));
+                const double v = (j + 0.5) * pi / (2 * around), x = found_.a * s * std::cos(v),
+                             y = found_.b * s * std::sin(v);
+                const double force = 4 * found_.greatest * c * found_.a * found_.b * s * c *
+                                     (pi / 4 * gauss().weights(i)) * (pi / (2 * around));
                 const double r = std::sqrt(x * x + y * y + z * z), r3 = r * r * r, sum = r + z;
-                const double across =
-                    3 * y * y * z / (r3 * r * r) - (1 - 2 * nu) * (z / r3 - 1 / (r * sum) + (r + sum) * y * y / (r3 * sum * sum));
+                const double across = 3 * y * y * z / (r3 * r * r) -
+                                      (1 - 2 * nu) * (z / r3 - 1 / (r * sum) + (r + sum) * y * y / (r3 * sum * sum));
                 difference += force / (2 * pi) * (across - 3 * z * z * z / (r3 * r * r));
             }
         }
@@ -210,7 +216,8 @@ private:
         for (std::size_t i = 0; i < 2; ++i) {
             const double nu = problem_.bodies[i].poisson.to_double();
             if (i == 1 && nu == problem_.bodies[0].poisson.to_double()) break;
-            const auto [depth, greatest] = summit(0.2 * found_.b, 1.2 * found_.b, [&](double z) { return shear(nu, z); });
+            const auto [depth, greatest] =
+                summit(0.2 * found_.b, 1.2 * found_.b, [&](double z) { return shear(nu, z); });
             if (greatest <= found_.shear * (1 + 1e-9)) continue;
             found_.shear = greatest;
             found_.depth = depth;

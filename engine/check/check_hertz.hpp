@@ -1,8 +1,8 @@
-// The numeric check of a Hertzian contact. It shares nothing with the closed forms: points by Hertz's own integrals over the
-// confocal ellipsoids, done by quadrature (the closed form of an approach along a line leaves
-// out (b/r)², the check does not); lines by the integral equation of the pressure as a linear system (Erdogan and Gupta's
-// Gauss–Chebyshev quadrature); approaches along a line by adding up the strain; stresses by Boussinesq's and Flamant's solutions
-// for one force, summed over the face of contact.
+// The numeric check of a Hertzian contact. It shares nothing with the closed forms: points by Hertz's own integrals
+// over the confocal ellipsoids, done by quadrature (the closed form of an approach along a line leaves out (b/r)², the
+// check does not); lines by the integral equation of the pressure as a linear system (Erdogan and Gupta's
+// Gauss–Chebyshev quadrature); approaches along a line by adding up the strain; stresses by Boussinesq's and Flamant's
+// solutions for one force, summed over the face of contact.
 #pragma once
 
 #include "engine/mechanism/problem.hpp"
@@ -15,8 +15,8 @@ struct HertzCheck {
 };
 HertzCheck check_hertz(const HertzProblem& problem);
 
-/// From where the approach of a body at a line of contact is counted: its axis, or a depth below a flat or concave face (where
-/// the file gives none, the radius of the partner).
+/// From where the approach of a body at a line of contact is counted: its axis, or a depth below a flat or concave face
+/// (where the file gives none, the radius of the partner).
 struct Datum {
     bool is_axis = true;
     double depth = 0;  ///< m below the contact

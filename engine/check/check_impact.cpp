@@ -17,7 +17,8 @@ struct Moving {
     double omega = 0;
 
     Pair velocity_at(const Pair& place) const { return velocity + omega * quarter_turn(place - centre); }
-    /// Newton's and Euler's laws for an impulse at a place; of a hinged body the hinge answers so that it stays at rest.
+    /// Newton's and Euler's laws for an impulse at a place; of a hinged body the hinge answers so that it stays at
+    /// rest.
     void push(const Pair& impulse, const Pair& place) {
         if (fixed) return;
         if (!hinged) {

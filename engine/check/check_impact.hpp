@@ -1,6 +1,6 @@
-// The numeric check of an impact: Newton's laws for both bodies, integrated in small steps of the normal impulse with Coulomb's
-// friction at each; compression until the points in contact no longer approach, then e times as much again. In doubles, body by
-// body; shares no formula with the construction.
+// The numeric check of an impact: Newton's laws for both bodies, integrated in small steps of the normal impulse with
+// Coulomb's friction at each; compression until the points in contact no longer approach, then e times as much again.
+// In doubles, body by body; shares no formula with the construction.
 #pragma once
 
 #include <array>

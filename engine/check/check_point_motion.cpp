@@ -37,8 +37,7 @@ public:
                 const Complex first = i * theta[1], second = i * theta[2] - theta[1] * theta[1];
                 return {r[0] * turn, (r[1] + r[0] * first) * turn, (r[2] + 2.0 * r[1] * first + r[0] * second) * turn};
             }
-            case Form::path:
-                break;
+            case Form::path: break;
         }
         return on_path(law(0, time));
     }
@@ -56,7 +55,8 @@ private:
         if (const auto* line = std::get_if<LinePath>(&*problem_.path)) {
             const Complex direction(line->direction.x.to_double(), line->direction.y.to_double());
             const Complex unit = direction / std::abs(direction);
-            return {Complex(line->from.x.to_double(), line->from.y.to_double()) + s[0] * unit, s[1] * unit, s[2] * unit};
+            return {Complex(line->from.x.to_double(), line->from.y.to_double()) + s[0] * unit, s[1] * unit,
+                    s[2] * unit};
         }
         return on_graph(std::get<GraphPath>(*problem_.path), s);
     }
@@ -125,7 +125,8 @@ PointCheck check_point_motion(const PointProblem& problem) {
 
 DisplacementCheck check_displacement(const PositionsProblem& problem, std::size_t from, std::size_t to) {
     const auto &first = problem.positions.at(from).places, &second = problem.positions.at(to).places;
-    const Complex turn = (complex_of(second[1]) - complex_of(second[0])) / (complex_of(first[1]) - complex_of(first[0]));
+    const Complex turn =
+        (complex_of(second[1]) - complex_of(second[0])) / (complex_of(first[1]) - complex_of(first[0]));
     DisplacementCheck check;
     check.angle = std::arg(turn);
     check.way = vector_of(complex_of(second[0]) - complex_of(first[0]));
@@ -134,7 +135,9 @@ DisplacementCheck check_displacement(const PositionsProblem& problem, std::size_
 }
 
 std::pair<VectorOf<double>, double> check_pivot(const PositionsProblem& problem, std::size_t point) {
-    const auto place = [&](std::size_t position) { return complex_of(problem.positions.at(position).places.at(point)); };
+    const auto place = [&](std::size_t position) {
+        return complex_of(problem.positions.at(position).places.at(point));
+    };
     // From the first place, so that little cancels.
     const Complex b = place(1) - place(0), c = place(2) - place(0);
     const double area = 2 * (b.real() * c.imag() - b.imag() * c.real());

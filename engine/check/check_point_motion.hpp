@@ -1,6 +1,7 @@
-// The numeric checks of the motion of a point and of positions of a body. Of the point: the rules of differentiation carried
-// along with the numbers (engine/file/expression.hpp, jets), so no derivative in symbols is used; the way by Simpson's rule. Of
-// positions: complex numbers, a displacement being z′ = e^{iφ}z + c, and circles through three points by their equations.
+// The numeric checks of the motion of a point and of positions of a body. Of the point: the rules of differentiation
+// carried along with the numbers (engine/file/expression.hpp, jets), so no derivative in symbols is used; the way by
+// Simpson's rule. Of positions: complex numbers, a displacement being z′ = e^{iφ}z + c, and circles through three
+// points by their equations.
 #pragma once
 
 #include <array>

@@ -49,7 +49,9 @@ private:
         const double a = problem_.length.to_double(), b = problem_.width.to_double();
         const double wanted = problem_.kind == Kind::block ? a / 2 : problem_.offset.to_double();
         // Tilt from −∞ (the end x = a wears more) to +∞: the sine of an angle t in place of the slope.
-        const auto pressure = [&](double t, double x) { return std::max(0.0, std::cos(t) + std::sin(t) * (2 * x / a - 1)); };
+        const auto pressure = [&](double t, double x) {
+            return std::max(0.0, std::cos(t) + std::sin(t) * (2 * x / a - 1));
+        };
         // Where the face lifts the rule's strips end at the edge of contact.
         const auto ends = [&](double t) {
             const double zero = a / 2 * (1 - std::cos(t) / (std::sin(t) == 0 ? 1e-300 : std::sin(t)));
@@ -85,7 +87,8 @@ private:
         // Even depth: pressure × sliding is the same everywhere, p = 1/r to a scale.
         const auto torque = [&](const Function& p, double& scale) {
             scale = force_ / over(inner, outer, [&](double r) { return 2 * pi * r * p(r); });
-            return problem_.surfaces * friction_ * scale * over(inner, outer, [&](double r) { return 2 * pi * r * r * p(r); });
+            return problem_.surfaces * friction_ * scale *
+                   over(inner, outer, [&](double r) { return 2 * pi * r * r * p(r); });
         };
         double scale = 0;
         found_.torque = torque([](double r) { return 1 / r; }, scale);
@@ -111,13 +114,16 @@ private:
         };
         const double normal = over(from, to, [&](double t) { return b * r * depth(t) * moment(t, outward, 0); });
         // Friction of a drum that turns one way; leading where it turns the shoe against the normal forces.
-        const double rubbing = over(from, to, [&](double t) { return b * r * depth(t) * moment(t, 0, normal > 0 ? -1 : 1); });
+        const double rubbing =
+            over(from, to, [&](double t) { return b * r * depth(t) * moment(t, 0, normal > 0 ? -1 : 1); });
         const double sense = problem_.leading ? 1 : -1;
-        const double scale = force_ * problem_.arm.to_double() /
-                             (std::abs(normal) - sense * friction_ * std::abs(rubbing) * (rubbing * normal < 0 ? 1 : -1));
+        const double scale =
+            force_ * problem_.arm.to_double() /
+            (std::abs(normal) - sense * friction_ * std::abs(rubbing) * (rubbing * normal < 0 ? 1 : -1));
         found_.first = scale * depth(from);
         found_.second = scale * depth(to);
-        for (int i = 0; i <= 4000; ++i) found_.greatest = std::max(found_.greatest, scale * depth(from + (to - from) * i / 4000));
+        for (int i = 0; i <= 4000; ++i)
+            found_.greatest = std::max(found_.greatest, scale * depth(from + (to - from) * i / 4000));
         found_.torque = friction_ * r * scale * over(from, to, [&](double t) { return b * r * depth(t); });
         const double x = scale * over(from, to, [&](double t) { return b * r * depth(t) * std::cos(t); });
         const double y = scale * over(from, to, [&](double t) { return b * r * depth(t) * std::sin(t); });

@@ -1,5 +1,5 @@
-// The numeric check of a contact that wears by Reye's hypothesis: the face cut into strips, each pressed as far as it wears and
-// never pulled; equilibrium of the strips solved for the motion of the body that wears. No closed form.
+// The numeric check of a contact that wears by Reye's hypothesis: the face cut into strips, each pressed as far as it
+// wears and never pulled; equilibrium of the strips solved for the motion of the body that wears. No closed form.
 #pragma once
 
 #include <array>

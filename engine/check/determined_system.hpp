@@ -1,5 +1,6 @@
-// A system of linear equations that need not determine all of its unknowns: a solution of it, and what all solutions have alike.
-// Householder's QR with column pivoting (Businger and Golub 1965) gives rank and null space; residuals in long double refine.
+// A system of linear equations that need not determine all of its unknowns: a solution of it, and what all solutions
+// have alike. Householder's QR with column pivoting (Businger and Golub 1965) gives rank and null space; residuals in
+// long double refine.
 #pragma once
 
 #include <Eigen/Dense>
@@ -17,8 +18,8 @@ double largest(const Eigen::VectorXd& a);
 /// A x = b in the least-squares sense, with refinement, and what of x the equations determine.
 class DeterminedSystem {
 public:
-    /// `matrix`: A, of any shape, also without rows or columns. `doubt`: how far rounded points may move a pivot, relative to the
-    /// largest one.
+    /// `matrix`: A, of any shape, also without rows or columns. `doubt`: how far rounded points may move a pivot,
+    /// relative to the largest one.
     DeterminedSystem(const Eigen::MatrixXd& matrix, double doubt);
 
     /// What is smaller than this share of the largest value is taken for nothing, where points are rounded by `doubt`.
@@ -31,8 +32,8 @@ public:
     Eigen::VectorXd residual(const Eigen::VectorXd& right, const Eigen::VectorXd& x) const;
     /// By unknown: it has the same value in all solutions.
     std::vector<bool> determined() const;
-    /// Of the unknowns `first` and the next, x_i and x_j: the unit vector (c, s), c ≥ 0, such that c·x_i + s·x_j is the same in
-    /// all solutions. None where there is no such combination, or where both unknowns are determined.
+    /// Of the unknowns `first` and the next, x_i and x_j: the unit vector (c, s), c ≥ 0, such that c·x_i + s·x_j is the
+    /// same in all solutions. None where there is no such combination, or where both unknowns are determined.
     std::optional<Pair> common_direction(Eigen::Index first) const;
 
 private:

@@ -9,19 +9,16 @@ namespace {
 using Eigen::Index;
 
 int reactions_of(const Joint& joint) {
-    const int of_each = joint.has_own_node() ? static_cast<int>(joint.bodies.size()) : 1;  // a pin in between meets each body
+    const int of_each =
+        joint.has_own_node() ? static_cast<int>(joint.bodies.size()) : 1;  // a pin in between meets each body
     switch (joint.kind) {
         case JointKind::revolute:
-        case JointKind::rolling:
-            return 2 * of_each;
-        case JointKind::weld:
-            return 3 * of_each;
-        case JointKind::prismatic:
-            return 2;
+        case JointKind::rolling: return 2 * of_each;
+        case JointKind::weld: return 3 * of_each;
+        case JointKind::prismatic: return 2;
         case JointKind::pin_slot:
         case JointKind::contact:
-        case JointKind::gear:
-            return 1;
+        case JointKind::gear: return 1;
     }
     return 0;
 }
@@ -35,9 +32,11 @@ EquilibriumEquations::EquilibriumEquations(const Mechanism& mechanism, const Pos
     write_right_side(given);
 }
 
-// --- bodies -------------------------------------------------------------------------------------------------------------------
+// --- bodies
+// -------------------------------------------------------------------------------------------------------------------
 
-/// Each body's reference amid the places where forces act, and its own size: a moment there is to be felt by its own arms.
+/// Each body's reference amid the places where forces act, and its own size: a moment there is to be felt by its own
+/// arms.
 void EquilibriumEquations::measure_bodies(const GivenLoads& given) {
     std::vector<std::vector<const Vector*>> places(mechanism_.bodies.size());
     for (const Joint& joint : mechanism_.joints) {
@@ -47,7 +46,8 @@ void EquilibriumEquations::measure_bodies(const GivenLoads& given) {
         if (each.force != Pair{}) places[at_index(each.body)].push_back(&each.place);
     }
     for (const Effort& effort : mechanism_.efforts) {
-        if (const auto* force = std::get_if<ForceEffort>(&effort)) places[at_index(force->body)].push_back(&pose_.at(force->at));
+        if (const auto* force = std::get_if<ForceEffort>(&effort))
+            places[at_index(force->body)].push_back(&pose_.at(force->at));
     }
     references_.resize(places.size());
     own_size_.resize(places.size(), size_);
@@ -66,7 +66,8 @@ void EquilibriumEquations::measure_bodies(const GivenLoads& given) {
     doubt_ = entries * pose_.rounding() * size_ / *std::min_element(own_size_.begin(), own_size_.end());
 }
 
-// --- layout -------------------------------------------------------------------------------------------------------------------
+// --- layout
+// -------------------------------------------------------------------------------------------------------------------
 
 void EquilibriumEquations::lay_out() {
     rows_ = 3 * (static_cast<Index>(mechanism_.bodies.size()) - 1);
@@ -85,13 +86,10 @@ std::vector<Pair> EquilibriumEquations::directions(JointIndex index, bool clockw
     switch (mechanism_.joint(index).kind) {
         case JointKind::revolute:
         case JointKind::rolling:
-        case JointKind::weld:
-            return {{1, 0}, {0, 1}};
-        case JointKind::prismatic:
-            return {quarter(unit_along(pose_.guides[at], pose_))};
+        case JointKind::weld: return {{1, 0}, {0, 1}};
+        case JointKind::prismatic: return {quarter(unit_along(pose_.guides[at], pose_))};
         case JointKind::pin_slot:
-        case JointKind::contact:
-            return {unit_along(pose_.normals[at], pose_)};
+        case JointKind::contact: return {unit_along(pose_.normals[at], pose_)};
         case JointKind::gear: {
             const Pair action = unit_along(pose_.normals[at], pose_);
             if (!clockwise) return {action};
@@ -106,7 +104,8 @@ bool EquilibriumEquations::carries_couple(const Joint& joint) {
     return joint.kind == JointKind::prismatic || joint.kind == JointKind::weld;
 }
 
-// --- coefficients -------------------------------------------------------------------------------------------------------------
+// --- coefficients
+// -------------------------------------------------------------------------------------------------------------
 
 double EquilibriumEquations::moment(BodyIndex body, const Vector& place, const Pair& force) const {
     return outer(rough(place - references_[at_index(body)]), force) / own_size_[at_index(body)];

@@ -22,9 +22,9 @@ GivenLoads::GivenLoads(const Mechanism& mechanism, const Pose& pose, const Numer
 }
 
 void GivenLoads::take(const ForceLoad& load) {
-    const Pair force = load.value
-                           ? rough(*load.value)
-                           : load.magnitude->first.to_double() * unit_along(direction_of(load.magnitude->second, pose_), pose_);
+    const Pair force =
+        load.value ? rough(*load.value)
+                   : load.magnitude->first.to_double() * unit_along(direction_of(load.magnitude->second, pose_), pose_);
     given_.push_back({load.pin == none ? load.body : frame, force, pose_.at(load.at), 0, load.pin});
 }
 
@@ -36,8 +36,9 @@ void GivenLoads::take(const SpringLoad& load) {
     if (p == q) return;  // no direction to pull in
     const Pair apart = rough(q - p);
     const double stretch = std::hypot(apart[0], apart[1]);
-    const double size = load.elastic ? load.elastic->stiffness.to_double() * (stretch - load.elastic->free_length.to_double())
-                                     : load.magnitude.to_double();
+    const double size = load.elastic
+                            ? load.elastic->stiffness.to_double() * (stretch - load.elastic->free_length.to_double())
+                            : load.magnitude.to_double();
     const Pair pull = size * unit_along(q - p, pose_);
     given_.push_back({load.bodies[0], pull, p, 0});
     given_.push_back({load.bodies[1], -1 * pull, q, 0});
@@ -72,7 +73,8 @@ void GivenLoads::take(const Mass& mass, const Mechanism& mechanism, const Numeri
         lacks_inertia_[at_index(mass.body)] = m > 0 || !mass.inertia.is_zero();
         return;
     }
-    given_.push_back({mass.body, -m * motion.acceleration(mass.body, centre), centre, -mass.inertia.to_double() * state.alpha});
+    given_.push_back(
+        {mass.body, -m * motion.acceleration(mass.body, centre), centre, -mass.inertia.to_double() * state.alpha});
 }
 
 }  // namespace kinegraph::numeric

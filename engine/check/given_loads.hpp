@@ -1,13 +1,14 @@
 // What a file gives to act on the bodies, for the check of the forces: its loads, springs by their stretch in the pose,
-// distributed loads by Simpson's rule, weights, and where the file asks for them −m a_G and −J_G α. Knows no joint's reaction.
+// distributed loads by Simpson's rule, weights, and where the file asks for them −m a_G and −J_G α. Knows no joint's
+// reaction.
 #pragma once
 
 #include <vector>
 
 #include "engine/check/check.hpp"
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/check/plane_pair.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/mechanism/mechanism.hpp"
 
 namespace kinegraph::numeric {
 

@@ -1,5 +1,5 @@
-// Plane vectors of the checks, as pairs of doubles, with an arithmetic of their own: what checks the constructions shares none
-// with them but the places of the pose.
+// Plane vectors of the checks, as pairs of doubles, with an arithmetic of their own: what checks the constructions
+// shares none with them but the places of the pose.
 #pragma once
 
 #include <array>

@@ -32,7 +32,9 @@ void Directions::read_joints() {
         }
     }
     // Drivers and loads speak of directions too; a root in them is a root in what follows.
-    const auto note = [&](const Bearing& bearing, const std::string& where) { return direction(bearing, where + "/along"); };
+    const auto note = [&](const Bearing& bearing, const std::string& where) {
+        return direction(bearing, where + "/along");
+    };
     draft_.pose.driver_directions.resize(mechanism_.drivers.size());
     draft_.pose.driver_units.resize(mechanism_.drivers.size());
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
@@ -61,8 +63,10 @@ void Directions::read_joints() {
 }
 
 std::optional<Vector> Directions::direction(const Bearing& bearing, const std::string& where) {
-    if (const auto* between = std::get_if<Bearing::Between>(&bearing.form)) return draft_.direction_between(*between, where);
-    if (const auto* angle = std::get_if<Angle>(&bearing.form)) draft_.pose.exact = draft_.pose.exact && is_rational(*angle);
+    if (const auto* between = std::get_if<Bearing::Between>(&bearing.form))
+        return draft_.direction_between(*between, where);
+    if (const auto* angle = std::get_if<Angle>(&bearing.form))
+        draft_.pose.exact = draft_.pose.exact && is_rational(*angle);
     Vector result = direction_of(bearing, draft_.pose);
     if (draft_.rounds && std::max(result.x.bits(), result.y.bits()) > most_bits) {
         const int grid = draft_.pose.bits - magnitude_of_length(result);
@@ -107,7 +111,8 @@ void Directions::read_contact(const Joint& joint, std::size_t index) {
         const Vector across = draft_.pose.at(centres[1]) - base;
         if (!across.is_zero()) {
             const Exact factor = dot(draft_.pose.at(joint.point) - base, across) / squared_length(across);
-            if (!move(joint, draft_.on_line(base, across, factor, draft_.touched(joint.point)), {centres[0], centres[1]})) {
+            if (!move(joint, draft_.on_line(base, across, factor, draft_.touched(joint.point)),
+                      {centres[0], centres[1]})) {
                 return;
             }
         }
@@ -121,8 +126,8 @@ void Directions::read_contact(const Joint& joint, std::size_t index) {
     draft_.pose.tangents[index] = *tangent;
     draft_.pose.normals[index] = normal;
     if (joint.pair().meshes()) {
-        // The line of action leaves the common tangent by the pressure angle. Of the two such lines this is the one turned
-        // counter-clockwise; which one the teeth push on is for the forces to say, and motion does not ask.
+        // The line of action leaves the common tangent by the pressure angle. Of the two such lines this is the one
+        // turned counter-clockwise; which one the teeth push on is for the forces to say, and motion does not ask.
         const Angle pressure = joint.pressure_angle.value_or(Angle{});
         draft_.pose.exact = draft_.pose.exact && is_rational(pressure);
         draft_.pose.normals[index] = turned(direction_of(pressure, draft_.pose.bits), *tangent);
@@ -152,11 +157,12 @@ bool Directions::fits_radius(const Joint& joint, BodyIndex body, PointIndex cent
     const Exact excess = squared_length(arm) - square(circle->radius);
     const double misfit = std::abs(excess.to_double()) / (length(arm) + circle->radius.to_double());
     if (is_refused(misfit)) {
-        return draft_.fail(joint.where, {"{0} lies {1} from {2}, but the circle of body {3} has radius {4}: {5} off",
-                                         "{0} dista {1} da {2}, ma la circonferenza del corpo {3} ha raggio {4}: scarto {5}",
-                                         draft_.name_of(joint.point), draft_.in_file_units(length(arm)), draft_.name_of(centre),
-                                         mechanism_.body(body).name, draft_.in_file_units(circle->radius.to_double()),
-                                         draft_.in_file_units(misfit)});
+        return draft_.fail(joint.where,
+                           {"{0} lies {1} from {2}, but the circle of body {3} has radius {4}: {5} off",
+                            "{0} dista {1} da {2}, ma la circonferenza del corpo {3} ha raggio {4}: scarto {5}",
+                            draft_.name_of(joint.point), draft_.in_file_units(length(arm)), draft_.name_of(centre),
+                            mechanism_.body(body).name, draft_.in_file_units(circle->radius.to_double()),
+                            draft_.in_file_units(misfit)});
     }
     if (!is_noise(misfit)) {
         draft_.pose.remarks.push_back(
@@ -178,13 +184,15 @@ bool Directions::move(const Joint& joint, const Vector& place, const std::vector
         draft_.pose.remarks.push_back(std::move(message));
     };
     if (is_refused(misfit)) {
-        const Words onto = centres.size() == 1
-                               ? Words("the foot of {0} on the line", "dal piede di {0} sulla retta", draft_.name_of(centres[0]))
-                               : Words("the line of the centres {0} and {1}", "dalla retta dei centri {0} e {1}",
-                                       draft_.name_of(centres[0]), draft_.name_of(centres[1]));
-        return draft_.fail(joint.where, {"{0} is {1} off {2}, where the bodies touch; move {0} there or correct the profile",
-                                         "{0} dista {1} {2}, dove i corpi si toccano; spostarvi {0} o correggere il profilo",
-                                         name, draft_.in_file_units(misfit), onto});
+        const Words onto =
+            centres.size() == 1
+                ? Words("the foot of {0} on the line", "dal piede di {0} sulla retta", draft_.name_of(centres[0]))
+                : Words("the line of the centres {0} and {1}", "dalla retta dei centri {0} e {1}",
+                        draft_.name_of(centres[0]), draft_.name_of(centres[1]));
+        return draft_.fail(joint.where,
+                           {"{0} is {1} off {2}, where the bodies touch; move {0} there or correct the profile",
+                            "{0} dista {1} {2}, dove i corpi si toccano; spostarvi {0} o correggere il profilo", name,
+                            draft_.in_file_units(misfit), onto});
     }
     if (claimed_twice(joint.point)) {
         if (!is_noise(misfit)) remark(centres.size() == 1 ? Sentence::off_its_foot : Sentence::off_its_centres);

@@ -1,5 +1,5 @@
-// The directions of joints, drivers, loads and given motions, once all points have their places; and contacts, whose point is
-// moved onto their profiles where it misses them by a hair.
+// The directions of joints, drivers, loads and given motions, once all points have their places; and contacts, whose
+// point is moved onto their profiles where it misses them by a hair.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,11 @@ public:
     void read_joints();
 
 private:
-    /// The direction of a joint's bearing; nothing, and said, where it is none. An irrational angle makes the pose inexact.
+    /// The direction of a joint's bearing; nothing, and said, where it is none. An irrational angle makes the pose
+    /// inexact.
     std::optional<Vector> direction(const Bearing& bearing, const std::string& where);
-    /// Checks the profiles against each other, moves P onto them where it is off by less than 1e-9, and sets the directions.
+    /// Checks the profiles against each other, moves P onto them where it is off by less than 1e-9, and sets the
+    /// directions.
     void read_contact(const Joint& joint, std::size_t index);
     bool claimed_twice(PointIndex point) const;
     /// Compass noise or the data's own rounding, no fault of the file. A move that no double shows is none either.

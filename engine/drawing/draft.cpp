@@ -53,8 +53,11 @@ Draft::Draft(const Mechanism& of, int bits, int size_exponent, std::size_t longe
     pose.leftover.resize(of.points.size());
     if (!rounds) return;
     constexpr double digits_of_bit = 0.30103;  // log10 2
-    const auto digits = [](std::size_t count) { return Count{static_cast<int>(digits_of_bit * static_cast<double>(count))}; };
-    pose.remarks.push_back({Sentence::rounded_givens, {digits(longest_given / 2), digits(static_cast<std::size_t>(bits))}});
+    const auto digits = [](std::size_t count) {
+        return Count{static_cast<int>(digits_of_bit * static_cast<double>(count))};
+    };
+    pose.remarks.push_back(
+        {Sentence::rounded_givens, {digits(longest_given / 2), digits(static_cast<std::size_t>(bits))}});
 }
 
 Errors Draft::in_order_of_file() {
@@ -115,8 +118,8 @@ std::optional<Vector> Draft::direction_between(const Bearing::Between& between, 
     const bool nothing = touched(between) ? is_small(direction) : squared_length(direction) <= square(slack);
     if (!nothing) return direction;
     fail(where, {"{0} and {1} coincide, so they give no direction; name two other points",
-                 "{0} e {1} coincidono, quindi non danno una direzione; indicare altri due punti", name_of(between.from),
-                 name_of(between.to)});
+                 "{0} e {1} coincidono, quindi non danno una direzione; indicare altri due punti",
+                 name_of(between.from), name_of(between.to)});
     return std::nullopt;
 }
 

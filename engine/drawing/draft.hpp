@@ -1,5 +1,5 @@
-// A pose while it is drawn: the places so far, on which grid they lie where they are inexact, which of them hang on a root, and
-// the faults. It knows no construction.
+// A pose while it is drawn: the places so far, on which grid they lie where they are inexact, which of them hang on a
+// root, and the faults. It knows no construction.
 #pragma once
 
 #include <optional>
@@ -7,16 +7,16 @@
 #include <utility>
 #include <vector>
 
-#include "engine/file/error.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/file/error.hpp"
 
 namespace kinegraph::drafting {
 
 /// What may be lost to earlier roots before a small value is taken for what it looks like: 24 of the compass's bits.
 constexpr int bits_in_doubt = 24;
 
-/// Numbers longer than this, numerator and denominator together (some 150 digits), make every number behind them as long and show
-/// nothing on any drawing.
+/// Numbers longer than this, numerator and denominator together (some 150 digits), make every number behind them as
+/// long and show nothing on any drawing.
 constexpr std::size_t most_bits = 1024;
 
 /// z = x·y as complex numbers: y turned by x's angle, |x| times as long.
@@ -67,7 +67,8 @@ public:
     void set(const NamedPoint& named, const Vector& exact_place, const Exact& own_leftover, bool by_root);
     /// distance·direction/|direction|, with the bound on its miss.
     std::pair<Vector, Exact> along(const Vector& direction, const Exact& distance) const;
-    /// through + factor·direction; the factor goes to the grid where the place is inexact anyway, so the point keeps to the line.
+    /// through + factor·direction; the factor goes to the grid where the place is inexact anyway, so the point keeps to
+    /// the line.
     Vector on_line(const Vector& through, const Vector& direction, const Exact& factor, bool inexact) const;
 };
 

@@ -11,10 +11,12 @@ std::optional<Candidates> Intersections::meet(const Ray& a, const Ray& b, const 
     const bool inexact = a.touched || b.touched || !a.rational_angle || !b.rational_angle;
     const Exact doubt = inexact ? Exact::power_of_two(2 * (bits_in_doubt - draft_.pose.bits)) : Exact();
     if (square(slant) <= doubt * squared_length(a.along) * squared_length(b.along)) {
-        const bool same = square(cross(across, a.along)) <= doubt * squared_length(a.along) * square(draft_.estimated_size);
-        const Words apart = same ? Words("they are one and the same", "e sono la stessa")
-                                 : Words("{0} apart", "a distanza {0}",
-                                         draft_.in_file_units(std::abs(cross(across, a.along).to_double()) / length(a.along)));
+        const bool same =
+            square(cross(across, a.along)) <= doubt * squared_length(a.along) * square(draft_.estimated_size);
+        const Words apart =
+            same ? Words("they are one and the same", "e sono la stessa")
+                 : Words("{0} apart", "a distanza {0}",
+                         draft_.in_file_units(std::abs(cross(across, a.along).to_double()) / length(a.along)));
         draft_.fail(where,
                     {"the lines {0} and {1} do not meet: they are parallel, {2}",
                      "le rette {0} e {1} non si incontrano: sono parallele, {2}", a.name, b.name, apart},
@@ -24,11 +26,12 @@ std::optional<Candidates> Intersections::meet(const Ray& a, const Ray& b, const 
     const Exact factor = cross(across, b.along) / slant;
     Candidates found{{a.through + factor * a.along}, 0, inexact};
     if (!a.rational_angle || !b.rational_angle) {
-        // A tangent off by 2^-bits turns a line by no more; the meet is off by the lever, over the sine between the lines.
+        // A tangent off by 2^-bits turns a line by no more; the meet is off by the lever, over the sine between the
+        // lines.
         const double lever = length(found.places[0] - a.through) + length(found.places[0] - b.through);
         const double sine = std::abs(slant.to_double()) / (length(a.along) * length(b.along));
-        found.leftover =
-            Exact::power_of_two(-draft_.pose.bits + static_cast<int>(std::ceil(std::log2(std::max(lever, 1e-300) / sine))));
+        found.leftover = Exact::power_of_two(-draft_.pose.bits +
+                                             static_cast<int>(std::ceil(std::log2(std::max(lever, 1e-300) / sine))));
     }
     return found;
 }
@@ -39,7 +42,8 @@ std::optional<Candidates> Intersections::meet(const Ray& line, const Disc& circl
     const Vector to_line = line.through + foot * line.along - circle.centre;
     const Exact room = square(circle.radius) - squared_length(to_line);  // square of half the chord
     const bool inexact = line.touched || circle.touched || !line.rational_angle;
-    const Exact angle_miss = line.rational_angle ? Exact() : Exact::power_of_two(1 - draft_.pose.bits) * reach_of(line, circle);
+    const Exact angle_miss =
+        line.rational_angle ? Exact() : Exact::power_of_two(1 - draft_.pose.bits) * reach_of(line, circle);
     if (touches(room, circle.radius, 1) || (inexact && is_doubtful(room, circle.radius))) {
         return Candidates{{draft_.on_line(line.through, line.along, foot, inexact)},
                           inexact ? draft_.grid_step() + angle_miss : Exact(),
@@ -50,8 +54,10 @@ std::optional<Candidates> Intersections::meet(const Ray& line, const Disc& circl
         draft_.fail(
             where,
             {"the circle about {0} and the line {1} do not meet: the line passes {2} from the centre, {3} too far",
-             "la circonferenza di centro {0} e la retta {1} non si incontrano: la retta passa a {2} dal centro, {3} di troppo",
-             circle.name, line.name, draft_.in_file_units(distance), draft_.in_file_units(distance - circle.radius.to_double())},
+             "la circonferenza di centro {0} e la retta {1} non si incontrano: la retta passa a {2} dal centro, {3} di "
+             "troppo",
+             circle.name, line.name, draft_.in_file_units(distance),
+             draft_.in_file_units(distance - circle.radius.to_double())},
             ErrorCode::cannot_meet);
         return std::nullopt;
     }
@@ -70,7 +76,8 @@ std::optional<Candidates> Intersections::meet(const Disc& a, const Disc& b, cons
     if (inexact ? draft_.is_small(across) : across.is_zero()) {
         draft_.fail(where,
                     {"the circles about {0} and {1} do not meet in points: they have the same centre{2}",
-                     "le circonferenze di centro {0} e {1} non si incontrano in punti: hanno lo stesso centro{2}", a.name, b.name,
+                     "le circonferenze di centro {0} e {1} non si incontrano in punti: hanno lo stesso centro{2}",
+                     a.name, b.name,
                      a.radius == b.radius ? Words(" and radius", " e raggio")
                                           : Words(", and radii {0} apart", ", e raggi che differiscono di {0}",
                                                   draft_.in_file_units(abs(a.radius - b.radius).to_double()))},
@@ -82,19 +89,21 @@ std::optional<Candidates> Intersections::meet(const Disc& a, const Disc& b, cons
     const Exact room = square(a.radius) - square(foot) * squared;
     const Exact lever = std::max(Exact(1), square(b.radius) / squared);
     if (touches(room, a.radius, lever) || (inexact && is_doubtful(room, a.radius))) {
-        return Candidates{{draft_.on_line(a.centre, across, foot, inexact)}, inexact ? draft_.grid_step() : Exact(), inexact};
+        return Candidates{
+            {draft_.on_line(a.centre, across, foot, inexact)}, inexact ? draft_.grid_step() : Exact(), inexact};
     }
     if (room.sign() < 0) {
         const double distance = length(across);
         const double sum = (a.radius + b.radius).to_double();
         const double difference = std::abs((a.radius - b.radius).to_double());
         const bool far = distance > sum;
-        draft_.fail(where,
-                    {"the circles about {0} and {1} do not meet: their centres are {2} apart, {3} {4}",
-                     "le circonferenze di centro {0} e {1} non si incontrano: i centri distano {2}, {3} {4}", a.name, b.name,
-                     draft_.in_file_units(distance), draft_.in_file_units(far ? distance - sum : difference - distance),
-                     far ? Words("too far", "di troppo") : Words("too near", "troppo poco")},
-                    ErrorCode::cannot_meet);
+        draft_.fail(
+            where,
+            {"the circles about {0} and {1} do not meet: their centres are {2} apart, {3} {4}",
+             "le circonferenze di centro {0} e {1} non si incontrano: i centri distano {2}, {3} {4}", a.name, b.name,
+             draft_.in_file_units(distance), draft_.in_file_units(far ? distance - sum : difference - distance),
+             far ? Words("too far", "di troppo") : Words("too near", "troppo poco")},
+            ErrorCode::cannot_meet);
         return std::nullopt;
     }
     const int scale = magnitude_of_length(across) + 1;
@@ -105,7 +114,8 @@ std::optional<Candidates> Intersections::meet(const Disc& a, const Disc& b, cons
     if (!half.leftover.is_zero()) {
         found.leftover = half.leftover * Exact::power_of_two(scale) + draft_.grid_step();
         for (Vector& place : found.places)
-            place = inexact ? corner_of_parallelogram(a.centre, b.centre, draft_.on_grid(place)) : draft_.on_grid(place);
+            place =
+                inexact ? corner_of_parallelogram(a.centre, b.centre, draft_.on_grid(place)) : draft_.on_grid(place);
     }
     return found;
 }

@@ -27,7 +27,8 @@ struct Disc {
 using Stroke = std::variant<Ray, Disc>;
 
 struct Candidates {
-    std::vector<Vector> places;  ///< of circles: left, right of first → second; of line and circle: back, further along the line
+    std::vector<Vector>
+        places;  ///< of circles: left, right of first → second; of line and circle: back, further along the line
     Exact leftover;
     bool touched = false;
 };
@@ -44,11 +45,11 @@ private:
     Exact reach_of(const Ray& line, const Disc& circle) const;
     /// A squared half chord that earlier roots may have moved across zero.
     bool is_doubtful(const Exact& room, const Exact& radius) const;
-    /// The square of half the chord is 2rδ (for two circles times r_b over the distance of the centres, `lever` its square) where
-    /// the curves overlap by δ: within the precision they touch.
+    /// The square of half the chord is 2rδ (for two circles times r_b over the distance of the centres, `lever` its
+    /// square) where the curves overlap by δ: within the precision they touch.
     bool touches(const Exact& room, const Exact& radius, const Exact& lever) const;
-    /// Where the circles close a parallelogram with a point already drawn, the fourth corner itself: it is as good as the root
-    /// (within the same doubt), and sides meant to be parallel then are.
+    /// Where the circles close a parallelogram with a point already drawn, the fourth corner itself: it is as good as
+    /// the root (within the same doubt), and sides meant to be parallel then are.
     Vector corner_of_parallelogram(const Vector& a, const Vector& b, const Vector& place) const;
 
     Draft& draft_;

@@ -15,7 +15,8 @@ bool Placing::drawn(PointIndex point) {
     state = State::under_way;
     const NamedPoint& named = draft_.mechanism.point(point);
     PositionStep step{point, PositionStep::How::given, {}};
-    const bool placed = std::visit([&](const auto& placement) { return place(named, placement, step); }, named.placement);
+    const bool placed =
+        std::visit([&](const auto& placement) { return place(named, placement, step); }, named.placement);
     state_[at_index(point)] = placed ? State::done : State::failed;
     if (placed) draft_.pose.steps.push_back(std::move(step));
     return placed;
@@ -123,12 +124,12 @@ bool Placing::place(const NamedPoint& named, const Meet& placement, PositionStep
 std::optional<Stroke> Placing::stroke(const CircleCurve& circle, const std::string&) {
     if (!drawn(circle.centre)) return std::nullopt;
     const auto* point = std::get_if<PointIndex>(&circle.centre);
-    return Disc{
-        draft_.at(circle.centre),
-        circle.radius,
-        point == nullptr ? PointIndex() : *point,
-        draft_.touched(circle.centre),
-        {"{0} (radius {1})", "{0} (raggio {1})", draft_.name_of(circle.centre), draft_.in_file_units(circle.radius.to_double())}};
+    return Disc{draft_.at(circle.centre),
+                circle.radius,
+                point == nullptr ? PointIndex() : *point,
+                draft_.touched(circle.centre),
+                {"{0} (radius {1})", "{0} (raggio {1})", draft_.name_of(circle.centre),
+                 draft_.in_file_units(circle.radius.to_double())}};
 }
 
 std::optional<Stroke> Placing::stroke(const LineCurve& line, const std::string& where) {
@@ -171,34 +172,37 @@ std::optional<Stroke> Placing::stroke(const LineCurve& line, const std::string& 
     return ray;
 }
 
-std::optional<Vector> Placing::choose(const Candidates& found, const Meet& meet, PositionStep::How how, const NamedPoint& named) {
+std::optional<Vector> Placing::choose(const Candidates& found, const Meet& meet, PositionStep::How how,
+                                      const NamedPoint& named) {
     if (found.places.size() == 1) return found.places.front();
     if (meet.near) {
         const Exact first = squared_length(found.places[0] - *meet.near);
         const Exact second = squared_length(found.places[1] - *meet.near);
         const Exact apart = abs(first - second);
-        const bool tie = found.touched
-                             ? apart < Exact::power_of_two(bits_in_doubt - draft_.pose.bits) * square(draft_.estimated_size)
-                             : apart.is_zero();
+        const bool tie = found.touched ? apart < Exact::power_of_two(bits_in_doubt - draft_.pose.bits) *
+                                                     square(draft_.estimated_size)
+                                       : apart.is_zero();
         if (!tie) return found.places[first < second ? 0 : 1];
-        draft_.fail(
-            named.where,
-            {"both intersections for {0} are equally far from \"near\"; give \"side\": \"left\" or \"right\" instead, or move \"near\"",
-             "le due intersezioni per {0} sono ugualmente lontane da \"near\"; assegnare invece \"side\": \"left\" o \"right\", o spostare \"near\"",
-             named.name});
+        draft_.fail(named.where, {"both intersections for {0} are equally far from \"near\"; give \"side\": \"left\" "
+                                  "or \"right\" instead, or move \"near\"",
+                                  "le due intersezioni per {0} sono ugualmente lontane da \"near\"; assegnare invece "
+                                  "\"side\": \"left\" o \"right\", o spostare \"near\"",
+                                  named.name});
         return std::nullopt;
     }
     if (meet.side != Meet::Side::either) {
-        // Circles: left and right of first centre → second. On a line both intersections lie on the line itself: they are
-        // taken as they look when the line's direction points to the right, so that "right" is the one further along it.
-        // (Seen from the centre they would change places whenever the centre crosses the line, as a crank pin does.)
+        // Circles: left and right of first centre → second. On a line both intersections lie on the line itself: they
+        // are taken as they look when the line's direction points to the right, so that "right" is the one further
+        // along it. (Seen from the centre they would change places whenever the centre crosses the line, as a crank pin
+        // does.)
         const bool first = meet.side == Meet::Side::left || meet.side == Meet::Side::behind;
         return found.places[first ? 0 : 1];
     }
     draft_.fail(
         named.where,
         {"{0} meet twice; choose the intersection for {1} by \"near\": [x, y] or by \"side\": \"left\" or \"right\"",
-         "{0} si incontrano due volte; scegliere l’intersezione per {1} con \"near\": [x, y] o con \"side\": \"left\" o \"right\"",
+         "{0} si incontrano due volte; scegliere l’intersezione per {1} con \"near\": [x, y] o con \"side\": \"left\" "
+         "o \"right\"",
          how == PositionStep::How::circles ? Words("the circles", "le circonferenze")
                                            : Words("the line and the circle", "la retta e la circonferenza"),
          named.name});

@@ -1,4 +1,5 @@
-// The points in the order in which they need each other: by coordinates, distances, ratios, and meets, of which one is chosen.
+// The points in the order in which they need each other: by coordinates, distances, ratios, and meets, of which one is
+// chosen.
 #pragma once
 
 #include <optional>
@@ -28,7 +29,8 @@ private:
     bool place(const NamedPoint& named, const Meet& placement, PositionStep& step);
     std::optional<Stroke> stroke(const CircleCurve& circle, const std::string&);
     std::optional<Stroke> stroke(const LineCurve& line, const std::string& where);
-    std::optional<Vector> choose(const Candidates& found, const Meet& meet, PositionStep::How how, const NamedPoint& named);
+    std::optional<Vector> choose(const Candidates& found, const Meet& meet, PositionStep::How how,
+                                 const NamedPoint& named);
 
     Draft& draft_;
     Intersections intersections_;

@@ -1,15 +1,16 @@
-// Draws the pose: places the points in the order they need each other, with square roots where a compass is needed, then reads
-// off the directions of guides and contacts. Every choice between two intersections is made here; motion and forces are unknown.
+// Draws the pose: places the points in the order they need each other, with square roots where a compass is needed,
+// then reads off the directions of guides and contacts. Every choice between two intersections is made here; motion and
+// forces are unknown.
 #include "engine/drawing/pose.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "engine/number/assert.hpp"
 #include "engine/drawing/directions.hpp"
 #include "engine/drawing/placing.hpp"
 #include "engine/mechanism/rounding.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph {
 namespace {
@@ -74,8 +75,8 @@ Lengths lengths_of(const Mechanism& mechanism) {
 }
 
 Result<Pose> draw_within(const Mechanism& mechanism, int bits, const Exact& slack) {
-    // The grid must suit the drawing's size, which is known only once it is drawn: two bits to spare, and a second drawing where
-    // the lengths given are much larger than what they make (a long radius about a far centre).
+    // The grid must suit the drawing's size, which is known only once it is drawn: two bits to spare, and a second
+    // drawing where the lengths given are much larger than what they make (a long radius about a far centre).
     constexpr int spare = 2;
     const Lengths given = lengths_of(mechanism);
     const int estimate = given.size - spare;
@@ -104,8 +105,8 @@ std::shared_ptr<const std::vector<ShiftedDrawing>> shifted_drawings_of(const Mec
 
 Result<Pose> draw_pose(const Mechanism& mechanism, int bits) {
     const bool inferred = looks_rounded(mechanism);
-    const Exact expected =
-        inferred ? inferred_share() * Exact::power_of_two(lengths_of(mechanism).size) : mechanism.precision.value_or(Exact());
+    const Exact expected = inferred ? inferred_share() * Exact::power_of_two(lengths_of(mechanism).size)
+                                    : mechanism.precision.value_or(Exact());
     auto pose = draw_within(mechanism, bits, slack_as_given * expected);
     if (!pose || expected.is_zero()) return pose;
     pose->precision = inferred ? inferred_share() * pose->size : expected;
@@ -118,15 +119,16 @@ Result<Pose> draw_pose(const Mechanism& mechanism, int bits) {
                      "{0} è troppo per un disegno di {1}; dev’essere al più un centesimo di esso",
                      length_text(pose->precision.to_double(), unit), length_text(pose->size.to_double(), unit)}}});
     if (inferred)
-        pose->remarks.insert(pose->remarks.begin(),
-                             {Sentence::taken_as_rounded, {Amount{(pose->precision / unit.si).to_double(), unit.symbol}}});
+        pose->remarks.insert(pose->remarks.begin(), {Sentence::taken_as_rounded,
+                                                     {Amount{(pose->precision / unit.si).to_double(), unit.symbol}}});
     pose->shifted = shifted_drawings_of(mechanism, *pose);
     return pose;
 }
 
 Vector direction_of(const Angle& angle, int bits) {
     const Exact half_turns = angle.in_degrees ? angle.value / 180 : angle.value / pi();
-    // Quarter turns first, then the octant: the tangent is taken once, and all its images differ by swaps and signs only.
+    // Quarter turns first, then the octant: the tangent is taken once, and all its images differ by swaps and signs
+    // only.
     const Exact quarters = 2 * half_turns;
     mpz_class whole;
     mpz_fdiv_q(whole.get_mpz_t(), quarters.rational().get_num_mpz_t(), quarters.rational().get_den_mpz_t());
@@ -141,13 +143,15 @@ Vector direction_of(const Angle& angle, int bits) {
 
 Vector direction_of(const Bearing& bearing, const Pose& pose) {
     if (const auto* angle = std::get_if<Angle>(&bearing.form)) return direction_of(*angle, pose.bits);
-    if (const auto* between = std::get_if<Bearing::Between>(&bearing.form)) return pose.at(between->to) - pose.at(between->from);
+    if (const auto* between = std::get_if<Bearing::Between>(&bearing.form))
+        return pose.at(between->to) - pose.at(between->from);
     return std::get<Vector>(bearing.form);
 }
 
 Vector unit_along(const Vector& direction, int bits) {
     KG_ASSERT(!direction.is_zero(), "a zero vector has no direction");
-    const Root factor = square_root(1 / squared_length(direction), std::max(bits + magnitude_of_length(direction) + 2, 1));
+    const Root factor =
+        square_root(1 / squared_length(direction), std::max(bits + magnitude_of_length(direction) + 2, 1));
     return factor.value * direction;
 }
 

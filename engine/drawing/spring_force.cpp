@@ -13,7 +13,8 @@ Exact distance(PointIndex from, PointIndex to, const Pose& pose) {
 
 Exact pull_of(const SpringLoad& spring, const Pose& pose) {
     if (!spring.elastic) return spring.magnitude;
-    return spring.elastic->stiffness * (distance(spring.between[0], spring.between[1], pose) - spring.elastic->free_length);
+    return spring.elastic->stiffness *
+           (distance(spring.between[0], spring.between[1], pose) - spring.elastic->free_length);
 }
 
 Centroid centroid_of(const DistributedLoad& load) {

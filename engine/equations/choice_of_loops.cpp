@@ -110,7 +110,9 @@ void ChoiceOfLoops::set_ends(const ClosedWalk& cycle) {
     for (std::size_t k = 0; k < n; ++k) {
         auto [in, out, from, to] = ends(k);
         if (from || to) continue;
-        const auto line_of = [](const Edge& edge) { return edge.base ? *edge.base : edge.head ? *edge.head : edge.place; };
+        const auto line_of = [](const Edge& edge) {
+            return edge.base ? *edge.base : edge.head ? *edge.head : edge.place;
+        };
         const Exact turned = cross(in.along, out.along);
         if (drawn_.is_small(turned)) {
             from = to = in.place;

@@ -1,12 +1,12 @@
-// Which loops are written, in which order, from where and in which sense: one after the other that with fewest unknowns, so that
-// a hand can solve it.
+// Which loops are written, in which order, from where and in which sense: one after the other that with fewest
+// unknowns, so that a hand can solve it.
 #pragma once
 
 #include <set>
 #include <vector>
 
-#include "engine/equations/loops.hpp"
 #include "engine/equations/letters.hpp"
+#include "engine/equations/loops.hpp"
 
 namespace kinegraph::vector_loops {
 
@@ -28,7 +28,8 @@ private:
     void roll_on(std::set<int>& known) const;
     /// From the frame, or else a body that is known; the way out leads to what is known, or comes first in the file.
     ClosedWalk begun(const ClosedWalk& cycle, const std::set<int>& known) const;
-    /// Where the slides of a loop end on their bodies: at the other joint there; between two slides where their lines cross.
+    /// Where the slides of a loop end on their bodies: at the other joint there; between two slides where their lines
+    /// cross.
     void set_ends(const ClosedWalk& cycle);
     void write_loop(const ClosedWalk& cycle);
     void pass(Edge& edge, bool forth, std::vector<Side>& left, std::vector<Side>& right);

@@ -1,16 +1,17 @@
-// Loops are chosen from the graph of the pairs, each pair giving the vectors by which its bodies stand apart: none at a hinge, a
-// slide along a guide and its offset across, the link that stands for a curved slot or for two round profiles. Then letters are
-// given out, rows derived, and everything evaluated in Exact on the letters' values, which are good to 2^-bits of the pose.
+// Loops are chosen from the graph of the pairs, each pair giving the vectors by which its bodies stand apart: none at a
+// hinge, a slide along a guide and its offset across, the link that stands for a curved slot or for two round profiles.
+// Then letters are given out, rows derived, and everything evaluated in Exact on the letters' values, which are good to
+// 2^-bits of the pose.
 #include "engine/equations/equations.hpp"
 
 #include <variant>
 
-#include "engine/equations/equations_values.hpp"
-#include "engine/mechanism/problem.hpp"
 #include "engine/equations/choice_of_loops.hpp"
+#include "engine/equations/equations_values.hpp"
 #include "engine/equations/laws.hpp"
 #include "engine/equations/letters.hpp"
 #include "engine/equations/open_chains.hpp"
+#include "engine/mechanism/problem.hpp"
 
 namespace kinegraph {
 namespace vector_loops {
@@ -73,7 +74,8 @@ Equations equations_of(const Mechanism& mechanism, const Pose& pose) {
         return vector_loops::refused(
             {"a problem in place of joints has no loops", "un problema al posto delle coppie non ha maglie"});
     if (mechanism.joints.empty() || mechanism.motion)
-        return vector_loops::refused({"there are no joints, and so no loops", "non ci sono coppie, quindi nessuna maglia"});
+        return vector_loops::refused(
+            {"there are no joints, and so no loops", "non ci sono coppie, quindi nessuna maglia"});
     return vector_loops::written(mechanism, pose);
 }
 

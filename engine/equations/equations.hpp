@@ -1,9 +1,9 @@
-// Equations: the closure equations of a mechanism in complex form, as they are written by hand, with their derivatives as linear
-// systems in symbols, and what follows from them in numbers: Jacobian, velocity ratios, dead points, velocities, accelerations.
-// Takes the mechanism and its pose; nothing of the constructions nor of the numeric check.
+// Equations: the closure equations of a mechanism in complex form, as they are written by hand, with their derivatives
+// as linear systems in symbols, and what follows from them in numbers: Jacobian, velocity ratios, dead points,
+// velocities, accelerations. Takes the mechanism and its pose; nothing of the constructions nor of the numeric check.
 //
-// Source: vector loops in complex numbers (Raven's method), e.g. Uicker, Pennock, Shigley, Theory of Machines and Mechanisms,
-// ch. 2–4; Funaioli, Maggiore, Meneghetti, Lezioni di meccanica applicata, vol. 1.
+// Source: vector loops in complex numbers (Raven's method), e.g. Uicker, Pennock, Shigley, Theory of Machines and
+// Mechanisms, ch. 2–4; Funaioli, Maggiore, Meneghetti, Lezioni di meccanica applicata, vol. 1.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/mechanism/mechanism.hpp"
-#include "engine/motion/mobility.hpp"
 #include "engine/drawing/pose.hpp"
 #include "engine/file/words.hpp"
+#include "engine/mechanism/mechanism.hpp"
+#include "engine/motion/mobility.hpp"
 
 namespace kinegraph {
 
@@ -80,12 +80,13 @@ struct Equations {
         } kind = Kind::iterative;
         int first = -1, second = -1;          ///< of the loop's sides; the one that turns first
         double resultant = 0, direction = 0;  ///< of the known sides, m and rad: what first and second add up to
-        /// Where the dyad is stretched or its slide stands square: values of the one driven letter, in (−π, π] or m; only where
-        /// nothing else but that letter varies. No value: no such position, a crank turns fully.
+        /// Where the dyad is stretched or its slide stands square: values of the one driven letter, in (−π, π] or m;
+        /// only where nothing else but that letter varies. No value: no such position, a crank turns fully.
         std::optional<std::vector<double>> dead_points;
         /// Where the dyad only touches such a place, so that it goes on beyond it: on one branch or the other.
         std::vector<double> change_points;
-        /// Where a crank and the rod of a slide lie in one line, so that the slide rests: the crank's letter and the slide.
+        /// Where a crank and the rod of a slide lie in one line, so that the slide rests: the crank's letter and the
+        /// slide.
         std::vector<std::pair<double, double>> standstills;
     };
     struct Loop {
@@ -118,8 +119,8 @@ struct Equations {
     };
 
     Words why_not;  ///< not empty: there are none, and this is the reason
-    /// Contacts of which only the tangent is known: a slide along it in their place has their velocities, and no more. Where
-    /// there are some, nothing is said of accelerations and of other positions.
+    /// Contacts of which only the tangent is known: a slide along it in their place has their velocities, and no more.
+    /// Where there are some, nothing is said of accelerations and of other positions.
     std::vector<JointIndex> by_tangent;
     std::vector<Letter> letters;
     std::vector<Loop> loops;
@@ -156,7 +157,8 @@ struct Equations {
     std::vector<std::vector<LetterIndex>> turns;  ///< by body: the letters that add up to its direction
 };
 
-/// The equations of a mechanism in its drawn pose. Where a joint's shape is left open, or there are no joints, `why_not` says so.
+/// The equations of a mechanism in its drawn pose. Where a joint's shape is left open, or there are no joints,
+/// `why_not` says so.
 Equations equations_of(const Mechanism& mechanism, const Pose& pose);
 
 /// A loop as the results file spells it: "a e^{i alpha} + b e^{i beta} = c".

@@ -87,7 +87,8 @@ private:
                 Term term;
                 term.coefficient = side.on_the_right ? -1 : 1;
                 if (side.length == column) add_turned(entry, term, side.angle, imaginary);
-                if (std::find(side.angle.letters.begin(), side.angle.letters.end(), column) == side.angle.letters.end()) continue;
+                if (std::find(side.angle.letters.begin(), side.angle.letters.end(), column) == side.angle.letters.end())
+                    continue;
                 term.lengths = {side.length};
                 Angle ahead = side.angle;
                 ahead.quarters = (ahead.quarters + 1) % 4;
@@ -107,8 +108,8 @@ private:
                     term.coefficient = part.sign * sign;
                     if (part.radius >= 0) term.lengths = {part.radius};
                     // What meets itself with another sign cancels; radii that differ do not.
-                    const auto same =
-                        std::find_if(entry.begin(), entry.end(), [&](const Term& each) { return each.lengths == term.lengths; });
+                    const auto same = std::find_if(entry.begin(), entry.end(),
+                                                   [&](const Term& each) { return each.lengths == term.lengths; });
                     if (same == entry.end())
                         entry.push_back(std::move(term));
                     else if ((same->coefficient += term.coefficient) == 0)
@@ -241,7 +242,10 @@ private:
 class Values {
 public:
     Values(Equations& equations, const Pose& pose, const std::vector<std::pair<Exact, Exact>>& rates)
-        : e_(equations), size_(pose.size), vanishing_(std::max(std::ldexp(1.0, -60), 16 * pose.rounding())), given_(rates) {
+        : e_(equations),
+          size_(pose.size),
+          vanishing_(std::max(std::ldexp(1.0, -60), 16 * pose.rounding())),
+          given_(rates) {
         given_.resize(e_.letters.size());
     }
 
@@ -281,7 +285,8 @@ private:
         Gauss::Matrix matrix(y_.size());
         for (std::size_t i = 0; i < y_.size(); ++i) {
             const Exact scale = row_scale(i);
-            for (std::size_t j = 0; j < unknowns(); ++j) matrix[i].push_back(scale * y_[i][j] * column_scale(e_.unknowns[j]));
+            for (std::size_t j = 0; j < unknowns(); ++j)
+                matrix[i].push_back(scale * y_[i][j] * column_scale(e_.unknowns[j]));
             for (const Exact& each : right[i]) matrix[i].push_back(scale * each);
         }
         Gauss gauss(std::move(matrix), unknowns(), vanishing_);
@@ -325,7 +330,8 @@ private:
     std::vector<Exact> along(std::size_t free) const {
         std::vector<Exact> rate(e_.letters.size());
         rate[at_index(e_.free[free])] = 1;
-        for (std::size_t j = 0; j < unknowns(); ++j) rate[at_index(e_.unknowns[j])] = ratios_[j][free].value_or(Exact(0));
+        for (std::size_t j = 0; j < unknowns(); ++j)
+            rate[at_index(e_.unknowns[j])] = ratios_[j][free].value_or(Exact(0));
         return rate;
     }
     /// Quadratic in the rates: what two drivers make together less what each makes alone is twice the mixed part.
@@ -345,8 +351,8 @@ private:
                 add(rate);
             }
         const Gauss gauss = eliminated(right);
-        e_.second_ratios.assign(unknowns(),
-                                std::vector<std::vector<std::optional<double>>>(n, std::vector<std::optional<double>>(n)));
+        e_.second_ratios.assign(
+            unknowns(), std::vector<std::vector<std::optional<double>>>(n, std::vector<std::optional<double>>(n)));
         for (std::size_t j = 0; j < unknowns(); ++j) {
             std::vector<std::vector<Exact>> whole(n, std::vector<Exact>(n));
             std::size_t column = 0;
@@ -396,7 +402,8 @@ private:
         }
         const Gauss gauss = eliminated(right);
         for (std::size_t j = 0; j < unknowns(); ++j)
-            if (const auto value = solution(gauss, j, 0)) e_.letters[at_index(e_.unknowns[j])].acceleration = value->to_double();
+            if (const auto value = solution(gauss, j, 0))
+                e_.letters[at_index(e_.unknowns[j])].acceleration = value->to_double();
     }
 
     /// A free letter rests in every motion where the row "it rests" adds nothing to the equations.
@@ -462,7 +469,8 @@ public:
 
 private:
     void offer(std::vector<LetterIndex>& list, LetterIndex letter) const {
-        if (!known_[at_index(letter)] && std::find(list.begin(), list.end(), letter) == list.end()) list.push_back(letter);
+        if (!known_[at_index(letter)] && std::find(list.begin(), list.end(), letter) == list.end())
+            list.push_back(letter);
     }
     void learn(LetterIndex letter) {
         if (known_[at_index(letter)]) return;
@@ -513,7 +521,8 @@ private:
         }
         return found;
     }
-    /// The one other side that turns with a sliding side, square to it; −1: none, or several, or the slide does not turn.
+    /// The one other side that turns with a sliding side, square to it; −1: none, or several, or the slide does not
+    /// turn.
     int arm_of(const Equations::Loop& loop, LetterIndex turn, int sliding) const {
         if (sliding < 0 || !e_.letter(turn).is_angle || !turns_with(loop.sides[at_index(sliding)], turn)) return -1;
         const Equations::Angle& own = loop.sides[at_index(sliding)].angle;
@@ -583,19 +592,21 @@ private:
     }
     static constexpr double touching = 1e-12;  ///< what sums of lengths that are equal differ by, as a share of them
     static constexpr double same_turn = 1e-9;
-    /// Where one driven letter alone varies among what is known, in one side: the places where the dyad is stretched (two turns),
-    /// its turning side stands square to the slide, or the slide's length vanishes. Where the two of them are one, the dyad comes
-    /// to its limit without going beyond it.
+    /// Where one driven letter alone varies among what is known, in one side: the places where the dyad is stretched
+    /// (two turns), its turning side stands square to the slide, or the slide's length vanishes. Where the two of them
+    /// are one, the dyad comes to its limit without going beyond it.
     void find_dead_points(Equations::Loop& loop) const {
         Solved& solved = loop.solved;
         const auto varying_side = driving_side(loop);
         const int driving = varying_side.first;
         const LetterIndex driver = varying_side.second;
-        if (driving < 0 || e_.letter(driver).role != Letter::Role::free || solved.kind == Solved::Kind::two_slides) return;
+        if (driving < 0 || e_.letter(driver).role != Letter::Role::free || solved.kind == Solved::Kind::two_slides)
+            return;
         const Side& side = loop.sides[at_index(driving)];
         const bool same = side.on_the_right != loop.sides[at_index(solved.first)].on_the_right;
         const std::array<double, 2> rest = resultant(loop, driving);
-        const double own = value_of(e_, side.angle) + (same ? 0 : std::numbers::pi);  // direction of its share of the resultant
+        const double own =
+            value_of(e_, side.angle) + (same ? 0 : std::numbers::pi);  // direction of its share of the resultant
         const double length = e_.letter(side.length).value;
         std::vector<double> found;
         const bool turning = e_.letter(driver).is_angle;
@@ -652,14 +663,15 @@ private:
         for (std::vector<double>* each : {&found, &solved.change_points}) {
             std::sort(each->begin(), each->end());
             const double near = turning ? same_turn : 1e-9 * (length + 1e-30);
-            each->erase(std::unique(each->begin(), each->end(), [&](double a, double b) { return std::abs(a - b) < near; }),
-                        each->end());
+            each->erase(
+                std::unique(each->begin(), each->end(), [&](double a, double b) { return std::abs(a - b) < near; }),
+                each->end());
         }
         solved.dead_points = std::move(found);
     }
 
-    /// A crank of length r and direction `own`, a rod b: e^{iα} r − b e^{iβ} = ± s u − rest is r ± b long where they lie in one
-    /// line.
+    /// A crank of length r and direction `own`, a rod b: e^{iα} r − b e^{iβ} = ± s u − rest is r ± b long where they
+    /// lie in one line.
     void find_standstills(Equations::Loop& loop, LetterIndex driver, const std::array<double, 2>& rest, double own,
                           double r) const {
         Solved& solved = loop.solved;
@@ -676,7 +688,8 @@ private:
             const double x = sign * s * ux - rest[0], y = sign * s * uy - rest[1];
             const bool against = reach < r + b && r < b;  // the crank points away from where the rod's end is
             const double direction = std::atan2(y, x) + (against ? std::numbers::pi : 0);
-            solved.standstills.emplace_back(std::remainder(direction - own + e_.letter(driver).value, 2 * std::numbers::pi), s);
+            solved.standstills.emplace_back(
+                std::remainder(direction - own + e_.letter(driver).value, 2 * std::numbers::pi), s);
         }
     }
 
@@ -687,7 +700,8 @@ private:
 
 }  // namespace
 
-void complete(Equations& equations, const Mechanism&, const Pose& pose, const std::vector<std::pair<Exact, Exact>>& rates) {
+void complete(Equations& equations, const Mechanism&, const Pose& pose,
+              const std::vector<std::pair<Exact, Exact>>& rates) {
     Rows(equations).write();
     Order(equations).find();
     Values(equations, pose, rates).find();
@@ -718,8 +732,8 @@ double value_of(const Equations& equations, const Sum& sum) {
     return abs(value) <= Exact::power_of_two(-kept_bits) * size ? 0 : value.to_double();
 }
 
-std::pair<std::optional<std::array<double, 2>>, std::optional<std::array<double, 2>>> change_of(const Equations& equations,
-                                                                                                const Side& side) {
+std::pair<std::optional<std::array<double, 2>>, std::optional<std::array<double, 2>>> change_of(
+    const Equations& equations, const Side& side) {
     const Letter& length = equations.letter(side.length);
     std::optional<double> turn = 0.0, second = 0.0;
     for (const LetterIndex index : side.angle.letters) {

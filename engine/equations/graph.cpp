@@ -8,7 +8,8 @@ namespace kinegraph::vector_loops {
 
 bool AsDrawn::are_pinned_at(BodyIndex a, BodyIndex b, const Vector& place) const {
     return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-        return joint.pair().has_common_point() && joint.connects(a) && joint.connects(b) && pose.at(joint.point) == place;
+        return joint.pair().has_common_point() && joint.connects(a) && joint.connects(b) &&
+               pose.at(joint.point) == place;
     });
 }
 
@@ -26,7 +27,8 @@ void PairsAsEdges::collect_classes() {
     for (std::size_t i = 0; i < graph_.class_indices.size(); ++i) graph_.class_indices[i] = static_cast<int>(i);
     for (const Joint& joint : drawn_.mechanism.joints)
         if (joint.pair().holds_rotation)
-            for (const BodyIndex body : joint.bodies) unite(graph_.class_of(joint.bodies.front()), graph_.class_of(body));
+            for (const BodyIndex body : joint.bodies)
+                unite(graph_.class_of(joint.bodies.front()), graph_.class_of(body));
     graph_.classes.resize(graph_.class_indices.size());
     for (std::size_t i = 0; i < graph_.class_indices.size(); ++i)
         graph_.classes[at_index(graph_.class_indices[i])].bodies.emplace_back(i);
@@ -72,7 +74,8 @@ void PairsAsEdges::add_pins(const Joint& joint) {
 }
 
 void PairsAsEdges::add_guide(const Joint& joint) {
-    Edge edge = edge_of(joint, joint.arc == none ? Edge::Kind::guide : Edge::Kind::link, joint.bodies[1], joint.bodies[0]);
+    Edge edge =
+        edge_of(joint, joint.arc == none ? Edge::Kind::guide : Edge::Kind::link, joint.bodies[1], joint.bodies[0]);
     if (!joint.pair().holds_rotation) edge.head = edge.place;
     if (joint.arc != none)
         edge.base = drawn_.pose.at(joint.arc);
@@ -85,8 +88,9 @@ void PairsAsEdges::add_contact(const Joint& joint) {
     const auto sides = sides_of(drawn_.mechanism, drawn_.pose, joint);
     if (!sides && !joint.pair().holds_tangent && !joint.pair().meshes()) return add_tangent(joint);
     if (!sides) {
-        graph_.why_not = Words("joint {0}: without the \"profiles\" of both bodies its vectors are not known",
-                               "coppia {0}: senza i \"profiles\" di entrambi i corpi i suoi vettori non sono noti", joint.name);
+        graph_.why_not =
+            Words("joint {0}: without the \"profiles\" of both bodies its vectors are not known",
+                  "coppia {0}: senza i \"profiles\" di entrambi i corpi i suoi vettori non sono noti", joint.name);
         return;
     }
     const auto centre = [&](std::size_t side) {
@@ -94,18 +98,20 @@ void PairsAsEdges::add_contact(const Joint& joint) {
     };
     const bool straight = (*sides)[0].straight || (*sides)[1].straight;
     const std::size_t round = (*sides)[0].straight ? 1 : 0;
-    Edge edge = edge_of(joint, straight ? Edge::Kind::guide : Edge::Kind::link, joint.bodies[1 - round], joint.bodies[round]);
+    Edge edge =
+        edge_of(joint, straight ? Edge::Kind::guide : Edge::Kind::link, joint.bodies[1 - round], joint.bodies[round]);
     edge.head = centre(round);
     if (straight)
         edge.along = drawn_.unit(drawn_.pose.tangents[at_index(edge.joint)]);
     else
         edge.base = centre(1 - round);
     if (!straight && drawn_.is_nothing((*edge.head - *edge.base).x) && drawn_.is_nothing((*edge.head - *edge.base).y)) {
-        graph_.why_not =
-            Words("joint {0}: the centres of curvature coincide", "coppia {0}: i centri di curvatura coincidono", joint.name);
+        graph_.why_not = Words("joint {0}: the centres of curvature coincide",
+                               "coppia {0}: i centri di curvatura coincidono", joint.name);
         return;
     }
-    Rolling rolling{edge.joint, -1, joint.bodies[round], joint.bodies[1 - round], (*sides)[round].reach, {}, straight, none};
+    Rolling rolling{edge.joint, -1,  joint.bodies[round], joint.bodies[1 - round], (*sides)[round].reach, {},
+                    straight,   none};
     if (!straight) rolling.reach_of_carrier = (*sides)[1 - round].reach;
     edge.is_loose = !joint.pair().holds_normal;
     if (edge.is_loose && find_arm(rolling, joint, *edge.head, straight ? std::nullopt : edge.base)) {
@@ -134,7 +140,8 @@ bool PairsAsEdges::find_arm(Rolling& rolling, const Joint& joint, const Vector& 
     for (const BodyIndex arm : candidates) {
         const bool holds_rider = arm == rolling.rider || drawn_.are_pinned_at(arm, rolling.rider, centre);
         if (!holds_rider) continue;
-        if (other && (arm == rolling.carrier ? arm != rolling.rider : drawn_.are_pinned_at(arm, rolling.carrier, *other))) {
+        if (other &&
+            (arm == rolling.carrier ? arm != rolling.rider : drawn_.are_pinned_at(arm, rolling.carrier, *other))) {
             rolling.arm = arm;
             return true;
         }
@@ -142,8 +149,8 @@ bool PairsAsEdges::find_arm(Rolling& rolling, const Joint& joint, const Vector& 
         for (const Joint& guide : drawn_.mechanism.joints) {
             const JointIndex index = drawn_.mechanism.index_of(guide);
             if (!guide.pair().is_sleeve() || !guide.connects(arm) || !guide.connects(rolling.carrier)) continue;
-            if (!drawn_.is_small(
-                    cross(drawn_.pose.guide_units[at_index(index)], drawn_.unit(drawn_.pose.tangents[at_index(rolling.joint)]))))
+            if (!drawn_.is_small(cross(drawn_.pose.guide_units[at_index(index)],
+                                       drawn_.unit(drawn_.pose.tangents[at_index(rolling.joint)]))))
                 continue;
             rolling.arm = arm;
             rolling.rack = index;
@@ -187,7 +194,8 @@ void PairsAsEdges::take_drivers() {
 void PairsAsEdges::take(const SpinDriver& driver, int index) {
     const int own = graph_.class_of(driver.body), other = graph_.class_of(driver.relative_to);
     bool is_chained = false;  // the other's turn is counted from this one
-    for (int each = other; each > 0; each = graph_.classes[at_index(each)].against) is_chained = is_chained || each == own;
+    for (int each = other; each > 0; each = graph_.classes[at_index(each)].against)
+        is_chained = is_chained || each == own;
     TurningClass& turning = graph_.classes[at_index(own)];
     if (own != 0 && own != other && turning.driver < 0 && !is_chained) {
         turning.driver = index;

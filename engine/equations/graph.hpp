@@ -1,6 +1,6 @@
-// The graph that loops are chosen from: each pair as the vectors by which its bodies stand apart (none at a hinge, a slide along
-// a guide and its offset across, the link that stands for a curved slot or for two round profiles), bodies that turn together,
-// what rolls, and which coordinate each driver drives. Without letters.
+// The graph that loops are chosen from: each pair as the vectors by which its bodies stand apart (none at a hinge, a
+// slide along a guide and its offset across, the link that stands for a curved slot or for two round profiles), bodies
+// that turn together, what rolls, and which coordinate each driver drives. Without letters.
 #pragma once
 
 #include <algorithm>
@@ -65,7 +65,8 @@ struct TurningClass {
     int against = -1;             ///< class that the driver counts its turn from; −1: the frame
     std::optional<Vector> datum;  ///< unit: the direction that its letters name
     std::vector<LetterIndex> letters{};
-    std::vector<std::pair<Vector, LetterIndex>> others{};  ///< directions of the same bodies, by the given angle that tells them
+    std::vector<std::pair<Vector, LetterIndex>>
+        others{};  ///< directions of the same bodies, by the given angle that tells them
 };
 
 /// What rolls, or meshes: the rider's centre at `reach` along the normal from the contact.
@@ -106,10 +107,11 @@ private:
     void add_pins(const Joint& joint);
     void add_guide(const Joint& joint);
     void add_contact(const Joint& joint);
-    /// A contact of unknown curvatures: the place on the one body slides along the common tangent on the other, to the first
-    /// order.
+    /// A contact of unknown curvatures: the place on the one body slides along the common tangent on the other, to the
+    /// first order.
     void add_tangent(const Joint& joint);
-    /// A body that holds both centres of a pair of gears, so that it turns with their line; or a pinion's centre and its rack.
+    /// A body that holds both centres of a pair of gears, so that it turns with their line; or a pinion's centre and
+    /// its rack.
     bool find_arm(Rolling& rolling, const Joint& joint, const Vector& centre, const std::optional<Vector>& other) const;
     /// What no pair joins to the frame has its place as coordinates.
     void hold_what_is_loose();

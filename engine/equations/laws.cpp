@@ -17,7 +17,8 @@ void Laws::write_laws() {
         std::erase_if(law.parts, [](const Law::Part& part) { return part.sum.empty(); });
         // −(−θ) is θ: what stands in brackets begins without a sign.
         for (Law::Part& part : law.parts) {
-            if (std::any_of(part.sum.begin(), part.sum.end(), [](const auto& each) { return each.first > 0; })) continue;
+            if (std::any_of(part.sum.begin(), part.sum.end(), [](const auto& each) { return each.first > 0; }))
+                continue;
             part.sign = -part.sign;
             for (auto& each : part.sum) each.first = 1;
         }
@@ -30,7 +31,8 @@ void Laws::write_laws() {
 
 void Laws::add_turn(Law::Part& part, int sign, BodyIndex body) const {
     for (const LetterIndex letter : graph_.classes[at_index(graph_.class_of(body))].letters) {
-        const auto same = std::find_if(part.sum.begin(), part.sum.end(), [&](const auto& each) { return each.second == letter; });
+        const auto same =
+            std::find_if(part.sum.begin(), part.sum.end(), [&](const auto& each) { return each.second == letter; });
         if (same != part.sum.end() && same->first == -sign)
             part.sum.erase(same);
         else
@@ -85,8 +87,8 @@ void Laws::write_driver(int index) {
         letter.name = "theta " + drawn_.name_of(spin->body) +
                       (spin->relative_to == frame ? "" : " on " + drawn_.name_of(spin->relative_to));
     } else if (const auto* slide = std::get_if<SlideDriver>(&driver)) {
-        const auto edge =
-            std::find_if(graph_.edges.begin(), graph_.edges.end(), [&](const Edge& each) { return each.joint == slide->joint; });
+        const auto edge = std::find_if(graph_.edges.begin(), graph_.edges.end(),
+                                       [&](const Edge& each) { return each.joint == slide->joint; });
         if (edge == graph_.edges.end() || edge->slide < 0) return;
         part.sum.emplace_back(1, edge->slide);
         letter.joint = slide->joint;

@@ -9,7 +9,8 @@
 namespace kinegraph::vector_loops {
 namespace {
 
-/// Lengths and angles go in pairs, so that a e^{iα} is one vector; e and i are numbers, λ, π, ω and θ mean other things.
+/// Lengths and angles go in pairs, so that a e^{iα} is one vector; e and i are numbers, λ, π, ω and θ mean other
+/// things.
 constexpr auto letter_pairs = std::to_array<std::pair<const char*, const char*>>({{"a", "alpha"},
                                                                                   {"b", "beta"},
                                                                                   {"c", "gamma"},
@@ -96,14 +97,15 @@ void Letters::settle_names() {
     const std::vector<Letter> before = found_.letters;
     for (std::size_t i = 0; i < before.size(); ++i) {
         if (before[i].name.empty()) continue;
-        const auto same =
-            std::count_if(before.begin(), before.end(), [&](const Letter& each) { return each.name == before[i].name; });
+        const auto same = std::count_if(before.begin(), before.end(),
+                                        [&](const Letter& each) { return each.name == before[i].name; });
         if (same < 2) continue;
         Letter& letter = found_.letters[i];
         if (letter.body != none && letter.against != none && letter.joint != none)
             letter.name += " " + drawn_.name_of(letter.body) + " on " + drawn_.name_of(letter.against);
-        const auto still = std::count_if(found_.letters.begin(), found_.letters.begin() + static_cast<std::ptrdiff_t>(i),
-                                         [&](const Letter& each) { return each.name == letter.name; });
+        const auto still =
+            std::count_if(found_.letters.begin(), found_.letters.begin() + static_cast<std::ptrdiff_t>(i),
+                          [&](const Letter& each) { return each.name == letter.name; });
         if (still > 0) letter.name += " (" + std::to_string(still + 1) + ")";
     }
 }
@@ -168,8 +170,8 @@ void Letters::set_datum(int index, const Vector& direction, const Pair& pair) {
     }
     TurningClass& turning = graph_.classes[at_index(index)];
     turning.datum = direction;
-    const LetterIndex own =
-        add_angle(pair, product(direction, conjugate(base)), turning.driver >= 0 ? Letter::Role::free : Letter::Role::dependent);
+    const LetterIndex own = add_angle(pair, product(direction, conjugate(base)),
+                                      turning.driver >= 0 ? Letter::Role::free : Letter::Role::dependent);
     Letter& letter = found_.letters[at_index(own)];
     letter.body = turning.bodies.front();
     letter.name = "theta " + drawn_.name_of(letter.body);
@@ -191,7 +193,8 @@ Vector Letters::some_direction(int index) const {
         if (joint == drawn_.mechanism.joints.end()) continue;
         for (const PointIndex point : points) {
             const Vector reach = drawn_.pose.at(point) - drawn_.pose.at(joint->point);
-            if (squared_length(reach) <= farthest || drawn_.is_nothing(square_root(squared_length(reach), 64).value)) continue;
+            if (squared_length(reach) <= farthest || drawn_.is_nothing(square_root(squared_length(reach), 64).value))
+                continue;
             farthest = squared_length(reach);
             best = drawn_.unit(reach);
         }

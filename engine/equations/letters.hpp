@@ -1,5 +1,5 @@
-// The letters as they are given out: lengths and angles in pairs, each direction by the letters of the bodies it turns with,
-// radii of what rolls. Nothing is given twice.
+// The letters as they are given out: lengths and angles in pairs, each direction by the letters of the bodies it turns
+// with, radii of what rolls. Nothing is given twice.
 #pragma once
 
 #include <cstddef>

@@ -24,7 +24,8 @@ void add(Bits& to, const Bits& more) {
 struct Forest {
     std::vector<int> parent, edge, depth;
 
-    Forest(int nodes, const GraphEdges& edges, int first) : parent(at(nodes), -1), edge(at(nodes), -1), depth(at(nodes), -1) {
+    Forest(int nodes, const GraphEdges& edges, int first)
+        : parent(at(nodes), -1), edge(at(nodes), -1), depth(at(nodes), -1) {
         std::vector<std::vector<int>> touching(at(nodes));
         for (std::size_t e = 0; e < edges.size(); ++e)
             for (const int node : edges[e]) touching[at(node)].push_back(static_cast<int>(e));
@@ -73,7 +74,8 @@ std::optional<ClosedWalk> walk_of(const Bits& bits, int nodes, const GraphEdges&
         }
     }
     if (count < 2) return std::nullopt;
-    const auto first = std::find_if(touching.begin(), touching.end(), [](const auto& each) { return each.size() == 2; });
+    const auto first =
+        std::find_if(touching.begin(), touching.end(), [](const auto& each) { return each.size() == 2; });
     if (first == touching.end()) return std::nullopt;
     ClosedWalk cycle;
     int node = static_cast<int>(first - touching.begin());

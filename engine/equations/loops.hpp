@@ -1,5 +1,5 @@
-// Loops: the closed walks of a graph of bodies and pairs. Knows numbers of nodes and edges alone; what a loop costs and what it
-// teaches is told by who asks.
+// Loops: the closed walks of a graph of bodies and pairs. Knows numbers of nodes and edges alone; what a loop costs and
+// what it teaches is told by who asks.
 #pragma once
 
 #include <array>
@@ -21,12 +21,13 @@ struct ClosedWalk {
 
 using GraphEdges = std::vector<std::array<int, 2>>;
 
-/// Walks enough to choose a basis from: all of them where the graph has few independent ones, else the shortest through every
-/// node and edge (Horton), among which there is always a shortest basis.
+/// Walks enough to choose a basis from: all of them where the graph has few independent ones, else the shortest through
+/// every node and edge (Horton), among which there is always a shortest basis.
 std::vector<ClosedWalk> cycles_of(int nodes, const GraphEdges& edges);
 
-/// As many independent walks as the graph has (its edges less its nodes, and one for each connected part), one after the other:
-/// each the cheapest of those that are independent of the ones before; `taken` hears of it before the next is chosen.
+/// As many independent walks as the graph has (its edges less its nodes, and one for each connected part), one after
+/// the other: each the cheapest of those that are independent of the ones before; `taken` hears of it before the next
+/// is chosen.
 std::vector<ClosedWalk> independent_cycles(int nodes, const GraphEdges& edges,
                                            const std::function<std::array<int, 4>(const ClosedWalk&)>& cost,
                                            const std::function<void(const ClosedWalk&)>& taken);

@@ -84,8 +84,8 @@ void OpenChains::write_reach(BodyIndex body, PointIndex tip, const std::vector<i
             reach.sides.push_back(std::move(side));
         }
         const Vector from = *edge.end_on(chain[k]);
-        const Vector to =
-            k + 1 < chain.size() ? *graph_.edges[at_index(by[at_index(chain[k + 1])])].end_on(chain[k]) : drawn_.pose.at(tip);
+        const Vector to = k + 1 < chain.size() ? *graph_.edges[at_index(by[at_index(chain[k + 1])])].end_on(chain[k])
+                                               : drawn_.pose.at(tip);
         if (auto side = letters_.side_of(chain[k], from, to)) reach.sides.push_back(*std::move(side));
     }
     found_.reaches.push_back(std::move(reach));
@@ -97,7 +97,8 @@ void OpenChains::turn_of_body(BodyIndex body) {
     for (const LetterIndex index : found_.turns[at_index(body)]) {
         const Letter& letter = found_.letter(index);
         state.omega = state.omega && letter.rate ? std::optional(*state.omega + *letter.rate) : std::nullopt;
-        state.alpha = state.alpha && letter.acceleration ? std::optional(*state.alpha + *letter.acceleration) : std::nullopt;
+        state.alpha =
+            state.alpha && letter.acceleration ? std::optional(*state.alpha + *letter.acceleration) : std::nullopt;
     }
 }
 

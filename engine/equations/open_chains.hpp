@@ -1,5 +1,5 @@
-// What hangs on the frame by one way: the ends of open chains as sums of vectors, and the motion of every body, carried from pair
-// to pair.
+// What hangs on the frame by one way: the ends of open chains as sums of vectors, and the motion of every body, carried
+// from pair to pair.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
-// Algebra: exact derivatives of expressions in symbols. It is done by GiNaC, which engine/file/algebra_ginac.cpp alone knows; where it
-// comes from is said once, by the program, which loads it as a module when a file needs it, or by whoever links the library.
+// Algebra: exact derivatives of expressions in symbols. It is done by GiNaC, which engine/file/algebra_ginac.cpp alone
+// knows; where it comes from is said once, by the program, which loads it as a module when a file needs it, or by
+// whoever links the library.
 #pragma once
 
 #include <tl/expected.hpp>
@@ -10,8 +11,8 @@ namespace kinegraph {
 
 /// What an algebra does. Its functions may be called by many threads at once.
 struct Algebra {
-    /// The derivative by the variable, in an order of terms and factors that depends on the expression alone. Errors, in words:
-    /// what divides by zero or is not real whatever the variable is.
+    /// The derivative by the variable, in an order of terms and factors that depends on the expression alone. Errors,
+    /// in words: what divides by zero or is not real whatever the variable is.
     tl::expected<Expression, Words> (*derivative)(const Expression& of, const NamedConstants& constants) = nullptr;
 };
 

@@ -1,5 +1,6 @@
-// Derivatives by GiNaC: expressions become its, and what it finds becomes expressions again, sorted by an order of ours, since
-// its own hangs on addresses. Its counts of references are not for several threads: one at a time is let in.
+// Derivatives by GiNaC: expressions become its, and what it finds becomes expressions again, sorted by an order of
+// ours, since its own hangs on addresses. Its counts of references are not for several threads: one at a time is let
+// in.
 #include <ginac/ginac.h>
 
 #include <algorithm>
@@ -31,14 +32,10 @@ public:
 
     GiNaC::ex there(const Expression& of) const {
         switch (of.kind) {
-            case Kind::number:
-                return GiNaC::numeric(of.value.to_fraction().c_str());
-            case Kind::pi:
-                return GiNaC::Pi;
-            case Kind::constant:
-                return symbols_.at(of.constant);
-            case Kind::variable:
-                return variable_;
+            case Kind::number: return GiNaC::numeric(of.value.to_fraction().c_str());
+            case Kind::pi: return GiNaC::Pi;
+            case Kind::constant: return symbols_.at(of.constant);
+            case Kind::variable: return variable_;
             case Kind::sum: {
                 GiNaC::exvector terms;
                 for (const Expression& part : of.parts) terms.push_back(there(part));
@@ -49,10 +46,8 @@ public:
                 for (const Expression& part : of.parts) factors.push_back(there(part));
                 return GiNaC::mul(factors);
             }
-            case Kind::power:
-                return GiNaC::pow(there(of.parts[0]), there(of.parts[1]));
-            case Kind::function:
-                return function(of.function, there(of.parts[0]));
+            case Kind::power: return GiNaC::pow(there(of.parts[0]), there(of.parts[1]));
+            case Kind::function: return function(of.function, there(of.parts[0]));
         }
         return 0;
     }
@@ -88,30 +83,18 @@ private:
     }
     static GiNaC::ex function(Elementary function, const GiNaC::ex& u) {
         switch (function) {
-            case Elementary::sin:
-                return GiNaC::sin(u);
-            case Elementary::cos:
-                return GiNaC::cos(u);
-            case Elementary::tan:
-                return GiNaC::tan(u);
-            case Elementary::asin:
-                return GiNaC::asin(u);
-            case Elementary::acos:
-                return GiNaC::acos(u);
-            case Elementary::atan:
-                return GiNaC::atan(u);
-            case Elementary::sinh:
-                return GiNaC::sinh(u);
-            case Elementary::cosh:
-                return GiNaC::cosh(u);
-            case Elementary::tanh:
-                return GiNaC::tanh(u);
-            case Elementary::exp:
-                return GiNaC::exp(u);
-            case Elementary::log:
-                return GiNaC::log(u);
-            case Elementary::abs:
-                return GiNaC::abs(u);
+            case Elementary::sin: return GiNaC::sin(u);
+            case Elementary::cos: return GiNaC::cos(u);
+            case Elementary::tan: return GiNaC::tan(u);
+            case Elementary::asin: return GiNaC::asin(u);
+            case Elementary::acos: return GiNaC::acos(u);
+            case Elementary::atan: return GiNaC::atan(u);
+            case Elementary::sinh: return GiNaC::sinh(u);
+            case Elementary::cosh: return GiNaC::cosh(u);
+            case Elementary::tanh: return GiNaC::tanh(u);
+            case Elementary::exp: return GiNaC::exp(u);
+            case Elementary::log: return GiNaC::log(u);
+            case Elementary::abs: return GiNaC::abs(u);
         }
         return 0;
     }
@@ -122,8 +105,8 @@ private:
         if (!known || of.nops() != 1) throw Unwritable("no expression");
         return Expression::of(*known, back(of.op(0)));
     }
-    /// GiNaC gives a sum that is a factor, or raised to a whole power, the sign that its own order of terms suggests; here it is
-    /// that of ours.
+    /// GiNaC gives a sum that is a factor, or raised to a whole power, the sign that its own order of terms suggests;
+    /// here it is that of ours.
     Expression power_back(Expression base, Expression exponent) const {
         const bool is_whole = exponent.kind == Kind::number && exponent.value.rational().get_den() == 1;
         if (base.kind != Kind::sum || !is_whole || !first_is_negative(base))
@@ -157,17 +140,17 @@ private:
         of.parts.erase(of.parts.begin());
         return of.parts.size() == 1 ? Expression(of.parts[0]) : of;
     }
-    /// Factors: numbers, π, letters, the variable, sums, functions; terms by the power of the variable; what is alike by its
-    /// text, whatever its sign.
+    /// Factors: numbers, π, letters, the variable, sums, functions; terms by the power of the variable; what is alike
+    /// by its text, whatever its sign.
     using Place = std::pair<int, std::string>;
     Place place_of(Kind kind, const Expression& part) const {
         if (kind == Kind::product) return {rank_of_factor(part), written(part, constants_, "t")};
         return {rank_of_term(part), written(is_negative(part) ? opposite(part) : part, constants_, "t")};
     }
     bool first_is_negative(const Expression& sum) const {
-        return is_negative(*std::min_element(sum.parts.begin(), sum.parts.end(), [&](const Expression& a, const Expression& b) {
-            return place_of(Kind::sum, a) < place_of(Kind::sum, b);
-        }));
+        return is_negative(*std::min_element(
+            sum.parts.begin(), sum.parts.end(),
+            [&](const Expression& a, const Expression& b) { return place_of(Kind::sum, a) < place_of(Kind::sum, b); }));
     }
     /// What begins a sum has no minus, if anything has none.
     static void put_positive_first(Expression& sum) {
@@ -207,20 +190,14 @@ private:
     static int rank_of_factor(const Expression& of) {
         const Expression& base = of.kind == Kind::power ? of.parts[0] : of;
         switch (base.kind) {
-            case Kind::number:
-                return of.kind == Kind::power ? 1 : 0;
-            case Kind::pi:
-                return 2;
-            case Kind::constant:
-                return 3;
-            case Kind::variable:
-                return 4;
+            case Kind::number: return of.kind == Kind::power ? 1 : 0;
+            case Kind::pi: return 2;
+            case Kind::constant: return 3;
+            case Kind::variable: return 4;
             case Kind::sum:
             case Kind::product:
-            case Kind::power:
-                return 5;
-            case Kind::function:
-                return base.function == Elementary::exp ? 6 : 7;
+            case Kind::power: return 5;
+            case Kind::function: return base.function == Elementary::exp ? 6 : 7;
         }
         return 8;
     }
@@ -228,7 +205,8 @@ private:
         int rank = 0;
         for_each_factor(of, [&](const Expression& factor) {
             if (factor.kind == Kind::variable) rank += 1;
-            if (factor.kind == Kind::power && factor.parts[0].kind == Kind::variable && factor.parts[1].kind == Kind::number)
+            if (factor.kind == Kind::power && factor.parts[0].kind == Kind::variable &&
+                factor.parts[1].kind == Kind::number)
                 rank += static_cast<int>(factor.parts[1].value.to_double());
         });
         return rank;
@@ -256,10 +234,12 @@ tl::expected<Expression, Words> derivative(const Expression& of, const NamedCons
         return translation.back(translation.there(of).diff(translation.variable()));
     } catch (const Unwritable& why) {
         if (std::string_view(why.what()) == "too long")
-            return tl::make_unexpected(Words("its derivatives would fill pages; write it shorter, with constants",
-                                             "le sue derivate riempirebbero pagine; scriverla più corta, con costanti"));
-        return tl::make_unexpected(Words("its derivative is not real; it has the root or the logarithm of what is negative",
-                                         "la sua derivata non è reale; contiene la radice o il logaritmo di ciò che è negativo"));
+            return tl::make_unexpected(
+                Words("its derivatives would fill pages; write it shorter, with constants",
+                      "le sue derivate riempirebbero pagine; scriverla più corta, con costanti"));
+        return tl::make_unexpected(
+            Words("its derivative is not real; it has the root or the logarithm of what is negative",
+                  "la sua derivata non è reale; contiene la radice o il logaritmo di ciò che è negativo"));
     } catch (const std::exception&) {  // GiNaC's: pole_error and its like
         return tl::make_unexpected(Words("it divides by zero, or is infinite, whatever its variable is",
                                          "divide per zero, o è infinita, qualunque sia la variabile"));

@@ -37,7 +37,9 @@ constexpr std::array<std::pair<std::string_view, Elementary>, 12> functions{{{"s
                                                                              {"log", Elementary::log},
                                                                              {"abs", Elementary::abs}}};
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<signed char>(c) < 0; }
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<signed char>(c) < 0;
+}
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Greek and accented letters are letters of names; signs of units (`°`, `²`, `·`) are not.
@@ -81,13 +83,11 @@ double degree_of(const Expression& of) {
             const auto exponent = number_of(of.parts[1]);
             return degree_of(of.parts[0]) * (exponent ? std::max(1.0, std::abs(exponent->to_double())) : 1.0);
         }
-        case Kind::function:
-            return degree_of(of.parts[0]);
+        case Kind::function: return degree_of(of.parts[0]);
         case Kind::number:
         case Kind::pi:
         case Kind::constant:
-        case Kind::variable:
-            break;
+        case Kind::variable: break;
     }
     return 1;
 }
@@ -99,8 +99,7 @@ struct Size {
 Size size_of(const Expression& of) {
     Size size;
     switch (of.kind) {
-        case Kind::variable:
-            return {1, 1, 0};
+        case Kind::variable: return {1, 1, 0};
         case Kind::sum:
             size = {0, 0, 0};
             for (const Expression& part : of.parts) {
@@ -135,8 +134,7 @@ Size size_of(const Expression& of) {
         }
         case Kind::number:
         case Kind::pi:
-        case Kind::constant:
-            break;
+        case Kind::constant: break;
     }
     return size;
 }
@@ -163,7 +161,8 @@ private:
                             "l’espressione finisce dove serve un numero, un nome o una parentesi"});
         if (rest().starts_with("−") || rest().starts_with("–"))
             return refused({"a minus is written \"-\" in an expression", "il meno in un’espressione si scrive \"-\""});
-        if (rest().starts_with("·") || rest().starts_with("×") || is_letter(rest()[0]) || rest()[0] == '(' || is_digit(rest()[0]))
+        if (rest().starts_with("·") || rest().starts_with("×") || is_letter(rest()[0]) || rest()[0] == '(' ||
+            is_digit(rest()[0]))
             return refused({"{0}: a product is written \"*\" in an expression",
                             "{0}: il prodotto in un’espressione si scrive \"*\"", quoted(rest())});
         return refused({"{0} is not understood here; +, -, *, /, ^, brackets, numbers with units and names are",
@@ -206,8 +205,9 @@ private:
             if (!other) return other;
             if (!times) {
                 if (other->is_number(0)) return by_zero();
-                other = other->kind == Kind::number ? Expression::number(1 / other->value)
-                                                    : Expression::of(Kind::power, {*std::move(other), Expression::number(-1)});
+                other = other->kind == Kind::number
+                            ? Expression::number(1 / other->value)
+                            : Expression::of(Kind::power, {*std::move(other), Expression::number(-1)});
             }
             factors.push_back(*std::move(other));
         }
@@ -266,7 +266,8 @@ private:
     /// Numbers alone are worked out, as long as they stay numbers that a page can hold.
     static Outcome folded(Expression of) {
         if (degree_of(of) > highest_degree)
-            return refused({"powers upon each other that come to a degree above {0}", "potenze che insieme superano il grado {0}",
+            return refused({"powers upon each other that come to a degree above {0}",
+                            "potenze che insieme superano il grado {0}",
                             std::to_string(static_cast<int>(highest_degree))});
         const auto is_number = [](const Expression& part) { return part.kind == Kind::number; };
         if (!std::all_of(of.parts.begin(), of.parts.end(), is_number)) return of;
@@ -276,7 +277,8 @@ private:
             if (exponent.rational().get_den() != 1) return of;
             const long times = std::labs(exponent.rational().get_num().get_si());
             value = 1;
-            if (static_cast<double>(of.parts[0].value.bits()) * static_cast<double>(times) > 4.0 * most_bits) return too_long();
+            if (static_cast<double>(of.parts[0].value.bits()) * static_cast<double>(times) > 4.0 * most_bits)
+                return too_long();
             for (long i = 0; i < times; ++i) value *= of.parts[0].value;
             if (exponent.sign() < 0) value = 1 / value;
         } else {
@@ -287,7 +289,8 @@ private:
     }
     static tl::unexpected<Words> too_long() {
         return refused({"a number of more than {0} digits; such numbers are not computed with",
-                        "un numero di oltre {0} cifre; con tali numeri non si calcola", std::to_string(most_bits * 3 / 20)});
+                        "un numero di oltre {0} cifre; con tali numeri non si calcola",
+                        std::to_string(most_bits * 3 / 20)});
     }
 
     Outcome operand() {
@@ -313,8 +316,10 @@ private:
         if (!known && name != "sqrt" && name != "ln") {
             if (name == variable_ || look_up_(name)) return unexpected_here();
             return refused(
-                {"{0} is no function known here; there are sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log",
-                 "{0} non è una funzione nota; ci sono sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log",
+                {"{0} is no function known here; there are sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, "
+                 "exp, log",
+                 "{0} non è una funzione nota; ci sono sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, "
+                 "log",
                  quoted(name)});
         }
         takes('(');
@@ -325,8 +330,8 @@ private:
         return Expression::of(known.value_or(Elementary::log), *std::move(argument));
     }
     Outcome constant(std::string_view name) {
-        const auto found =
-            std::find_if(constants_.begin(), constants_.end(), [&](const NamedConstant& each) { return each.name == name; });
+        const auto found = std::find_if(constants_.begin(), constants_.end(),
+                                        [&](const NamedConstant& each) { return each.name == name; });
         if (found != constants_.end()) return Expression::named(static_cast<std::size_t>(found - constants_.begin()));
         auto value = look_up_(name);
         if (!value) return refused(std::move(value.error()));
@@ -385,7 +390,8 @@ private:
             const std::size_t behind = from + length;
             const bool goes_on = behind < text_.size() && is_letter(spelt.back()) &&
                                  (is_letter(text_[behind]) || is_digit(text_[behind])) &&
-                                 static_cast<signed char>(spelt.back()) >= 0 && static_cast<signed char>(text_[behind]) >= 0;
+                                 static_cast<signed char>(spelt.back()) >= 0 &&
+                                 static_cast<signed char>(text_[behind]) >= 0;
             if (goes_on) continue;
             at_ = behind;
             return spelt;
@@ -418,14 +424,10 @@ public:
     Found of(const Expression& expression) const {
         switch (expression.kind) {
             case Kind::number:
-            case Kind::pi:
-                return Dimension{};
-            case Kind::constant:
-                return without_angle(constants_[expression.constant].dimension);
-            case Kind::variable:
-                return of_variable_;
-            case Kind::sum:
-                return of_sum(expression);
+            case Kind::pi: return Dimension{};
+            case Kind::constant: return without_angle(constants_[expression.constant].dimension);
+            case Kind::variable: return of_variable_;
+            case Kind::sum: return of_sum(expression);
             case Kind::product: {
                 Dimension whole;
                 for (const Expression& part : expression.parts) {
@@ -435,8 +437,7 @@ public:
                 }
                 return whole;
             }
-            case Kind::power:
-                return of_power(expression);
+            case Kind::power: return of_power(expression);
             case Kind::function: {
                 Found argument = of(expression.parts[0]);
                 if (!argument || argument->is_a_number()) return argument;
@@ -458,8 +459,10 @@ private:
             if (!other) return other;
             if (*other == *first || sum.parts[i].is_number(0)) continue;
             return refused(
-                {"{0} is {1} and {2} is {3}: they do not go together in a sum; where a number wants a unit, write it behind it",
-                 "{0} è {1} e {2} è {3}: non vanno insieme in una somma; dove un numero vuole un’unità, scriverla dopo di esso",
+                {"{0} is {1} and {2} is {3}: they do not go together in a sum; where a number wants a unit, write it "
+                 "behind it",
+                 "{0} è {1} e {2} è {3}: non vanno insieme in una somma; dove un numero vuole un’unità, scriverla dopo "
+                 "di esso",
                  spelt(sum.parts[0]), described_as(*first), spelt(sum.parts[i]), described_as(*other)});
         }
         return first;
@@ -493,7 +496,8 @@ private:
 
 bool has_units(const Expression& of, const NamedConstants& constants) {
     if (of.kind == Kind::constant) return !without_angle(constants[of.constant].dimension).is_a_number();
-    return std::any_of(of.parts.begin(), of.parts.end(), [&](const Expression& part) { return has_units(part, constants); });
+    return std::any_of(of.parts.begin(), of.parts.end(),
+                       [&](const Expression& part) { return has_units(part, constants); });
 }
 
 Dimension plain_dimension(QuantityKind kind) {
@@ -561,10 +565,11 @@ tl::expected<Expressed, Words> read_expression(std::string_view text, const Expr
     const auto found = dimensions.of(*tree);
     if (!found) return refused(found.error());
     if (!law.is_bare && *found != plain_dimension(form.is))
-        return refused({"{0} is {1}; {2} is wanted here{3}", "{0} è {1}; qui serve {2}{3}", quoted(text), described_as(*found),
-                        with_article(form.is),
-                        form.of == QuantityKind::time ? Words(" ({0} is a time)", " ({0} è un tempo)", form.variable)
-                                                      : Words(" ({0} is a length)", " ({0} è una lunghezza)", form.variable)});
+        return refused({"{0} is {1}; {2} is wanted here{3}", "{0} è {1}; qui serve {2}{3}", quoted(text),
+                        described_as(*found), with_article(form.is),
+                        form.of == QuantityKind::time
+                            ? Words(" ({0} is a time)", " ({0} è un tempo)", form.variable)
+                            : Words(" ({0} is a length)", " ({0} è una lunghezza)", form.variable)});
     if (law.is_bare) {
         if (form.is == QuantityKind::length) law.unit = form.length_unit;
         if (form.of == QuantityKind::length) law.variable_unit = form.length_unit;
@@ -592,20 +597,17 @@ public:
 private:
     Tight tightness(const Expression& of) const {
         switch (of.kind) {
-            case Kind::sum:
-                return Tight::sum;
-            case Kind::product:
-                return Tight::product;
-            case Kind::power:
-                return divides(of) ? Tight::product : Tight::power;
+            case Kind::sum: return Tight::sum;
+            case Kind::product: return Tight::product;
+            case Kind::power: return divides(of) ? Tight::product : Tight::power;
             case Kind::number:
-                return of.value.sign() < 0 ? Tight::sum : of.value.rational().get_den() != 1 ? Tight::product : Tight::piece;
-            case Kind::constant:
-                return constants_[of.constant].name.empty() ? Tight::product : Tight::piece;
+                return of.value.sign() < 0                  ? Tight::sum
+                       : of.value.rational().get_den() != 1 ? Tight::product
+                                                            : Tight::piece;
+            case Kind::constant: return constants_[of.constant].name.empty() ? Tight::product : Tight::piece;
             case Kind::pi:
             case Kind::variable:
-            case Kind::function:
-                break;
+            case Kind::function: break;
         }
         return Tight::piece;
     }
@@ -620,25 +622,18 @@ private:
     }
     std::string spelt(const Expression& of) const {
         switch (of.kind) {
-            case Kind::number:
-                return of.value.to_fraction();
-            case Kind::pi:
-                return "pi";
-            case Kind::constant:
-                return constants_[of.constant].written;
-            case Kind::variable:
-                return std::string(variable_);
-            case Kind::sum:
-                return sum(of);
-            case Kind::product:
-                return product(of);
+            case Kind::number: return of.value.to_fraction();
+            case Kind::pi: return "pi";
+            case Kind::constant: return constants_[of.constant].written;
+            case Kind::variable: return std::string(variable_);
+            case Kind::sum: return sum(of);
+            case Kind::product: return product(of);
             case Kind::power:
                 if (of.parts[1].kind == Kind::number && of.parts[1].value == Exact::ratio(1, 2))
                     return "sqrt(" + spelt(of.parts[0]) + ")";
                 if (divides(of)) return "1/" + divisor(of);
                 return within(of.parts[0], Tight::piece) + "^" + within(of.parts[1], Tight::piece);
-            case Kind::function:
-                return std::string(name_of(of.function)) + "(" + spelt(of.parts[0]) + ")";
+            case Kind::function: return std::string(name_of(of.function)) + "(" + spelt(of.parts[0]) + ")";
         }
         return {};
     }
@@ -695,60 +690,36 @@ constexpr double unit_roundoff = 4 * std::numeric_limits<double>::epsilon();
 /// f(u), and how much an error of u becomes there.
 std::pair<double, double> value_and_slope(Elementary function, double u) {
     switch (function) {
-        case Elementary::sin:
-            return {std::sin(u), std::cos(u)};
-        case Elementary::cos:
-            return {std::cos(u), -std::sin(u)};
-        case Elementary::tan:
-            return {std::tan(u), 1 + std::tan(u) * std::tan(u)};
-        case Elementary::asin:
-            return {std::asin(u), 1 / std::sqrt(1 - u * u)};
-        case Elementary::acos:
-            return {std::acos(u), -1 / std::sqrt(1 - u * u)};
-        case Elementary::atan:
-            return {std::atan(u), 1 / (1 + u * u)};
-        case Elementary::sinh:
-            return {std::sinh(u), std::cosh(u)};
-        case Elementary::cosh:
-            return {std::cosh(u), std::sinh(u)};
-        case Elementary::tanh:
-            return {std::tanh(u), 1 - std::tanh(u) * std::tanh(u)};
-        case Elementary::exp:
-            return {std::exp(u), std::exp(u)};
-        case Elementary::log:
-            return {u > 0 ? std::log(u) : std::numeric_limits<double>::quiet_NaN(), 1 / u};
-        case Elementary::abs:
-            return {std::abs(u), u < 0 ? -1.0 : 1.0};
+        case Elementary::sin: return {std::sin(u), std::cos(u)};
+        case Elementary::cos: return {std::cos(u), -std::sin(u)};
+        case Elementary::tan: return {std::tan(u), 1 + std::tan(u) * std::tan(u)};
+        case Elementary::asin: return {std::asin(u), 1 / std::sqrt(1 - u * u)};
+        case Elementary::acos: return {std::acos(u), -1 / std::sqrt(1 - u * u)};
+        case Elementary::atan: return {std::atan(u), 1 / (1 + u * u)};
+        case Elementary::sinh: return {std::sinh(u), std::cosh(u)};
+        case Elementary::cosh: return {std::cosh(u), std::sinh(u)};
+        case Elementary::tanh: return {std::tanh(u), 1 - std::tanh(u) * std::tanh(u)};
+        case Elementary::exp: return {std::exp(u), std::exp(u)};
+        case Elementary::log: return {u > 0 ? std::log(u) : std::numeric_limits<double>::quiet_NaN(), 1 / u};
+        case Elementary::abs: return {std::abs(u), u < 0 ? -1.0 : 1.0};
     }
     return {0, 0};
 }
 double second_slope(Elementary function, double u) {
     const double root = std::sqrt(1 - u * u), tangent = std::tan(u), hyperbolic = std::tanh(u);
     switch (function) {
-        case Elementary::sin:
-            return -std::sin(u);
-        case Elementary::cos:
-            return -std::cos(u);
-        case Elementary::tan:
-            return 2 * tangent * (1 + tangent * tangent);
-        case Elementary::asin:
-            return u / (root * root * root);
-        case Elementary::acos:
-            return -u / (root * root * root);
-        case Elementary::atan:
-            return -2 * u / ((1 + u * u) * (1 + u * u));
-        case Elementary::sinh:
-            return std::sinh(u);
-        case Elementary::cosh:
-            return std::cosh(u);
-        case Elementary::tanh:
-            return -2 * hyperbolic * (1 - hyperbolic * hyperbolic);
-        case Elementary::exp:
-            return std::exp(u);
-        case Elementary::log:
-            return -1 / (u * u);
-        case Elementary::abs:
-            return 0;
+        case Elementary::sin: return -std::sin(u);
+        case Elementary::cos: return -std::cos(u);
+        case Elementary::tan: return 2 * tangent * (1 + tangent * tangent);
+        case Elementary::asin: return u / (root * root * root);
+        case Elementary::acos: return -u / (root * root * root);
+        case Elementary::atan: return -2 * u / ((1 + u * u) * (1 + u * u));
+        case Elementary::sinh: return std::sinh(u);
+        case Elementary::cosh: return std::cosh(u);
+        case Elementary::tanh: return -2 * hyperbolic * (1 - hyperbolic * hyperbolic);
+        case Elementary::exp: return std::exp(u);
+        case Elementary::log: return -1 / (u * u);
+        case Elementary::abs: return 0;
     }
     return 0;
 }
@@ -780,8 +751,8 @@ Jet power_of(const Jet& base, const Jet& exponent, bool constant_exponent) {
         const double second = n == 0 || n == 1 ? 0 : n * (n - 1) * std::pow(base[0], n - 2);
         return composed(value, first, second, base);
     }
-    const Jet logarithm = composed(base[0] > 0 ? std::log(base[0]) : std::numeric_limits<double>::quiet_NaN(), 1 / base[0],
-                                   -1 / (base[0] * base[0]), base);
+    const Jet logarithm = composed(base[0] > 0 ? std::log(base[0]) : std::numeric_limits<double>::quiet_NaN(),
+                                   1 / base[0], -1 / (base[0] * base[0]), base);
     const Jet u = times(exponent, logarithm);
     const double value = std::exp(u[0]);
     return composed(value, value, value, u);
@@ -791,16 +762,13 @@ Jet power_of(const Jet& base, const Jet& exponent, bool constant_exponent) {
 
 Estimate estimate(const Expression& of, const NamedConstants& constants, double variable) {
     switch (of.kind) {
-        case Kind::number:
-            return {of.value.to_double(), unit_roundoff * std::abs(of.value.to_double())};
-        case Kind::pi:
-            return {std::numbers::pi, unit_roundoff};
+        case Kind::number: return {of.value.to_double(), unit_roundoff * std::abs(of.value.to_double())};
+        case Kind::pi: return {std::numbers::pi, unit_roundoff};
         case Kind::constant: {
             const double value = constants[of.constant].value.to_double();
             return {value, unit_roundoff * std::abs(value)};
         }
-        case Kind::variable:
-            return {variable, unit_roundoff * std::abs(variable)};
+        case Kind::variable: return {variable, unit_roundoff * std::abs(variable)};
         case Kind::sum: {
             Estimate sum;
             for (const Expression& part : of.parts) {
@@ -834,14 +802,10 @@ Estimate estimate(const Expression& of, const NamedConstants& constants, double 
 
 Jet jet(const Expression& of, const NamedConstants& constants, double variable) {
     switch (of.kind) {
-        case Kind::number:
-            return {of.value.to_double(), 0, 0};
-        case Kind::pi:
-            return {std::numbers::pi, 0, 0};
-        case Kind::constant:
-            return {constants[of.constant].value.to_double(), 0, 0};
-        case Kind::variable:
-            return {variable, 1, 0};
+        case Kind::number: return {of.value.to_double(), 0, 0};
+        case Kind::pi: return {std::numbers::pi, 0, 0};
+        case Kind::constant: return {constants[of.constant].value.to_double(), 0, 0};
+        case Kind::variable: return {variable, 1, 0};
         case Kind::sum: {
             Jet sum{};
             for (const Expression& part : of.parts) {

@@ -1,6 +1,7 @@
-// Expressions of a law of motion: "v0*cos(alpha)*t" as a tree, read with its units, told apart by dimension, evaluated with how
-// far rounding may have led, and derived automatically by the rules of differentiation carried along with the values (which only
-// the check uses). Exact derivatives in symbols are an algebra's (engine/file/algebra.hpp). Knows nothing of JSON nor of motion.
+// Expressions of a law of motion: "v0*cos(alpha)*t" as a tree, read with its units, told apart by dimension, evaluated
+// with how far rounding may have led, and derived automatically by the rules of differentiation carried along with the
+// values (which only the check uses). Exact derivatives in symbols are an algebra's (engine/file/algebra.hpp). Knows
+// nothing of JSON nor of motion.
 //
 //   sum      = product { ("+" | "-") product }
 //   product  = factor { ("*" | "/") factor }
@@ -20,10 +21,10 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/number/exact.hpp"
 #include "engine/file/formula.hpp"
 #include "engine/file/units.hpp"
 #include "engine/file/words.hpp"
+#include "engine/number/exact.hpp"
 
 namespace kinegraph {
 
@@ -69,23 +70,24 @@ using NamedConstants = std::vector<NamedConstant>;
 /// As a file means it: the value is `unit` times that of the tree.
 struct Expressed {
     Expression tree{};
-    /// No length, mass or time stands in it: its variable counts in `variable_unit`, its value in `unit`. Else both are 1 (SI).
+    /// No length, mass or time stands in it: its variable counts in `variable_unit`, its value in `unit`. Else both are
+    /// 1 (SI).
     bool is_bare = false;
     Exact unit = 1, variable_unit = 1;
 };
 
-/// How an expression is to be read: its variable and what that is, what it shall be, and in which unit either is where the
-/// expression has no units.
+/// How an expression is to be read: its variable and what that is, what it shall be, and in which unit either is where
+/// the expression has no units.
 struct ExpressionForm {
     std::string_view variable;
     QuantityKind of = QuantityKind::time;  ///< time or length
     QuantityKind is = QuantityKind::length;
     Exact length_unit = 1;  ///< of bare numbers, m
 };
-/// Names are looked up as formulas look them up; what is met first is added to `constants`. Errors, in words that quote the
-/// place: syntax, unknown names and functions, dimensions that do not go together, more than 100 brackets within each other,
-/// powers whose degrees multiply to more than 1000, numbers of more than 300 digits, texts of more than 1000 characters, and
-/// expressions whose second derivative would be longer than any page. Costs no more than that.
+/// Names are looked up as formulas look them up; what is met first is added to `constants`. Errors, in words that quote
+/// the place: syntax, unknown names and functions, dimensions that do not go together, more than 100 brackets within
+/// each other, powers whose degrees multiply to more than 1000, numbers of more than 300 digits, texts of more than
+/// 1000 characters, and expressions whose second derivative would be longer than any page. Costs no more than that.
 tl::expected<Expressed, Words> read_expression(std::string_view text, const ExpressionForm& form, const LookUp& look_up,
                                                NamedConstants& constants);
 
@@ -99,8 +101,8 @@ struct Estimate {
 };
 Estimate estimate(const Expression& of, const NamedConstants& constants, double variable);
 
-/// Value, first and second derivative by the variable, each rule applied to numbers as the value is computed. Not finite where
-/// the expression is not, or not real.
+/// Value, first and second derivative by the variable, each rule applied to numbers as the value is computed. Not
+/// finite where the expression is not, or not real.
 using Jet = std::array<double, 3>;
 Jet jet(const Expression& of, const NamedConstants& constants, double variable);
 

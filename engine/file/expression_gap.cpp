@@ -34,7 +34,8 @@ Range whole_power(const Range& base, double n) {
     return range;
 }
 Range power(const Range& base, const Range& exponent) {
-    if (exponent.low == exponent.high && std::floor(exponent.low) == exponent.low) return whole_power(base, exponent.low);
+    if (exponent.low == exponent.high && std::floor(exponent.low) == exponent.low)
+        return whole_power(base, exponent.low);
     if (base.low < 0) return {-1, 1, false, true};
     if (base.low == 0 && exponent.low < 0) return {-1, 1, true, false};
     const auto [low, high] = std::minmax({std::pow(base.low, exponent.low), std::pow(base.low, exponent.high),
@@ -59,10 +60,8 @@ Range function(Elementary which, const Range& of) {
     constexpr double quarter = std::numbers::pi / 2;
     const auto rising = [&](double (*f)(double)) { return Range{f(of.low), f(of.high)}; };
     switch (which) {
-        case Elementary::sin:
-            return cosine({of.low - quarter, of.high - quarter});
-        case Elementary::cos:
-            return cosine(of);
+        case Elementary::sin: return cosine({of.low - quarter, of.high - quarter});
+        case Elementary::cos: return cosine(of);
         case Elementary::tan:
             if (holds_any(of, quarter, std::numbers::pi)) return {-1, 1, true, false};
             return rising(std::tan);
@@ -72,16 +71,11 @@ Range function(Elementary which, const Range& of) {
         case Elementary::acos:
             if (of.low < -1 || of.high > 1) return {-1, 1, false, true};
             return {std::acos(of.high), std::acos(of.low)};
-        case Elementary::atan:
-            return rising(std::atan);
-        case Elementary::sinh:
-            return rising(std::sinh);
-        case Elementary::cosh:
-            return even(of, std::cosh(of.low), std::cosh(of.high));
-        case Elementary::tanh:
-            return rising(std::tanh);
-        case Elementary::exp:
-            return rising(std::exp);
+        case Elementary::atan: return rising(std::atan);
+        case Elementary::sinh: return rising(std::sinh);
+        case Elementary::cosh: return even(of, std::cosh(of.low), std::cosh(of.high));
+        case Elementary::tanh: return rising(std::tanh);
+        case Elementary::exp: return rising(std::exp);
         case Elementary::log:
             if (of.low < 0) return {-1, 1, false, true};
             if (of.low == 0) return {-1, 1, true, false};
@@ -95,7 +89,8 @@ Range function(Elementary which, const Range& of) {
 
 class Search {
 public:
-    Search(const Expression& of, const NamedConstants& constants, double whole) : of_(of), constants_(constants), whole_(whole) {}
+    Search(const Expression& of, const NamedConstants& constants, double whole)
+        : of_(of), constants_(constants), whole_(whole) {}
 
     std::optional<ExpressionGap> find(double from, double to) {
         constexpr int most = 4000;
@@ -131,8 +126,7 @@ private:
                 const double value = estimate(of, constants_, 0).value;
                 return {value, value};
             }
-            case Kind::variable:
-                return variable;
+            case Kind::variable: return variable;
             case Kind::sum:
             case Kind::product: {
                 Range all = range(of.parts.front(), variable);

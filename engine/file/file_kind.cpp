@@ -15,9 +15,15 @@ struct StatedBy {
     FileKind kind;
 };
 constexpr std::array stated_by{
-    StatedBy{"cam", FileKind::cam},          StatedBy{"points", FileKind::mechanism}, StatedBy{"bodies", FileKind::mechanism},
-    StatedBy{"joints", FileKind::mechanism}, StatedBy{"motion", FileKind::mechanism}, StatedBy{"hertz", FileKind::mechanism},
-    StatedBy{"reye", FileKind::mechanism},   StatedBy{"impact", FileKind::mechanism}, StatedBy{"positions", FileKind::mechanism},
+    StatedBy{"cam", FileKind::cam},
+    StatedBy{"points", FileKind::mechanism},
+    StatedBy{"bodies", FileKind::mechanism},
+    StatedBy{"joints", FileKind::mechanism},
+    StatedBy{"motion", FileKind::mechanism},
+    StatedBy{"hertz", FileKind::mechanism},
+    StatedBy{"reye", FileKind::mechanism},
+    StatedBy{"impact", FileKind::mechanism},
+    StatedBy{"positions", FileKind::mechanism},
 };
 
 /// What the file says first of a kind.
@@ -38,10 +44,11 @@ std::optional<std::pair<JsonValue, Words>> fault_of_kind(JsonValue root, FileKin
     if (!other) return std::nullopt;
     const std::string key = quoted(other.key());
     if (wants_cam)
-        return std::pair{other, Words("no cam stands in this file: {0} is of a mechanism or a problem; use \"kinegraph solve\"",
-                                      "in questo file non c’è una camma: {0} è di un meccanismo o di un problema; usare "
-                                      "\"kinegraph solve\"",
-                                      key)};
+        return std::pair{
+            other, Words("no cam stands in this file: {0} is of a mechanism or a problem; use \"kinegraph solve\"",
+                         "in questo file non c’è una camma: {0} è di un meccanismo o di un problema; usare "
+                         "\"kinegraph solve\"",
+                         key)};
     return std::pair{other, Words("no mechanism stands in this file but a cam; use \"kinegraph cam\"",
                                   "in questo file non c’è un meccanismo ma una camma; usare \"kinegraph cam\"")};
 }

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/number/assert.hpp"
 #include "engine/file/scanner.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph {
 namespace {
@@ -19,8 +19,8 @@ using Outcome = tl::expected<Measured, Words>;
 
 /// What a formula hands on.
 constexpr int kept_bits = 200;
-/// What it reckons with: three times as much, so that the difference of two roots that is zero shrinks to what they leave open
-/// here, while one that is not stays far above it.
+/// What it reckons with: three times as much, so that the difference of two roots that is zero shrinks to what they
+/// leave open here, while one that is not stays far above it.
 constexpr int working_bits = 600;
 /// More than these, and a number is rounded to twice the bits that count: a power of a power would grow without use.
 constexpr std::size_t most_bits = 4096;
@@ -47,46 +47,31 @@ int order_of(const Exact& value) {
 }
 
 /// To so many bits of its own size.
-Exact rounded_to_size(const Exact& value, int bits) { return value.is_zero() ? value : rounded(value, bits - order_of(value)); }
+Exact rounded_to_size(const Exact& value, int bits) {
+    return value.is_zero() ? value : rounded(value, bits - order_of(value));
+}
 
 // ----- dimensions
 
 Dimension dimension_of(QuantityKind kind) {
     switch (kind) {
-        case QuantityKind::dimensionless:
-            return {};
-        case QuantityKind::length:
-            return {.length = 1};
-        case QuantityKind::angle:
-            return {.angle = 1};
-        case QuantityKind::angular_velocity:
-            return {.time = -1, .angle = 1};
-        case QuantityKind::angular_acceleration:
-            return {.time = -2, .angle = 1};
-        case QuantityKind::velocity:
-            return {.length = 1, .time = -1};
-        case QuantityKind::acceleration:
-            return {.length = 1, .time = -2};
-        case QuantityKind::mass:
-            return {.mass = 1};
-        case QuantityKind::force:
-            return {.length = 1, .mass = 1, .time = -2};
-        case QuantityKind::moment:
-            return {.length = 2, .mass = 1, .time = -2};
-        case QuantityKind::inertia:
-            return {.length = 2, .mass = 1};
-        case QuantityKind::pressure:
-            return {.length = -1, .mass = 1, .time = -2};
-        case QuantityKind::time:
-            return {.time = 1};
-        case QuantityKind::area:
-            return {.length = 2};
-        case QuantityKind::force_per_length:
-            return {.mass = 1, .time = -2};
-        case QuantityKind::torsional_stiffness:
-            return {.length = 2, .mass = 1, .time = -2, .angle = -1};
-        case QuantityKind::wear:
-            return {.length = 1, .mass = -1, .time = 2};
+        case QuantityKind::dimensionless: return {};
+        case QuantityKind::length: return {.length = 1};
+        case QuantityKind::angle: return {.angle = 1};
+        case QuantityKind::angular_velocity: return {.time = -1, .angle = 1};
+        case QuantityKind::angular_acceleration: return {.time = -2, .angle = 1};
+        case QuantityKind::velocity: return {.length = 1, .time = -1};
+        case QuantityKind::acceleration: return {.length = 1, .time = -2};
+        case QuantityKind::mass: return {.mass = 1};
+        case QuantityKind::force: return {.length = 1, .mass = 1, .time = -2};
+        case QuantityKind::moment: return {.length = 2, .mass = 1, .time = -2};
+        case QuantityKind::inertia: return {.length = 2, .mass = 1};
+        case QuantityKind::pressure: return {.length = -1, .mass = 1, .time = -2};
+        case QuantityKind::time: return {.time = 1};
+        case QuantityKind::area: return {.length = 2};
+        case QuantityKind::force_per_length: return {.mass = 1, .time = -2};
+        case QuantityKind::torsional_stiffness: return {.length = 2, .mass = 1, .time = -2, .angle = -1};
+        case QuantityKind::wear: return {.length = 1, .mass = -1, .time = 2};
     }
     KG_ASSERT(false, "every kind has a dimension");
 }
@@ -177,34 +162,33 @@ Bounded root_of(const Exact& value, unsigned order) {
     return {Exact(mpq_class(scaled)) * Exact::power_of_two(-shift), Exact::power_of_two(-shift)};
 }
 
-/// Sine and cosine of an angle in degrees; rounded to a grid of 2^-600 that holds 0, ±1/2 and ±1, so these come out exactly.
+/// Sine and cosine of an angle in degrees; rounded to a grid of 2^-600 that holds 0, ±1/2 and ±1, so these come out
+/// exactly.
 std::pair<Exact, Exact> sine_and_cosine(const Exact& degrees) {
     const Exact turns = degrees / 360;
     const Exact whole(mpq_class(mpz_class(turns.rational().get_num() / turns.rational().get_den())));
     Exact rest = turns - whole;  // in (-1, 1)
     if (rest.sign() < 0) rest += 1;
     const Exact quarters = 4 * rest;
-    const int quarter = static_cast<int>(mpz_class(quarters.rational().get_num() / quarters.rational().get_den()).get_si());
+    const int quarter =
+        static_cast<int>(mpz_class(quarters.rational().get_num() / quarters.rational().get_den()).get_si());
     const Exact within = quarters - quarter;  // of a right angle, in [0, 1)
     const Exact t = tangent_in_first_octant(within / 4, working_bits + guard_bits);
     const Exact down = 1 + square(t);
     const Exact sine = rounded(2 * t / down, working_bits);
     const Exact cosine = rounded((1 - square(t)) / down, working_bits);
     switch (quarter) {
-        case 0:
-            return {sine, cosine};
-        case 1:
-            return {cosine, -sine};
-        case 2:
-            return {-sine, -cosine};
-        default:
-            return {-cosine, sine};
+        case 0: return {sine, cosine};
+        case 1: return {cosine, -sine};
+        case 2: return {-sine, -cosine};
+        default: return {-cosine, sine};
     }
 }
 
 // ----- the grammar
 
-constexpr std::array<std::string_view, 9> words_of_formulas{"sqrt", "sin", "cos", "tan", "atan2", "abs", "min", "max", "pi"};
+constexpr std::array<std::string_view, 9> words_of_formulas{"sqrt", "sin", "cos", "tan", "atan2",
+                                                            "abs",  "min", "max", "pi"};
 
 /// How many bytes of UTF-8 a letter of a name takes here; 0: none begins here.
 std::size_t letter_at(std::string_view text, std::size_t at) {
@@ -226,7 +210,8 @@ std::size_t name_length(std::string_view text) {
 }
 
 bool is_function(std::string_view name) {
-    return name != "pi" && std::find(words_of_formulas.begin(), words_of_formulas.end(), name) != words_of_formulas.end();
+    return name != "pi" &&
+           std::find(words_of_formulas.begin(), words_of_formulas.end(), name) != words_of_formulas.end();
 }
 
 class Descent : Scanner {
@@ -269,8 +254,8 @@ private:
             const std::string_view spelt = rest().substr(0, length);
             if (spelt.ends_with(' ') || unit_spelt(spelt) == nullptr || letter_at(rest(), length) > 0) continue;
             if (means_something(spelt)) break;
-            return Words("a unit stands behind a number: write … * 1 {0}", "un’unità sta dopo un numero: scrivere … * 1 {0}",
-                         std::string(spelt));
+            return Words("a unit stands behind a number: write … * 1 {0}",
+                         "un’unità sta dopo un numero: scrivere … * 1 {0}", std::string(spelt));
         }
         const std::string_view word = rest().substr(0, name_length(rest()));
         if (means_something(word)) return product_wanted("…", word);
@@ -280,9 +265,10 @@ private:
 
     Outcome sum() {
         if (++depth_ > deepest)
-            return refused({"a formula with more than {0} brackets within each other; name a part of it as a parameter",
-                            "una formula con più di {0} parentesi una dentro l’altra; dare un nome a una parte come parametro",
-                            std::to_string(deepest)});
+            return refused(
+                {"a formula with more than {0} brackets within each other; name a part of it as a parameter",
+                 "una formula con più di {0} parentesi una dentro l’altra; dare un nome a una parte come parametro",
+                 std::to_string(deepest)});
         Outcome result = product();
         while (result) {
             const bool plus = takes('+');
@@ -383,8 +369,8 @@ private:
         return !word.empty() && (word == "pi" || is_function(word) || look_up_(word).has_value());
     }
     static Words product_wanted(std::string_view first, std::string_view second) {
-        return {"a product is written with *: {0}*{1}, not {0} {1}", "il prodotto si scrive con *: {0}*{1}, non {0} {1}",
-                std::string(first), std::string(second)};
+        return {"a product is written with *: {0}*{1}, not {0} {1}",
+                "il prodotto si scrive con *: {0}*{1}, non {0} {1}", std::string(first), std::string(second)};
     }
     /// "12 cm^2" is the square of 12 cm, as it ever was; "12 cm²" is an area.
     static bool means_a_power(std::string_view spelt) {
@@ -407,8 +393,9 @@ private:
             if (spelt.find('*') != std::string_view::npos || spelt.ends_with(' ') || spelt.starts_with(' ')) continue;
             const bool ends_a_letter = letter_at(spelt, length - 1) > 0;
             const std::size_t behind = from + length;
-            const bool goes_on = behind < text_.size() &&
-                                 (letter_at(text_, behind) > 0 || std::isdigit(static_cast<unsigned char>(text_[behind])) != 0);
+            const bool goes_on =
+                behind < text_.size() &&
+                (letter_at(text_, behind) > 0 || std::isdigit(static_cast<unsigned char>(text_[behind])) != 0);
             if (ends_a_letter && goes_on) continue;
             if (means_a_power(spelt) || divides_by_a_name(spelt)) continue;
             if (const KnownUnit* unit = unit_spelt(spelt)) {
@@ -420,7 +407,8 @@ private:
     }
 
     Outcome function(std::string_view name) {
-        if (!takes('(')) return refused({"{0} is a function; write {0}(…)", "{0} è una funzione; scrivere {0}(…)", name});
+        if (!takes('('))
+            return refused({"{0} is a function; write {0}(…)", "{0} è una funzione; scrivere {0}(…)", name});
         std::vector<Measured> arguments;
         do {
             Outcome argument = sum();
@@ -431,8 +419,9 @@ private:
         const bool any_number = name == "min" || name == "max";
         const std::size_t wanted = name == "atan2" ? 2 : 1;
         if (!any_number && arguments.size() != wanted)
-            return refused({"{0} is written {1}, with {2} between the brackets", "{0} si scrive {1}, con {2} fra le parentesi",
-                            name, std::string(name == "atan2" ? "atan2(y, x)" : std::string(name) + "(x)"),
+            return refused({"{0} is written {1}, with {2} between the brackets",
+                            "{0} si scrive {1}, con {2} fra le parentesi", name,
+                            std::string(name == "atan2" ? "atan2(y, x)" : std::string(name) + "(x)"),
                             wanted == 1 ? Words("one value", "un valore") : Words("two values", "due valori")});
         if (any_number) return extreme(name == "min", std::move(arguments));
         if (name == "atan2") return arc(arguments[0], arguments[1]);
@@ -449,8 +438,8 @@ private:
     Outcome settled(Measured result) const {
         if (result.error.sign() > 0) heed_error(result);
         if (!result.value.is_zero() && std::abs(order_of(result.value)) > 1000)
-            return refused(
-                {"a value of the formula lies outside 1e-300 … 1e300", "un valore della formula è fuori da 1e-300 … 1e300"});
+            return refused({"a value of the formula lies outside 1e-300 … 1e300",
+                            "un valore della formula è fuori da 1e-300 … 1e300"});
         if (result.value.bits() > most_bits) {
             const int places = 2 * working_bits - order_of(result.value);
             result.value = rounded(result.value, places);
@@ -495,8 +484,8 @@ private:
     }
     Outcome added(Measured a, Measured b, bool plus) const {
         if (auto why = match(a, b)) {
-            Words message(plus ? "{0} in a sum" : "{0} in a difference", plus ? "{0} in una somma" : "{0} in una differenza",
-                          *why);
+            Words message(plus ? "{0} in a sum" : "{0} in a difference",
+                          plus ? "{0} in una somma" : "{0} in una differenza", *why);
             const bool lacks_unit = a.is_bare != b.is_bare;
             if (lacks_unit) message += Words("; the bare number wants a unit", "; il numero puro vuole un’unità");
             return refused(std::move(message));
@@ -529,14 +518,15 @@ private:
         const Dimension& d = result.dimension;
         for (const int exponent : {d.length, d.mass, d.time, d.angle})
             if (std::abs(exponent) > highest)
-                return refused({"a power of a unit beyond {0}", "una potenza di un’unità oltre {0}", std::to_string(highest)});
+                return refused(
+                    {"a power of a unit beyond {0}", "una potenza di un’unità oltre {0}", std::to_string(highest)});
         return settled(std::move(result));
     }
     Outcome raised(const Measured& base, const Measured& exponent) const {
         constexpr int highest = 1000, finest = 60;
         if (!exponent.dimension.is_a_number())
-            return refused({"an exponent must be a bare number, not {0}", "un esponente deve essere un numero puro, non {0}",
-                            described(exponent)});
+            return refused({"an exponent must be a bare number, not {0}",
+                            "un esponente deve essere un numero puro, non {0}", described(exponent)});
         const Exact number = handed_on(exponent);
         const mpq_class& power = number.rational();
         if (abs(number) > Exact(highest) || power.get_den() > finest)
@@ -546,12 +536,14 @@ private:
         const long whole = power.get_num().get_si();
         Outcome result = root(base, static_cast<unsigned>(power.get_den().get_ui()));
         if (!result) return result;
-        if (whole < 0 && result->value.is_zero()) return refused({"the formula divides by zero", "la formula divide per zero"});
+        if (whole < 0 && result->value.is_zero())
+            return refused({"the formula divides by zero", "la formula divide per zero"});
         const Measured one = *result;
         Measured product = bare(Exact(1));
         product.is_bare = one.is_bare;
         Outcome grown = product;
-        for (long i = 0; i < std::abs(whole) && grown; ++i) grown = whole > 0 ? multiplied(*grown, one) : divided(*grown, one);
+        for (long i = 0; i < std::abs(whole) && grown; ++i)
+            grown = whole > 0 ? multiplied(*grown, one) : divided(*grown, one);
         if (grown) join(*grown, exponent.is_bare ? bare(Exact(1)) : one);
         return grown;
     }
@@ -577,8 +569,8 @@ private:
         if (angle.dimension.is_a_number()) {
             scale(angle, 1 / degree());  // a bare number is in radians here, as everywhere in mathematics
         } else if (angle.dimension != Dimension{.angle = 1}) {
-            return refused(
-                {"{0} is taken of an angle, not of {1}", "{0} si calcola di un angolo, non di {1}", name, described(angle)});
+            return refused({"{0} is taken of an angle, not of {1}", "{0} si calcola di un angolo, non di {1}", name,
+                            described(angle)});
         }
         const auto [sine, cosine] = sine_and_cosine(angle.value);
         // A degree is less than 1/32; 0, ±1/2 and ±1 are exact where the angle is.
@@ -592,7 +584,8 @@ private:
         Bounded found = bounded(name == "cos" ? cosine : sine);
         if (name == "tan") {
             const Bounded below = bounded(cosine);
-            if (below.is_zero()) return refused({"tan of a right angle has no value", "tan di un angolo retto non ha valore"});
+            if (below.is_zero())
+                return refused({"tan of a right angle has no value", "tan di un angolo retto non ha valore"});
             // In the middle of a quadrant ±1, exactly where the angle is.
             const bool is_diagonal = angle.error.is_zero() && abs(sine) == abs(cosine);
             found = is_diagonal ? Bounded{sine / cosine, {}} : quotient(found, below);
@@ -604,7 +597,8 @@ private:
     }
     Outcome arc(Measured y, Measured x) const {
         if (const auto why = match(y, x)) return refused({"{0} in atan2(y, x)", "{0} in atan2(y, x)", *why});
-        if (x.value.is_zero() && y.value.is_zero()) return refused({"atan2(0, 0) has no value", "atan2(0, 0) non ha valore"});
+        if (x.value.is_zero() && y.value.is_zero())
+            return refused({"atan2(0, 0) has no value", "atan2(0, 0) non ha valore"});
         join(y, x);
         const bool exact = x.value.is_zero() || y.value.is_zero() || abs(x.value) == abs(y.value);
         // The end of a vector that is off by δ turns by no more than π/2 · δ/|vector|.
@@ -659,7 +653,8 @@ tl::expected<WrittenQuantity, Words> as_quantity(const Measured& value, Quantity
     static const KnownUnit* const degrees = unit_spelt("deg");
     static const KnownUnit* const radians = unit_spelt("rad");
     const Dimension wanted = dimension_of(kind);
-    if (value.is_bare && kind == QuantityKind::angle && value.is_in_radians) return WrittenQuantity{handed_on(value), radians};
+    if (value.is_bare && kind == QuantityKind::angle && value.is_in_radians)
+        return WrittenQuantity{handed_on(value), radians};
     if (value.is_bare) return WrittenQuantity{handed_on(value), &bare_unit};
     if (kind == QuantityKind::angle) {
         if (value.dimension == wanted) return WrittenQuantity{handed_on(value), degrees};
@@ -667,14 +662,14 @@ tl::expected<WrittenQuantity, Words> as_quantity(const Measured& value, Quantity
     } else if (same_but_for_angle(value.dimension, wanted)) {
         return WrittenQuantity{handed_on(without_angle(value)) / bare_unit.si, &bare_unit};
     }
-    return refused(
-        {"the formula gives {0}; {1} is wanted here", "la formula dà {0}; qui serve {1}", described(value), with_article(kind)});
+    return refused({"the formula gives {0}; {1} is wanted here", "la formula dà {0}; qui serve {1}", described(value),
+                    with_article(kind)});
 }
 
 tl::expected<Exact, Words> as_number(const Measured& value) {
     if (value.dimension.is_a_number()) return handed_on(value);
-    return refused(
-        {"the formula gives {0}; a bare number is wanted here", "la formula dà {0}; qui serve un numero puro", described(value)});
+    return refused({"the formula gives {0}; a bare number is wanted here",
+                    "la formula dà {0}; qui serve un numero puro", described(value)});
 }
 
 Words described(const Measured& value) {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "engine/number/assert.hpp"
 #include "engine/file/units.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph {
 namespace {
@@ -68,8 +68,8 @@ Words reason(std::string_view what) {
     return {english, translated(english, parser_faults)};
 }
 
-/// Literals past the range of doubles, which the parser refuses though we want to say what is wrong with them, by their place in
-/// the order of all numbers; and the text with harmless ones of the same length instead.
+/// Literals past the range of doubles, which the parser refuses though we want to say what is wrong with them, by their
+/// place in the order of all numbers; and the text with harmless ones of the same length instead.
 struct Overflows {
     std::string text;
     std::vector<std::pair<std::size_t, std::string>> literals;
@@ -106,7 +106,8 @@ Overflows without_overflows(std::string_view text) {
             if (exponent != std::string_view::npos)
                 std::replace_if(
                     found.text.begin() + static_cast<std::ptrdiff_t>(exponent),
-                    found.text.begin() + static_cast<std::ptrdiff_t>(at), [](char c) { return c >= '1' && c <= '9'; }, '0');
+                    found.text.begin() + static_cast<std::ptrdiff_t>(at), [](char c) { return c >= '1' && c <= '9'; },
+                    '0');
             const std::size_t integer_end = std::min({point, exponent, at});
             if (integer_end - first > safe_length) {
                 if (point != std::string_view::npos) found.text[point] = '0';
@@ -160,11 +161,12 @@ public:
         overflow_ = error.id == number_overflow;
         const bool blank = text_.find_first_not_of(" \t\r\n") == std::string_view::npos;
         const std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
-        const Words empty("the file is empty; a mechanism is a JSON object", "il file è vuoto; un meccanismo è un oggetto JSON");
+        const Words empty("the file is empty; a mechanism is a JSON object",
+                          "il file è vuoto; un meccanismo è un oggetto JSON");
         fault_ = Error{ErrorCode::bad_input, "",
                        blank ? empty
-                             : Words("{0}: this is not JSON: {1}", "{0}: non è JSON: {1}", line_and_column(text_, offset),
-                                     reason(error.what()))};
+                             : Words("{0}: this is not JSON: {1}", "{0}: non è JSON: {1}",
+                                     line_and_column(text_, offset), reason(error.what()))};
         return false;
     }
 
@@ -226,10 +228,10 @@ private:
         if (open_.size() <= deepest) return true;
         // The place: no deeper than a reader can follow.
         constexpr std::size_t readable = 3;
-        fault_ = Error{
-            ErrorCode::bad_input, JsonValue(&source_, open_[readable].node).pointer(),
-            Words("nested deeper than {0} levels; no mechanism file needs more than ten",
-                  "annidato oltre {0} livelli; a nessun file di meccanismi ne servono più di dieci", std::to_string(deepest))};
+        fault_ = Error{ErrorCode::bad_input, JsonValue(&source_, open_[readable].node).pointer(),
+                       Words("nested deeper than {0} levels; no mechanism file needs more than ten",
+                             "annidato oltre {0} livelli; a nessun file di meccanismi ne servono più di dieci",
+                             std::to_string(deepest))};
         return false;
     }
     bool close() {
@@ -239,7 +241,8 @@ private:
     void find_duplicates(std::uint32_t object) {
         std::vector<std::pair<std::string_view, std::uint32_t>> keys;
         keys.reserve(source_.nodes_[object].size);
-        for (std::uint32_t at = source_.nodes_[object].first_child; at != JsonSource::none; at = source_.nodes_[at].next) {
+        for (std::uint32_t at = source_.nodes_[object].first_child; at != JsonSource::none;
+             at = source_.nodes_[at].next) {
             keys.emplace_back(source_.slice(source_.nodes_[at].key_at, source_.nodes_[at].key_size), at);
         }
         std::sort(keys.begin(), keys.end());
@@ -269,10 +272,10 @@ Result<JsonSource> JsonSource::read(std::string_view text) {
     const auto whole = [&](JsonTreeBuilder& builder) -> Result<JsonSource> {
         const std::size_t nul = text.find('\0');
         if (nul == std::string_view::npos) return builder.take();
-        return tl::make_unexpected(
-            Errors{{ErrorCode::bad_input,
-                    "",
-                    {"{0}: this is not JSON: a NUL byte", "{0}: non è JSON: un byte NUL", line_and_column(text, nul)}}});
+        return tl::make_unexpected(Errors{
+            {ErrorCode::bad_input,
+             "",
+             {"{0}: this is not JSON: a NUL byte", "{0}: non è JSON: un byte NUL", line_and_column(text, nul)}}});
     };
     JsonTreeBuilder builder(text);
     if (nlohmann::json::sax_parse(text, &builder)) return whole(builder);

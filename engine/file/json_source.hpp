@@ -1,5 +1,6 @@
-// JsonSource: the text of a JSON file as a tree that forgets nothing a reader of it needs: members in the file's order, numbers
-// as they are written, the place of every value. Owns syntax, depth and duplicate keys; knows nothing of mechanisms.
+// JsonSource: the text of a JSON file as a tree that forgets nothing a reader of it needs: members in the file's order,
+// numbers as they are written, the place of every value. Owns syntax, depth and duplicate keys; knows nothing of
+// mechanisms.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +30,8 @@ public:
     bool is_string() const { return kind() == Kind::string; }
     bool is_number() const { return kind() == Kind::number; }
 
-    /// A string's characters, a number's literal as the file writes it, "true", "false", "null"; empty for array and object.
+    /// A string's characters, a number's literal as the file writes it, "true", "false", "null"; empty for array and
+    /// object.
     std::string_view text() const;
     /// The name of this member of an object.
     std::string_view key() const;
@@ -75,7 +77,9 @@ private:
         std::uint32_t index = 0;  ///< among its parent's children
         std::uint32_t size = 0;
     };
-    std::string_view slice(std::uint32_t at, std::uint32_t size) const { return std::string_view(characters_).substr(at, size); }
+    std::string_view slice(std::uint32_t at, std::uint32_t size) const {
+        return std::string_view(characters_).substr(at, size);
+    }
 
     std::vector<Node> nodes_;  ///< in the file's order, the root first
     std::string characters_;   ///< of all keys, strings and numbers

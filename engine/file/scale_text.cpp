@@ -17,8 +17,8 @@ tl::expected<Exact, Words> read_scale(std::string_view text, QuantityKind kind) 
     };
     const auto refuse = [&](const Words& reason) {
         return tl::make_unexpected(Words("{0} is no scale of this figure: {1}; write one{2}",
-                                         "{0} non è una scala per questa figura: {1}; scriverne una{2}", quoted(text), reason,
-                                         scale_example(kind)));
+                                         "{0} non è una scala per questa figura: {1}; scriverne una{2}", quoted(text),
+                                         reason, scale_example(kind)));
     };
     const Exact millimetres_in_metre(1000);
     Exact paper;
@@ -50,8 +50,9 @@ tl::expected<Exact, Words> read_scale(std::string_view text, QuantityKind kind) 
         if (left->unit->kind != QuantityKind::length)
             return refuse({"on the left stands a length on paper", "a sinistra sta una lunghezza sulla carta"});
         if (right->unit->kind != kind) {
-            return refuse({"{0} is {1}, and {2} is wanted", "{0} è {1}, e serve {2}", quoted(trimmed(text.substr(at + size))),
-                           with_article(right->unit->kind), with_article(kind)});
+            return refuse({"{0} is {1}, and {2} is wanted", "{0} è {1}, e serve {2}",
+                           quoted(trimmed(text.substr(at + size))), with_article(right->unit->kind),
+                           with_article(kind)});
         }
         paper = left->in_si();
         drawn = right->in_si();

@@ -6,8 +6,8 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/number/exact.hpp"
 #include "engine/file/units.hpp"
+#include "engine/number/exact.hpp"
 
 namespace kinegraph {
 

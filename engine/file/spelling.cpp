@@ -12,19 +12,14 @@ using Kind = JsonValue::Kind;
 
 Words described(JsonValue value) {
     switch (value.kind()) {
-        case Kind::null:
-            return std::string_view("null");
-        case Kind::boolean:
-            return value.text();
-        case Kind::number:
-            return {"the number {0}", "il numero {0}", shown(value.text(), 40)};
-        case Kind::string:
-            return quoted(value.text());
+        case Kind::null: return std::string_view("null");
+        case Kind::boolean: return value.text();
+        case Kind::number: return {"the number {0}", "il numero {0}", shown(value.text(), 40)};
+        case Kind::string: return quoted(value.text());
         case Kind::array:
             if (value.size() == 0) return {"an empty array", "un array vuoto"};
             return {"an array of {0}", "un array di {0}", std::to_string(value.size())};
-        case Kind::object:
-            return {"an object", "un oggetto"};
+        case Kind::object: return {"an object", "un oggetto"};
     }
     KG_ASSERT(false, "every kind of value has a description");
 }

@@ -1,4 +1,5 @@
-// Spelling: how faults of a file describe what stands there, and which known name a misspelt one may mean. Knows no form.
+// Spelling: how faults of a file describe what stands there, and which known name a misspelt one may mean. Knows no
+// form.
 #pragma once
 
 #include <algorithm>
@@ -40,8 +41,8 @@ public:
             if (budget_ == 0) break;
             --budget_;
             if (name.size() > longest) continue;
-            // What is written otherwise but says the same is nearer than any other letter: "v_B" is "v B" rather than "v_C"; and
-            // the same letters in another order are nearer than others.
+            // What is written otherwise but says the same is nearer than any other letter: "v_B" is "v B" rather than
+            // "v_C"; and the same letters in another order are nearer than others.
             const std::string other = letters_of(name);
             const std::size_t said = edit_distance(letters, other, most);
             const std::size_t length = std::max(word.size(), name.size());

@@ -120,8 +120,8 @@ std::string normal_spelling(std::string_view text) {
         {{"·", " "}, {"⋅", " "}, {"*", " "}, {"²", "^2"}, {"°", "deg"}}};
     std::string plain;
     for (std::size_t at = 0; at < text.size();) {
-        const auto* found =
-            std::find_if(alike.begin(), alike.end(), [&](const auto& a) { return text.substr(at).starts_with(a.first); });
+        const auto* found = std::find_if(alike.begin(), alike.end(),
+                                         [&](const auto& a) { return text.substr(at).starts_with(a.first); });
         const std::string_view put = found == alike.end() ? text.substr(at, 1) : found->second;
         at += found == alike.end() ? 1 : found->first.size();
         if (put == " " && (plain.empty() || plain.back() == ' ')) continue;
@@ -176,48 +176,31 @@ std::size_t number_length(std::string_view text) {
 
 Words name_of(QuantityKind kind) {
     switch (kind) {
-        case QuantityKind::dimensionless:
-            return {"bare number", "numero puro"};
-        case QuantityKind::length:
-            return {"length", "lunghezza"};
-        case QuantityKind::angle:
-            return {"angle", "angolo"};
-        case QuantityKind::angular_velocity:
-            return {"angular velocity", "velocità angolare"};
-        case QuantityKind::angular_acceleration:
-            return {"angular acceleration", "accelerazione angolare"};
-        case QuantityKind::velocity:
-            return {"velocity", "velocità"};
-        case QuantityKind::acceleration:
-            return {"acceleration", "accelerazione"};
-        case QuantityKind::mass:
-            return {"mass", "massa"};
-        case QuantityKind::force:
-            return {"force", "forza"};
-        case QuantityKind::moment:
-            return {"moment", "momento"};
-        case QuantityKind::inertia:
-            return {"moment of inertia", "momento d’inerzia"};
-        case QuantityKind::pressure:
-            return {"pressure", "pressione"};
-        case QuantityKind::time:
-            return {"time", "durata"};
-        case QuantityKind::area:
-            return {"area", "area"};
-        case QuantityKind::force_per_length:
-            return {"force per length", "forza per unità di lunghezza"};
-        case QuantityKind::torsional_stiffness:
-            return {"torsional stiffness", "rigidezza torsionale"};
-        case QuantityKind::wear:
-            return {"coefficient of wear", "coefficiente d’usura"};
+        case QuantityKind::dimensionless: return {"bare number", "numero puro"};
+        case QuantityKind::length: return {"length", "lunghezza"};
+        case QuantityKind::angle: return {"angle", "angolo"};
+        case QuantityKind::angular_velocity: return {"angular velocity", "velocità angolare"};
+        case QuantityKind::angular_acceleration: return {"angular acceleration", "accelerazione angolare"};
+        case QuantityKind::velocity: return {"velocity", "velocità"};
+        case QuantityKind::acceleration: return {"acceleration", "accelerazione"};
+        case QuantityKind::mass: return {"mass", "massa"};
+        case QuantityKind::force: return {"force", "forza"};
+        case QuantityKind::moment: return {"moment", "momento"};
+        case QuantityKind::inertia: return {"moment of inertia", "momento d’inerzia"};
+        case QuantityKind::pressure: return {"pressure", "pressione"};
+        case QuantityKind::time: return {"time", "durata"};
+        case QuantityKind::area: return {"area", "area"};
+        case QuantityKind::force_per_length: return {"force per length", "forza per unità di lunghezza"};
+        case QuantityKind::torsional_stiffness: return {"torsional stiffness", "rigidezza torsionale"};
+        case QuantityKind::wear: return {"coefficient of wear", "coefficiente d’usura"};
     }
     KG_ASSERT(false, "every kind has a name");
 }
 
 Words with_article(QuantityKind kind) {
     const Words name = name_of(kind);
-    const bool masculine = kind == QuantityKind::dimensionless || kind == QuantityKind::angle || kind == QuantityKind::moment ||
-                           kind == QuantityKind::inertia || kind == QuantityKind::wear;
+    const bool masculine = kind == QuantityKind::dimensionless || kind == QuantityKind::angle ||
+                           kind == QuantityKind::moment || kind == QuantityKind::inertia || kind == QuantityKind::wear;
     const std::string_view feminine = name.it.starts_with('a') ? "un’" : "una ";
     return {(name.en.starts_with('a') ? "an " : "a ") + name.en, std::string(masculine ? "un " : feminine) + name.it};
 }
@@ -241,7 +224,8 @@ const KnownUnit* unit_spelt(std::string_view text) {
 
 const KnownUnit& default_unit(QuantityKind kind) {
     const auto units = known_units();
-    const auto found = std::find_if(units.begin(), units.end(), [&](const KnownUnit& unit) { return unit.kind == kind; });
+    const auto found =
+        std::find_if(units.begin(), units.end(), [&](const KnownUnit& unit) { return unit.kind == kind; });
     KG_ASSERT(found != units.end(), "every kind that has units has a first one");
     return *found;
 }
@@ -270,9 +254,9 @@ tl::expected<Exact, Words> read_decimal(std::string_view text) {
         return tl::make_unexpected(Words("{0} is no decimal number", "{0} non è un numero decimale", quoted(text)));
     };
     const auto out_of_range = [&] {
-        return tl::make_unexpected(Words("{0} is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie",
-                                         "{0} è fuori da 1e-60 … 1e60 (in unità SI), dove deve stare un numero diverso da zero",
-                                         shown(text, 40)));
+        return tl::make_unexpected(Words(
+            "{0} is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie",
+            "{0} è fuori da 1e-60 … 1e60 (in unità SI), dove deve stare un numero diverso da zero", shown(text, 40)));
     };
     std::size_t at = 0;
     const bool negative = text.starts_with('-');
@@ -305,14 +289,16 @@ tl::expected<Exact, Words> read_decimal(std::string_view text) {
         if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
         const std::size_t first = at;
         constexpr std::int64_t enough = 1'000'000'000'000;  // no text is long enough to make up for it
-        for (; at < text.size() && is_digit(text[at]); ++at) exponent = std::min(enough, exponent * 10 + (text[at] - '0'));
+        for (; at < text.size() && is_digit(text[at]); ++at)
+            exponent = std::min(enough, exponent * 10 + (text[at] - '0'));
         if (at == first) return no_number();
         if (down) exponent = -exponent;
     }
     if (at != text.size()) return no_number();
     if (written > most_digits) {
         return tl::make_unexpected(Words("a number of {0} digits; 1000 are the most that are read",
-                                         "un numero di {0} cifre; se ne leggono al massimo 1000", std::to_string(written)));
+                                         "un numero di {0} cifre; se ne leggono al massimo 1000",
+                                         std::to_string(written)));
     }
     if (digits.empty()) return Exact();
     order += exponent;
@@ -347,8 +333,9 @@ tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, Quanti
         const bool typographic_minus = text.starts_with("−") || text.starts_with("–");
         return tl::make_unexpected(
             Words("{0} is no quantity; {1}", "{0} non è una grandezza; {1}", quoted(text),
-                  typographic_minus ? Words("a minus is written \"-\"", "il meno si scrive \"-\"")
-                                    : Words("write a number and its unit{0}", "scrivere un numero e la sua unità{0}", example)));
+                  typographic_minus
+                      ? Words("a minus is written \"-\"", "il meno si scrive \"-\"")
+                      : Words("write a number and its unit{0}", "scrivere un numero e la sua unità{0}", example)));
     }
     auto value = read_decimal(number);
     if (!value) return tl::make_unexpected(value.error());
@@ -357,8 +344,8 @@ tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, Quanti
     while (unit.ends_with(' ')) unit.remove_suffix(1);
     if (unit.empty())
         return tl::make_unexpected(Words("{0} has no unit; add one{1}, or write the number without quotes",
-                                         "{0} non ha unità; aggiungerla{1}, o scrivere il numero senza virgolette", quoted(text),
-                                         example));
+                                         "{0} non ha unità; aggiungerla{1}, o scrivere il numero senza virgolette",
+                                         quoted(text), example));
     const KnownUnit* known = unit_spelt(unit);
     if (known == nullptr) return tl::make_unexpected(unknown_unit_message(unit, wanted));
     return WrittenQuantity{std::move(*value), known};

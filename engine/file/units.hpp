@@ -1,5 +1,5 @@
-// Units: the table of every unit that a file may write, and the reading of decimals and of quantities ("31.8 cm", "120 rpm") from
-// text, exactly. Knows nothing of JSON nor of what a quantity is wanted for.
+// Units: the table of every unit that a file may write, and the reading of decimals and of quantities ("31.8 cm", "120
+// rpm") from text, exactly. Knows nothing of JSON nor of what a quantity is wanted for.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/number/exact.hpp"
 #include "engine/file/words.hpp"
+#include "engine/number/exact.hpp"
 
 namespace kinegraph {
 
@@ -39,8 +39,8 @@ Words name_of(QuantityKind kind);
 /// "a length", "an angle".
 Words with_article(QuantityKind kind);
 
-/// One row of the table: `si` is the unit's size in m, rad, rad/s, rad/s², m/s, m/s², kg, N, N m, kg m², Pa, s, m², N/m, N m/rad
-/// or m²/N.
+/// One row of the table: `si` is the unit's size in m, rad, rad/s, rad/s², m/s, m/s², kg, N, N m, kg m², Pa, s, m²,
+/// N/m, N m/rad or m²/N.
 struct KnownUnit {
     QuantityKind kind = QuantityKind::dimensionless;
     std::string_view symbol;  ///< as it is printed: "kg m²"
@@ -58,9 +58,9 @@ std::string units_of(QuantityKind kind);
 /// `unknown unit "Nm" (did you mean "N m"?); units of moment are N m, …`. `wanted` may be dimensionless: no list then.
 Words unknown_unit_message(std::string_view text, QuantityKind wanted);
 
-/// A decimal as JSON writes it (a leading + is let pass), exactly. Refused, with the reason: what is no decimal, more than
-/// 1000 digits, a non-zero magnitude so far outside 1e-60 … 1e60 that no unit brings it back. Costs no more than the text's
-/// length, whatever the exponent says.
+/// A decimal as JSON writes it (a leading + is let pass), exactly. Refused, with the reason: what is no decimal, more
+/// than 1000 digits, a non-zero magnitude so far outside 1e-60 … 1e60 that no unit brings it back. Costs no more than
+/// the text's length, whatever the exponent says.
 tl::expected<Exact, Words> read_decimal(std::string_view text);
 
 /// The rule of magnitudes: zero, or 1e-60 ≤ |in_si| ≤ 1e60.
@@ -76,13 +76,14 @@ struct WrittenQuantity {
 /// Number, optional space, unit. `wanted` serves the messages alone: the unit may be of another kind.
 tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, QuantityKind wanted);
 
-/// Text of a user as a message may show it: in quotes, control characters and broken UTF-8 spelt out, long text cut short.
+/// Text of a user as a message may show it: in quotes, control characters and broken UTF-8 spelt out, long text cut
+/// short.
 std::string quoted(std::string_view text);
 /// The same without the quotes; `longest` in bytes.
 std::string shown(std::string_view text, std::size_t longest);
 
-/// How many letters must be changed, added, left out or swapped with their neighbour to turn one word into the other; more than
-/// `most` is all the same.
+/// How many letters must be changed, added, left out or swapped with their neighbour to turn one word into the other;
+/// more than `most` is all the same.
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most);
 
 }  // namespace kinegraph

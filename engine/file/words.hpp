@@ -1,5 +1,6 @@
-// Words: a text in every language, kept side by side where it is made, so that none can be forgotten. What is said of a solution
-// has a table of its own (render/text/words.cpp); here are the titles of files and the faults of what people write.
+// Words: a text in every language, kept side by side where it is made, so that none can be forgotten. What is said of a
+// solution has a table of its own (render/text/words.cpp); here are the titles of files and the faults of what people
+// write.
 #pragma once
 
 #include <array>
@@ -46,8 +47,8 @@ private:
     static std::string filled(std::string_view pattern, const std::string_view* arguments, std::size_t count) {
         std::string text;
         for (std::size_t i = 0; i < pattern.size(); ++i) {
-            const bool place = pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}' && pattern[i + 1] >= '0' &&
-                               static_cast<std::size_t>(pattern[i + 1] - '0') < count;
+            const bool place = pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}' &&
+                               pattern[i + 1] >= '0' && static_cast<std::size_t>(pattern[i + 1] - '0') < count;
             if (!place) {
                 text += pattern[i];
                 continue;

@@ -60,7 +60,8 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
             Errors{fault("/cam/follower", {"the follower does not reach the base circle from its pivot",
                                            "la punteria non raggiunge la circonferenza di base dal suo perno"})});
     const double to_pivot = std::atan2(made.pivot_.y, made.pivot_.x);
-    made.first_angle_ = is_trace(follower) ? to_pivot + pi_ - side * std::acos(cosine) : to_pivot + side * std::acos(cosine);
+    made.first_angle_ =
+        is_trace(follower) ? to_pivot + pi_ - side * std::acos(cosine) : to_pivot + side * std::acos(cosine);
     // Away from the cam's centre: |C| grows, or the face's distance.
     const double grows = cross(direction(made.first_angle_), made.pivot_);
     made.rises_ = grows > 0 ? 1 : -1;
@@ -72,8 +73,8 @@ CamState CamGeometry::at(double turn, const LawState& rise) const {
     return is_trace(cam_->follower) ? of_trace(turn, rise) : of_face(turn, rise);
 }
 
-/// With complex numbers, ψ the cam's turn and c the trace point in the frame, the pitch curve is p = e^{−iψ} c on the cam, so
-/// that e^{iψ} p′ = c′ − i c and e^{iψ} p″ = c″ − 2i c′ − c. It is run through clockwise: convex is κ > 0.
+/// With complex numbers, ψ the cam's turn and c the trace point in the frame, the pitch curve is p = e^{−iψ} c on the
+/// cam, so that e^{iψ} p′ = c′ − i c and e^{iψ} p″ = c″ − 2i c′ − c. It is run through clockwise: convex is κ > 0.
 CamState CamGeometry::of_trace(double turn, const LawState& rise) const {
     CamState state;
     state.turn = turn;
@@ -103,8 +104,8 @@ CamState CamGeometry::of_trace(double turn, const LawState& rise) const {
     return state;
 }
 
-/// The face is the line X·N = H, N = e^{iγ} its normal away from the cam; on the cam its angle is φ = γ − ψ. The profile is the
-/// envelope with support function H(φ): contact at H N + (dH/dφ) iN, radius of curvature H + d²H/dφ².
+/// The face is the line X·N = H, N = e^{iγ} its normal away from the cam; on the cam its angle is φ = γ − ψ. The
+/// profile is the envelope with support function H(φ): contact at H N + (dH/dφ) iN, radius of curvature H + d²H/dφ².
 CamState CamGeometry::of_face(double turn, const LawState& rise) const {
     CamState state;
     state.turn = turn;
@@ -128,13 +129,15 @@ CamState CamGeometry::of_face(double turn, const LawState& rise) const {
     state.contact = height * normal + slope * quarter_turn(normal);
     state.trace = state.contact;
     state.curvature = state.pitch_curvature = 1 / radius;
-    const Spot way =
-        cam_->follower.moves == Follower::Moves::translating ? Spot{0, 1} : rises_ * quarter_turn(state.contact - pivot_);
+    const Spot way = cam_->follower.moves == Follower::Moves::translating
+                         ? Spot{0, 1}
+                         : rises_ * quarter_turn(state.contact - pivot_);
     state.pressure_angle = angle_from(way, normal);
     return state;
 }
 
-// --- as a mechanism file ------------------------------------------------------------------------------------------------------
+// --- as a mechanism file
+// ------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -144,8 +147,8 @@ std::string written(double value) {
     std::snprintf(text.data(), text.size(), "%.13g", value == 0 ? 0.0 : value);
     return text.data();
 }
-/// How far such a coordinate may be off beside the cam, in the cam's unit of length: points on a circle miss it by a few of its
-/// last digits.
+/// How far such a coordinate may be off beside the cam, in the cam's unit of length: points on a circle miss it by a
+/// few of its last digits.
 std::string precision_of(const Cam& cam) {
     constexpr int digits = 10;
     const double base = (cam.base_circle / cam.units.length.si).to_double();
@@ -181,8 +184,9 @@ public:
     std::string text() && {
         point("O", {0, 0});
         write_follower_points();
-        std::string file = "{\n  \"kinegraph\": 1,\n  \"title\": " + title_of(cam_, turn_) + ",\n  \"units\": " + units() +
-                           ",\n  \"precision\": " + precision_of(cam_) + ",\n  \"frame\": 1,\n  \"points\": {" + points_ +
+        std::string file = "{\n  \"kinegraph\": 1,\n  \"title\": " + title_of(cam_, turn_) +
+                           ",\n  \"units\": " + units() + ",\n  \"precision\": " + precision_of(cam_) +
+                           ",\n  \"frame\": 1,\n  \"points\": {" + points_ +
                            "\n  },\n  \"bodies\": {\n    \"2\": " + cam_body() + ",\n    \"3\": " + follower_body() +
                            "\n  },\n  \"joints\": [\n    {\"revolute\": \"O\", \"bodies\": [1, 2]},\n    " + contact() +
                            ",\n    " + guide() + "\n  ],\n  \"drivers\": [{\"body\": 2, \"omega\": " +
@@ -218,7 +222,8 @@ private:
                 point("P", state_.contact);
             else
                 placed("P", "{\"from\": \"C\", \"to\": \"" + std::string(centre()) + "\", \"distance\": " +
-                                written((state_.curvature > 0 ? 1 : -1) * cam_.follower.radius.to_double() / unit_) + "}");
+                                written((state_.curvature > 0 ? 1 : -1) * cam_.follower.radius.to_double() / unit_) +
+                                "}");
         } else {
             point("P", state_.contact);
         }
@@ -237,20 +242,21 @@ private:
     }
     std::string cam_body() const {
         if (is_round_about_origin_)
-            return "{\"points\": [\"O\"], \"circle\": {\"centre\": \"O\", \"radius\": " + written(1 / state_.curvature / unit_) +
-                   "}, \"label\": {\"en\": \"cam\", \"it\": \"camma\"}}";
-        const bool is_disc = !is_straight_ && state_.curvature > 0 && state_.curvature * cam_.base_circle.to_double() > 0.3;
+            return "{\"points\": [\"O\"], \"circle\": {\"centre\": \"O\", \"radius\": " +
+                   written(1 / state_.curvature / unit_) + "}, \"label\": {\"en\": \"cam\", \"it\": \"camma\"}}";
+        const bool is_disc =
+            !is_straight_ && state_.curvature > 0 && state_.curvature * cam_.base_circle.to_double() > 0.3;
         std::string body = is_straight_ ? "{\"points\": [\"O\"]" : "{\"points\": [\"O\", \"K\"]";
-        if (is_disc) body += ", \"circle\": {\"centre\": \"K\", \"radius\": " + written(1 / state_.curvature / unit_) + "}";
+        if (is_disc)
+            body += ", \"circle\": {\"centre\": \"K\", \"radius\": " + written(1 / state_.curvature / unit_) + "}";
         return body + ", \"label\": {\"en\": \"cam\", \"it\": \"camma\"}}";
     }
     std::string follower_body() const {
         const std::string label = ", \"label\": {\"en\": \"follower\", \"it\": \"punteria\"}}";
         const std::string guide = translates() ? "H" : "Q";
         if (cam_.follower.face == Follower::Face::roller)
-            return "{\"points\": [\"C\", \"" + guide +
-                   "\"], \"circle\": {\"centre\": \"C\", \"radius\": " + written(cam_.follower.radius.to_double() / unit_) + "}" +
-                   label;
+            return "{\"points\": [\"C\", \"" + guide + "\"], \"circle\": {\"centre\": \"C\", \"radius\": " +
+                   written(cam_.follower.radius.to_double() / unit_) + "}" + label;
         if (is_flat()) return "{\"points\": [\"F\", \"" + guide + "\"]" + label;
         return "{\"points\": [\"P\", \"" + guide + "\"]" + label;
     }

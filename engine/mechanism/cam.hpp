@@ -1,5 +1,6 @@
-// Cam: the disc cam that gives a follower a law of motion, and the same in one position as a mechanism file. The cam turns about
-// the origin; places are the frame's, in m, unless they say otherwise. Knows closed forms only; solving the file is others'.
+// Cam: the disc cam that gives a follower a law of motion, and the same in one position as a mechanism file. The cam
+// turns about the origin; places are the frame's, in m, unless they say otherwise. Knows closed forms only; solving the
+// file is others'.
 #pragma once
 
 #include <array>
@@ -8,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/number/geometry.hpp"
 #include "engine/mechanism/law_breaks.hpp"
 #include "engine/mechanism/mechanism.hpp"
+#include "engine/number/geometry.hpp"
 
 namespace kinegraph {
 
@@ -24,7 +25,8 @@ struct Follower {
     bool on_left = true;  ///< oscillating: the contact lies on the left of the way from the cam's centre to the pivot
 };
 
-/// A disc cam. The law is of the follower's rise (m, or rad, away from the cam) over the cam's turn (rad, as the cam runs).
+/// A disc cam. The law is of the follower's rise (m, or rad, away from the cam) over the cam's turn (rad, as the cam
+/// runs).
 struct Cam {
     std::string source;
     Words title;
@@ -48,7 +50,8 @@ struct CamState {
     double pitch_curvature = 0;  ///< of the pitch curve, 1/m; positive: convex. Of a flat face that of the profile
     double curvature = 0;        ///< of the working profile
     double pressure_angle = 0;   ///< between the normal and the way of the driven point, rad; signed
-    VectorOf<double> on_cam(const VectorOf<double>& place, double sense) const;  ///< as the cam sees it, as drawn at turn 0
+    VectorOf<double> on_cam(const VectorOf<double>& place,
+                            double sense) const;  ///< as the cam sees it, as drawn at turn 0
 };
 
 /// The closed forms of one cam, in doubles.
@@ -56,14 +59,15 @@ class CamGeometry {
 public:
     /// Errors: a follower that its base circle, offset, arm and pivot do not let touch the cam.
     static Result<CamGeometry> of(const Cam& cam);
-    /// Sources: pitch curve and envelope by its parallel at the roller's radius; flat faces by the support function of the
-    /// profile (E. A. Dijksman, Motion Geometry of Mechanisms; Norton, Cam Design, ch. 7).
+    /// Sources: pitch curve and envelope by its parallel at the roller's radius; flat faces by the support function of
+    /// the profile (E. A. Dijksman, Motion Geometry of Mechanisms; Norton, Cam Design, ch. 7).
     CamState at(double turn) const;
     /// The same with one side of a jump of the law, or any other state of it.
     CamState at(double turn, const LawState& rise) const;
     /// 1: the cam turns counter-clockwise, −1: clockwise.
     double sense() const { return sense_; }
-    /// Seen from the pivot, where the follower lies as its law begins: the angle of its arm, or of its face's outward normal.
+    /// Seen from the pivot, where the follower lies as its law begins: the angle of its arm, or of its face's outward
+    /// normal.
     double first_angle() const { return first_angle_; }
     /// 1 where an oscillating follower rises counter-clockwise, else −1.
     double rises() const { return rises_; }
@@ -77,14 +81,16 @@ private:
     VectorOf<double> pivot_;
 };
 
-/// The mechanism file of one position: cam and follower with the cam's centre of curvature at the contact, the cam driven.
+/// The mechanism file of one position: cam and follower with the cam's centre of curvature at the contact, the cam
+/// driven.
 std::string mechanism_file_of(const Cam& cam, const CamGeometry& geometry, double turn);
 
 /// Where the speed of the follower jumps: the acceleration is infinite there, and the pitch curve has a corner.
 struct CamCorner {
     CamState before, after;
-    /// The parallel at the roller's radius crosses itself there (convex corner), the envelope of a flat face turns back: what the
-    /// one position leaves, the other cuts away. Else an arc of the roller's radius, or a flat, joins both contacts.
+    /// The parallel at the roller's radius crosses itself there (convex corner), the envelope of a flat face turns
+    /// back: what the one position leaves, the other cuts away. Else an arc of the roller's radius, or a flat, joins
+    /// both contacts.
     bool is_cut = false;
 };
 
@@ -93,15 +99,16 @@ struct CamSummary {
     double most_pressure = 0, most_pressure_at = 0;     ///< the largest |pressure angle|, rad, and the turn
     std::optional<double> least_convex, least_concave;  ///< radii of curvature of the working profile, m
     double least_convex_at = 0, least_concave_at = 0;
-    /// From which turn to which the follower in another position cuts away what it touches: the law is lost there. In their
-    /// order; one over the law's beginning goes from a larger turn to a smaller one.
+    /// From which turn to which the follower in another position cuts away what it touches: the law is lost there. In
+    /// their order; one over the law's beginning goes from a larger turn to a smaller one.
     std::vector<std::array<double, 2>> undercuts;
     std::vector<CamCorner> corners;
     std::optional<std::array<double, 2>> face;  ///< a flat one: how far contact goes to both sides, m
 };
 CamSummary summary_of(const Cam& cam, const CamGeometry& geometry);
 
-/// The working profile as the cam sees it, closed: so many positions and, at corners that are not sharp, the roller's arc.
+/// The working profile as the cam sees it, closed: so many positions and, at corners that are not sharp, the roller's
+/// arc.
 std::vector<VectorOf<double>> working_profile(const Cam& cam, const CamGeometry& geometry, int positions);
 
 }  // namespace kinegraph

@@ -26,7 +26,8 @@ public:
         for (int i = 0; i < positions; ++i) others_.push_back(other(whole_turn * i / positions));
     }
 
-    /// The curvature alone tells it: a convex pitch curve tighter than the roller, a flat face whose envelope turns back.
+    /// The curvature alone tells it: a convex pitch curve tighter than the roller, a flat face whose envelope turns
+    /// back.
     bool is_tight(const CamState& state) const {
         if (is_flat_) return state.curvature <= 0 || !std::isfinite(state.curvature);
         return state.pitch_curvature * roller_ >= 1;
@@ -36,7 +37,8 @@ public:
         if (is_edge_) return false;
         if (is_tight(state)) return true;
         const Spot contact = on_cam(state, state.contact);
-        return std::any_of(others_.begin(), others_.end(), [&](const Other& each) { return depth_in(each, contact) > nothing_; });
+        return std::any_of(others_.begin(), others_.end(),
+                           [&](const Other& each) { return depth_in(each, contact) > nothing_; });
     }
     /// Between the turns a (not cut, unless `cut_first`) and b (then the other way round), to 1e-10 rad.
     double end_between(double a, double b, bool cut_first) const {
@@ -97,7 +99,8 @@ private:
     double size_of_step() const {
         double largest = 0;
         for (int i = 0; i < positions; ++i) {
-            const Other &a = others_[static_cast<std::size_t>(i)], &b = others_[static_cast<std::size_t>((i + 1) % positions)];
+            const Other &a = others_[static_cast<std::size_t>(i)],
+                        &b = others_[static_cast<std::size_t>((i + 1) % positions)];
             const Spot way = b.centre - a.centre;
             largest = std::max(largest, std::hypot(way.x, way.y));
         }
@@ -116,11 +119,11 @@ std::vector<CamCorner> corners_of(const Cam& cam, const CamGeometry& geometry) {
     for (const LawBreak& each : breaks_of_cycle(cam.law)) {
         if (!each.of_speed) continue;
         CamCorner corner{geometry.at(each.at, each.before), geometry.at(each.at, each.after)};
-        // The pitch curve is run through clockwise as the turn of a counter-clockwise cam grows: convex where its normal turns
-        // so too. A flat face's contact goes on along the face while the normal does.
+        // The pitch curve is run through clockwise as the turn of a counter-clockwise cam grows: convex where its
+        // normal turns so too. A flat face's contact goes on along the face while the normal does.
         const Spot forth = corner.after.contact - corner.before.contact;
-        const double goes =
-            is_flat(cam) ? dot(forth, quarter_turn(corner.after.outward)) : cross(corner.before.outward, corner.after.outward);
+        const double goes = is_flat(cam) ? dot(forth, quarter_turn(corner.after.outward))
+                                         : cross(corner.before.outward, corner.after.outward);
         const bool turns_back = is_flat(cam) ? geometry.sense() * goes > 0 : geometry.sense() * goes < 0;
         corner.is_cut = turns_back && cam.follower.face != Follower::Face::knife_edge;
         corners.push_back(corner);
@@ -141,7 +144,8 @@ std::vector<std::array<double, 2>> ranges_of(const std::vector<Judged>& judged, 
         const double from = i == 0 ? 0 : undercut.end_between(judged[i - 1].turn, judged[i].turn, false);
         while (i + 1 < judged.size() && judged[i + 1].is_cut) ++i;
         const bool is_last = i + 1 == judged.size();
-        ranges.push_back({from, is_last ? judged[i].turn : undercut.end_between(judged[i].turn, judged[i + 1].turn, true)});
+        ranges.push_back(
+            {from, is_last ? judged[i].turn : undercut.end_between(judged[i].turn, judged[i + 1].turn, true)});
     }
     if (ranges.size() > 1 && judged.front().is_cut && judged.back().is_cut) {
         ranges.back()[1] = ranges.front()[1];
@@ -164,7 +168,8 @@ public:
         std::vector<Judged> judged;
         for (int i = 0; i <= samples; ++i) {
             const double turn = length * i / samples;
-            for (; corner != found_.corners.end() && corner->after.turn <= turn + same_turn; ++corner) take(*corner, judged);
+            for (; corner != found_.corners.end() && corner->after.turn <= turn + same_turn; ++corner)
+                take(*corner, judged);
             take(geometry_.at(turn), i % every == 0, judged);
         }
         // The law's beginning and its end are one corner.
@@ -217,7 +222,9 @@ CamSummary summary_of(const Cam& cam, const CamGeometry& geometry) { return Summ
 std::vector<VectorOf<double>> working_profile(const Cam& cam, const CamGeometry& geometry, int positions) {
     const std::vector<CamCorner> corners = corners_of(cam, geometry);
     std::vector<Spot> profile;
-    const auto add = [&](const CamState& state, const Spot& place) { profile.push_back(state.on_cam(place, geometry.sense())); };
+    const auto add = [&](const CamState& state, const Spot& place) {
+        profile.push_back(state.on_cam(place, geometry.sense()));
+    };
     const auto round = [&](const CamCorner& corner) {
         add(corner.before, corner.before.contact);
         constexpr double step = 2 * std::numbers::pi / 180;
@@ -226,7 +233,8 @@ std::vector<VectorOf<double>> working_profile(const Cam& cam, const CamGeometry&
         const int steps = is_flat(cam) || radius == 0 ? 0 : static_cast<int>(std::abs(angle) / step);
         for (int k = 1; k <= steps; ++k) {
             const double turned = angle * k / (steps + 1);
-            add(corner.before, corner.before.trace - radius * (std::cos(turned) * from + std::sin(turned) * quarter_turn(from)));
+            add(corner.before,
+                corner.before.trace - radius * (std::cos(turned) * from + std::sin(turned) * quarter_turn(from)));
         }
         add(corner.after, corner.after.contact);
     };

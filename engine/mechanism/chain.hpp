@@ -1,5 +1,5 @@
-// The chain that bodies and pairs make: how many pairs each body has, loops, whether it is open or closed. Topology alone: knows
-// no place and no freedom.
+// The chain that bodies and pairs make: how many pairs each body has, loops, whether it is open or closed. Topology
+// alone: knows no place and no freedom.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,14 @@
 
 namespace kinegraph {
 
-/// A hinge of n bodies counts once at each of them, and as n − 1 pairs between them. Clamped bodies count as the bodies that the
-/// file names, clamps as pairs.
+/// A hinge of n bodies counts once at each of them, and as n − 1 pairs between them. Clamped bodies count as the bodies
+/// that the file names, clamps as pairs.
 struct KinematicChain {
-    std::vector<int> pairs;  ///< by BodyIndex: at how many joints the body takes part; 1 unary (an end), 2 binary, 3 ternary …
-    int joints = 0;          ///< binary ones: a hinge of n bodies is n − 1
-    int parts = 0;           ///< connected pieces; 1: one chain
-    int loops = 0;           ///< independent ones: joints − bodies + parts
+    std::vector<int>
+        pairs;  ///< by BodyIndex: at how many joints the body takes part; 1 unary (an end), 2 binary, 3 ternary …
+    int joints = 0;  ///< binary ones: a hinge of n bodies is n − 1
+    int parts = 0;   ///< connected pieces; 1: one chain
+    int loops = 0;   ///< independent ones: joints − bodies + parts
     enum class Kind {
         open,    ///< no loop
         closed,  ///< loops, and each body has two pairs at least

@@ -1,5 +1,5 @@
-// Compound units: in which a file's forces per length and torsional stiffnesses are told, from its units of force, moment and
-// length. Knows no text of a file.
+// Compound units: in which a file's forces per length and torsional stiffnesses are told, from its units of force,
+// moment and length. Knows no text of a file.
 #pragma once
 
 #include "engine/mechanism/mechanism.hpp"

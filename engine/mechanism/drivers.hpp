@@ -16,8 +16,8 @@ const std::string& where_of(const Driver& driver);
 
 /// Null: its rates are those of the file wherever it is.
 const Law* law_of(const Driver& driver);
-/// The rates of a driver with a law, so far (rad or m) from the drawn position, when the law first comes there. Error: how far it
-/// goes, from the drawn position: the least and the greatest coordinate.
+/// The rates of a driver with a law, so far (rad or m) from the drawn position, when the law first comes there. Error:
+/// how far it goes, from the drawn position: the least and the greatest coordinate.
 tl::expected<Rates, std::pair<double, double>> rates_at(const Law& law, double coordinate);
 
 /// Its coordinate is an angle.

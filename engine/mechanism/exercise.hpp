@@ -1,6 +1,6 @@
-// Exercise: what a file asks of those who solve it, which parameters take other values from copy to copy, and which conditions
-// every copy meets. Results go by the names that they have in the rows of a sweep (engine/results/result_names.hpp). Knows no values of
-// results: those are constructions/positions/named_results.hpp.
+// Exercise: what a file asks of those who solve it, which parameters take other values from copy to copy, and which
+// conditions every copy meets. Results go by the names that they have in the rows of a sweep
+// (engine/results/result_names.hpp). Knows no values of results: those are constructions/positions/named_results.hpp.
 #pragma once
 
 #include <cstddef>
@@ -52,7 +52,8 @@ struct Condition {
     enum class Relation { less, at_most, equal, at_least, greater } relation = Relation::less;
     Operand left{}, right{}, upper{};
     enum class Polygon { velocity, acceleration, force } polygon = Polygon::velocity;
-    std::optional<bool> holds = std::nullopt;  ///< where parameters alone decide: whether it holds with their own values
+    std::optional<bool> holds =
+        std::nullopt;  ///< where parameters alone decide: whether it holds with their own values
 };
 
 /// A sought vector shorter than this on paper cannot be read with an accuracy worth the name, mm.

@@ -46,19 +46,16 @@ LawState first_half_of_trapezoid(double x) {
 /// f and its derivatives by τ = x.
 LawState unit_state(LawForm form, double x) {
     switch (form) {
-        case LawForm::rest:
-            return {};
-        case LawForm::constant_speed:
-            return {x, 1, 0};
+        case LawForm::rest: return {};
+        case LawForm::constant_speed: return {x, 1, 0};
         case LawForm::constant_acceleration:
             if (x < 0.5) return {2 * x * x, 4 * x, 4};
             return {1 - 2 * (1 - x) * (1 - x), 4 * (1 - x), -4};
-        case LawForm::harmonic:
-            return {(1 - cos_pi(x)) / 2, pi_ / 2 * sin_pi(x), pi_ * pi_ / 2 * cos_pi(x)};
-        case LawForm::cycloidal:
-            return {x - sin_pi(2 * x) / (2 * pi_), 1 - cos_pi(2 * x), 2 * pi_ * sin_pi(2 * x)};
+        case LawForm::harmonic: return {(1 - cos_pi(x)) / 2, pi_ / 2 * sin_pi(x), pi_ * pi_ / 2 * cos_pi(x)};
+        case LawForm::cycloidal: return {x - sin_pi(2 * x) / (2 * pi_), 1 - cos_pi(2 * x), 2 * pi_ * sin_pi(2 * x)};
         case LawForm::polynomial_345:
-            return {x * x * x * (10 - 15 * x + 6 * x * x), 30 * x * x * (1 - x) * (1 - x), 60 * x * (1 - x) * (1 - 2 * x)};
+            return {x * x * x * (10 - 15 * x + 6 * x * x), 30 * x * x * (1 - x) * (1 - x),
+                    60 * x * (1 - x) * (1 - 2 * x)};
         case LawForm::modified_trapezoidal: {
             if (x <= 0.5) return first_half_of_trapezoid(x);
             const LawState mirrored = first_half_of_trapezoid(1 - x);
@@ -73,10 +70,12 @@ double rise_of(const LawPiece& piece) { return piece.form == LawForm::rest ? 0 :
 }  // namespace
 
 std::string_view spelling_of(LawForm form) {
-    return std::find_if(spellings.begin(), spellings.end(), [&](const auto& each) { return each.first == form; })->second;
+    return std::find_if(spellings.begin(), spellings.end(), [&](const auto& each) { return each.first == form; })
+        ->second;
 }
 std::optional<LawForm> law_form_spelt(std::string_view text) {
-    const auto found = std::find_if(spellings.begin(), spellings.end(), [&](const auto& each) { return each.second == text; });
+    const auto found =
+        std::find_if(spellings.begin(), spellings.end(), [&](const auto& each) { return each.second == text; });
     if (found == spellings.end()) return std::nullopt;
     return found->first;
 }

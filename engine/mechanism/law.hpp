@@ -1,5 +1,5 @@
-// Law: how a driver, or a cam's follower, moves in time, or over the cam's turn: pieces of rest and of rise one after the other.
-// Knows the pieces' closed forms; neither mechanisms nor files.
+// Law: how a driver, or a cam's follower, moves in time, or over the cam's turn: pieces of rest and of rise one after
+// the other. Knows the pieces' closed forms; neither mechanisms nor files.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ enum class LawForm {
     harmonic,               ///< f = (1 − cos πτ)/2; greatest acceleration π²/2 h/T²
     cycloidal,              ///< f = τ − sin(2πτ)/2π; greatest acceleration 2π h/T²
     polynomial_345,         ///< f = 10τ³ − 15τ⁴ + 6τ⁵; greatest acceleration 10/√3 h/T²
-    modified_trapezoidal    ///< the acceleration's ramps are sines of an eighth each; its greatest value 8π/(2+π) h/T²
+    modified_trapezoidal  ///< the acceleration's ramps are sines of an eighth each; its greatest value 8π/(2+π) h/T²
 };
 
 /// How files write the forms: "3-4-5".

@@ -26,7 +26,8 @@ std::vector<LawBreak> breaks_of_cycle(const Law& law) {
     std::vector<LawBreak> breaks;
     const auto add = [&](double at, const LawState& before, const LawState& after) {
         const bool of_speed = std::abs(after.first - before.first) > nothing * slope;
-        if (of_speed || std::abs(after.second - before.second) > nothing * bend) breaks.push_back({at, before, after, of_speed});
+        if (of_speed || std::abs(after.second - before.second) > nothing * bend)
+            breaks.push_back({at, before, after, of_speed});
     };
     double start = 0, way = 0;
     for (std::size_t i = 0; i < law.pieces.size(); ++i) {

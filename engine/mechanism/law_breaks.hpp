@@ -14,8 +14,8 @@ struct LawBreak {
     bool of_speed = false;  ///< the first derivative jumps: the acceleration is infinite
 };
 
-/// In their order, of a law that begins again where it ends: so at 0 stands what is between its end and its beginning, if
-/// anything is. A share of 1e-9 of the mean slope of the steepest piece (and of its square) is no jump.
+/// In their order, of a law that begins again where it ends: so at 0 stands what is between its end and its beginning,
+/// if anything is. A share of 1e-9 of the mean slope of the steepest piece (and of its square) is no jump.
 std::vector<LawBreak> breaks_of_cycle(const Law& law);
 
 }  // namespace kinegraph

@@ -1,5 +1,5 @@
-// Mechanism: what a file says, with names resolved, units turned to SI and every number exact. A value that does not change
-// once read. Knows nothing of positions found by compass (Pose) nor of motion.
+// Mechanism: what a file says, with names resolved, units turned to SI and every number exact. A value that does not
+// change once read. Knows nothing of positions found by compass (Pose) nor of motion.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "engine/file/error.hpp"
-#include "engine/number/exact.hpp"
-#include "engine/number/index.hpp"
 #include "engine/mechanism/law.hpp"
 #include "engine/mechanism/pair.hpp"
+#include "engine/number/exact.hpp"
+#include "engine/number/index.hpp"
 
 namespace kinegraph {
 
@@ -87,7 +87,8 @@ struct Circle {
 
 struct Body {
     std::string name;
-    std::vector<PointIndex> points;  ///< listed by the file first, then those of its revolute and weld joints; no doubles
+    std::vector<PointIndex>
+        points;  ///< listed by the file first, then those of its revolute and weld joints; no doubles
     Words label;
     std::optional<Circle> circle;
     std::string where;
@@ -277,7 +278,8 @@ struct AskedScale {
     std::string where;
 };
 
-/// Contact, wear or impact (engine/mechanism/problem.hpp), which a file may state in place of joints; or contact at some of them.
+/// Contact, wear or impact (engine/mechanism/problem.hpp), which a file may state in place of joints; or contact at
+/// some of them.
 struct Problem;
 
 /// What a file asks of its students: results, and how it may vary (engine/mechanism/exercise.hpp).
@@ -287,8 +289,9 @@ struct Mechanism {
     std::string source;  ///< the file's name, for messages and the title block
     Words title;
     Units units;
-    std::optional<Exact> precision;  ///< how far coordinates and lengths may be off, m, as the file states it; 0: not at all
-    std::vector<Exact> computed;     ///< lengths that formulas gave, m, in order: exact, however many digits they have
+    std::optional<Exact>
+        precision;  ///< how far coordinates and lengths may be off, m, as the file states it; 0: not at all
+    std::vector<Exact> computed;  ///< lengths that formulas gave, m, in order: exact, however many digits they have
     std::vector<NamedPoint> points;
     std::vector<Body> bodies;  ///< the frame first
     std::vector<Joint> joints;

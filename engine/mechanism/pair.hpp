@@ -1,11 +1,12 @@
-// Pairs of the plane: each kind of joint is a row of one table. A row says how the bodies of a pair meet at the joint's point P,
-// and which of the three freedoms of a plane motion it holds there: across the guide or the common tangent, along it, and the
-// rotation. Everything else follows: what it leaves free, the force it transmits, where its instant centre lies, what it means to
-// the planner and on paper. So the rest of the house asks for facts ("has a guide", "holds the rotation") and never for a kind;
-// only the check, a second opinion, knows the kinds by itself.
+// Pairs of the plane: each kind of joint is a row of one table. A row says how the bodies of a pair meet at the joint's
+// point P, and which of the three freedoms of a plane motion it holds there: across the guide or the common tangent,
+// along it, and the rotation. Everything else follows: what it leaves free, the force it transmits, where its instant
+// centre lies, what it means to the planner and on paper. So the rest of the house asks for facts ("has a guide",
+// "holds the rotation") and never for a kind; only the check, a second opinion, knows the kinds by itself.
 //
-// A table and not a variant of types with visitors: the kinds differ in what they are, which is data; what is done with them
-// belongs to rooms that this one knows nothing of, and there two or three facts at a time decide, seldom all seven kinds.
+// A table and not a variant of types with visitors: the kinds differ in what they are, which is data; what is done with
+// them belongs to rooms that this one knows nothing of, and there two or three facts at a time decide, seldom all seven
+// kinds.
 #pragma once
 
 #include <array>
@@ -35,7 +36,7 @@ struct PlanePair {
     bool holds_normal;   ///< no relative velocity at P across the guide or the common tangent …
     bool holds_tangent;  ///< … nor along it …
     bool holds_rotation;
-    bool joins_many;                  ///< more than two bodies may share it
+    bool joins_many;  ///< more than two bodies may share it
 
     /// Unknowns of its reaction: one for each freedom that it holds.
     int reactions() const { return (holds_normal ? 1 : 0) + (holds_tangent ? 1 : 0) + (holds_rotation ? 1 : 0); }

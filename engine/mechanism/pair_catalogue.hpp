@@ -1,5 +1,5 @@
-// The catalogue of pairs: beside those of the plane the lower pairs in space and what a multiple hinge stands for. Data, from
-// which `kinegraph pairs` and docs/pairs.md are printed; words are the sheet's business.
+// The catalogue of pairs: beside those of the plane the lower pairs in space and what a multiple hinge stands for.
+// Data, from which `kinegraph pairs` and docs/pairs.md are printed; words are the sheet's business.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ inline constexpr std::array space_pairs{
 struct BinaryScheme {
     std::vector<std::array<int, 2>> hinges;  ///< positions in the hinge's list of bodies, smaller first
 };
-/// All n^(n−2) of them (Cayley, 1889), by their Prüfer sequences in order, 2 ≤ n. The n stars, in which one body carries all the
-/// hinges, are among them; for n = 3 there are no others.
+/// All n^(n−2) of them (Cayley, 1889), by their Prüfer sequences in order, 2 ≤ n. The n stars, in which one body
+/// carries all the hinges, are among them; for n = 3 there are no others.
 std::vector<BinaryScheme> binary_schemes(int bodies);
 
 }  // namespace kinegraph

@@ -1,6 +1,6 @@
-// Problems that a file states in place of joints: contact (Hertz), wear (Reye), impact, the motion of a point, positions of a
-// body; and contact at joints of a mechanism, whose force is found first. Values in SI units, angles in radians. What is found of
-// them: engine/solution/problem_solution.hpp.
+// Problems that a file states in place of joints: contact (Hertz), wear (Reye), impact, the motion of a point,
+// positions of a body; and contact at joints of a mechanism, whose force is found first. Values in SI units, angles in
+// radians. What is found of them: engine/solution/problem_solution.hpp.
 #pragma once
 
 #include <array>
@@ -10,16 +10,16 @@
 #include <vector>
 
 #include "engine/file/expression.hpp"
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/file/units.hpp"
+#include "engine/mechanism/mechanism.hpp"
 
 namespace kinegraph {
 
 /// One of two elastic bodies that are pressed together.
 struct HertzBody {
     BodyIndex body = none;
-    /// Principal radii at the contact, m; 0: flat in that plane. A sphere has two equal ones; the second one of a cylinder that
-    /// lies along a line of contact is not used.
+    /// Principal radii at the contact, m; 0: flat in that plane. A sphere has two equal ones; the second one of a
+    /// cylinder that lies along a line of contact is not used.
     std::array<Exact, 2> radii{};
     std::array<bool, 2> inside{};  ///< concave: the material lies outside the radius
     Exact young;                   ///< Pa
@@ -48,8 +48,8 @@ struct HertzProblem {
     Exact turn;                   ///< between the first principal planes of the two bodies, rad
     std::optional<AtJoint> at{};  ///< none: the file gives force and radii
 };
-/// At a joint of a mechanism, what its bodies are made of and how long they touch. The normal force found there is the load, and
-/// the radii are those of the profiles or of the teeth in the drawn position.
+/// At a joint of a mechanism, what its bodies are made of and how long they touch. The normal force found there is the
+/// load, and the radii are those of the profiles or of the teeth in the drawn position.
 struct LoadedContact {
     JointIndex joint = none;
     std::array<HertzBody, 2> bodies;  ///< as the joint's; without radii
@@ -61,19 +61,21 @@ using LoadedContacts = std::vector<LoadedContact>;
 /// One of two bodies that hit each other.
 struct ImpactBody {
     BodyIndex body = none;
-    bool fixed = false;              ///< at rest, whatever hits it
-    Exact mass;                      ///< kg
-    std::optional<Exact> inertia;    ///< about the centre of mass, kg m²; none: a particle, which does not turn
-    std::optional<Place> centre;     ///< none: at the point of impact
-    std::optional<Place> pivot;      ///< of a body that turns about a fixed hinge
-    std::optional<Vector> velocity;  ///< of the centre of mass before the impact, m/s; of a pivoted body `omega` says it
-    Exact omega;                     ///< rad/s
+    bool fixed = false;            ///< at rest, whatever hits it
+    Exact mass;                    ///< kg
+    std::optional<Exact> inertia;  ///< about the centre of mass, kg m²; none: a particle, which does not turn
+    std::optional<Place> centre;   ///< none: at the point of impact
+    std::optional<Place> pivot;    ///< of a body that turns about a fixed hinge
+    std::optional<Vector>
+        velocity;  ///< of the centre of mass before the impact, m/s; of a pivoted body `omega` says it
+    Exact omega;   ///< rad/s
     std::string where;
 };
 struct ImpactProblem {
     std::array<ImpactBody, 2> bodies;
     Place at;
-    Bearing normal;     ///< of the plane of impact; its sense from the second body to the first, where their centres do not tell
+    Bearing normal;     ///< of the plane of impact; its sense from the second body to the first, where their centres do
+                        ///< not tell
     Exact restitution;  ///< 0 … 1, the ratio of the normal impulses of both phases (Poisson)
     Exact friction;     ///< coefficient of Coulomb
     std::string where;
@@ -92,8 +94,9 @@ struct ReyeProblem {
     Exact length, width, offset;    ///< pad, block: m; the offset from the end x = 0
     Exact inner, outer;             ///< disc: radii, m
     int surfaces = 1;               ///< disc
-    Exact radius, pivot, arm;       ///< shoe: of the drum; of the pivot from the drum's centre; of the force about the pivot, m
-    Exact from, to;                 ///< shoe: its ends, rad, from the direction of the pivot as seen from the drum's centre
+    Exact radius, pivot,
+        arm;         ///< shoe: of the drum; of the pivot from the drum's centre; of the force about the pivot, m
+    Exact from, to;  ///< shoe: its ends, rad, from the direction of the pivot as seen from the drum's centre
     bool inside = false, leading = true;     ///< shoe: within the drum; friction turns it the way the force does
     std::optional<Exact> wear, speed, time;  ///< m²/N; m/s or, of discs and shoes, rad/s; s
     std::string where;

@@ -24,7 +24,8 @@ template <class See>
 class Numbers {
 public:
     Numbers(Mechanism& mechanism, See see) : units_(mechanism.units), see_(see) {
-        for (NamedPoint& point : mechanism.points) std::visit([&](auto& placement) { visit(placement); }, point.placement);
+        for (NamedPoint& point : mechanism.points)
+            std::visit([&](auto& placement) { visit(placement); }, point.placement);
         for (Body& body : mechanism.bodies)
             if (body.circle) visit_length(body.circle->radius);
         for (Joint& joint : mechanism.joints) visit(joint);
@@ -183,7 +184,8 @@ bool looks_rounded(const Mechanism& mechanism) {
         return std::binary_search(mechanism.computed.begin(), mechanism.computed.end(), length);
     };
     for_each_number(copy, [&](const Exact& value, Measure measure, const Exact& unit) {
-        found = found || (measure == Measure::length && digits_of(value / unit) >= digits_of_a_program && !is_computed(value));
+        found = found ||
+                (measure == Measure::length && digits_of(value / unit) >= digits_of_a_program && !is_computed(value));
     });
     return found;
 }

@@ -42,7 +42,8 @@ std::string Variation::value(std::uint64_t i) const {
     const Exact value = from + Exact::ratio(static_cast<long>(i), 1) * step;
     const auto decimal = decimal_text(value);
     if (decimal) return unit.empty() ? *decimal : unit == "deg" ? *decimal + "°" : *decimal + " " + unit;
-    const std::string fraction = "= " + value.rational().get_num().get_str() + "/" + value.rational().get_den().get_str();
+    const std::string fraction =
+        "= " + value.rational().get_num().get_str() + "/" + value.rational().get_den().get_str();
     return unit.empty() ? fraction : fraction + " * 1 " + unit;
 }
 

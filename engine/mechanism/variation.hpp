@@ -1,5 +1,5 @@
-// The lattice of all values that the parameters of an exercise may take together, and the order in which a seed draws from it.
-// Whole numbers only: the same on every machine. Knows no mechanism.
+// The lattice of all values that the parameters of an exercise may take together, and the order in which a seed draws
+// from it. Whole numbers only: the same on every machine. Knows no mechanism.
 #pragma once
 
 #include <array>
@@ -26,9 +26,9 @@ public:
     static std::vector<Setting> at(const std::vector<Variation>& vary, std::uint64_t number);
 };
 
-/// The numbers 0 … size − 1 in an order that a seed chooses, each once: a Feistel network on the next even power of two, walked
-/// until it comes back below `size` (Black and Rogaway, Ciphers with arbitrary finite domains, 2002). Any place of the order is
-/// found without those before it.
+/// The numbers 0 … size − 1 in an order that a seed chooses, each once: a Feistel network on the next even power of
+/// two, walked until it comes back below `size` (Black and Rogaway, Ciphers with arbitrary finite domains, 2002). Any
+/// place of the order is found without those before it.
 class Shuffle {
 public:
     Shuffle(std::uint64_t seed, std::uint64_t size);

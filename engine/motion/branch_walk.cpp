@@ -18,7 +18,8 @@ void between(const std::vector<double>& a, const std::vector<double>& va, const 
 
 }  // namespace
 
-// --- the start ----------------------------------------------------------------------------------------------------------------
+// --- the start
+// ----------------------------------------------------------------------------------------------------------------
 
 void BranchWalk::start_at(const State& position) {
     for (State* state : {&here_, &before_, &next_, &regular_, &low_, &high_, &middle_}) *state = position;
@@ -32,7 +33,8 @@ void BranchWalk::start_at_change_point(const State& position, const State& ahead
     change_points_ = {0};
 }
 
-// --- steps --------------------------------------------------------------------------------------------------------------------
+// --- steps
+// --------------------------------------------------------------------------------------------------------------------
 
 /// Through the last two positions and their dq/ds, a cubic; from the first alone a straight line.
 void BranchWalk::predict(double s, std::vector<double>& q) const {
@@ -78,8 +80,9 @@ void BranchWalk::accept() {
     if (!is_singular()) regular_ = here_;
 }
 
-/// The determinant changed its sign between two positions. If it vanishes in between, where they are joined smoothly, that is a
-/// change point, and is noted; if only the leading rows are at fault, it is nothing. False: the two are not on one branch.
+/// The determinant changed its sign between two positions. If it vanishes in between, where they are joined smoothly,
+/// that is a change point, and is noted; if only the leading rows are at fault, it is nothing. False: the two are not
+/// on one branch.
 bool BranchWalk::pass(State& from, const State& to) {
     low_ = from;
     high_ = to;
@@ -148,8 +151,8 @@ bool BranchWalk::bridge(State& state) {
     return false;
 }
 
-/// Steps became too small. Seen along the unknown that moves fastest, the driver's coordinate goes to an extreme and turns round:
-/// that is the limit. True: it goes on to `towards` after all, which is then in next_.
+/// Steps became too small. Seen along the unknown that moves fastest, the driver's coordinate goes to an extreme and
+/// turns round: that is the limit. True: it goes on to `towards` after all, which is then in next_.
 bool BranchWalk::find_limit(double towards) {
     std::size_t column = 0;
     for (std::size_t k = 0; k < here_.v.size(); ++k)

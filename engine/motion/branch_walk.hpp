@@ -1,5 +1,6 @@
-// From one position to the next on the same branch: steps that are looked ahead for (a cubic through two positions and their
-// dq/ds) and not believed where that did not foresee them; change points passed, limits found. Storage is made once.
+// From one position to the next on the same branch: steps that are looked ahead for (a cubic through two positions and
+// their dq/ds) and not believed where that did not foresee them; change points passed, limits found. Storage is made
+// once.
 #pragma once
 
 #include <optional>
@@ -14,7 +15,8 @@ class BranchWalk {
 public:
     BranchWalk() = default;
     /// `longest_step`: of the course's coordinate, what a look ahead can well see.
-    BranchWalk(NumericClosure closure, double longest_step) : closure_(std::move(closure)), longest_step_(longest_step) {}
+    BranchWalk(NumericClosure closure, double longest_step)
+        : closure_(std::move(closure)), longest_step_(longest_step) {}
 
     NumericClosure& closure() { return closure_; }
     const NumericClosure& closure() const { return closure_; }
@@ -26,7 +28,8 @@ public:
     void start_at_change_point(const State& position, const State& ahead);
 
     const State& here() const { return here_; }
-    /// On the branch that continuity gives. False: out of reach; `limit` says where the course stops, and nothing moved.
+    /// On the branch that continuity gives. False: out of reach; `limit` says where the course stops, and nothing
+    /// moved.
     bool move_to(double coordinate);
     std::optional<double> limit() const { return limit_; }
     const std::vector<double>& change_points() const { return change_points_; }

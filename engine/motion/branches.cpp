@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "engine/motion/constraint_rows.hpp"
 #include "engine/mechanism/rounding.hpp"
+#include "engine/motion/constraint_rows.hpp"
 
 namespace kinegraph {
 namespace {
@@ -16,8 +16,10 @@ using Row = std::vector<Exact>;
 /// What is zero, and how long a number may grow.
 class Arithmetic {
 public:
-    /// On rounded data the numbers here, all of the order of one, are good to a few hundred times the share of the size.
-    explicit Arithmetic(const Pose& pose) : exact_(pose.exact && !pose.is_rounded()), nothing_(Exact::power_of_two(-60)) {
+    /// On rounded data the numbers here, all of the order of one, are good to a few hundred times the share of the
+    /// size.
+    explicit Arithmetic(const Pose& pose)
+        : exact_(pose.exact && !pose.is_rounded()), nothing_(Exact::power_of_two(-60)) {
         constexpr int times = 256;
         if (pose.is_rounded()) nothing_ = std::max(nothing_, times * pose.precision / pose.size);
     }
@@ -68,7 +70,8 @@ public:
             const auto rests = [&](int from, int to) {
                 return std::all_of(velocities_.begin(), velocities_.end(), [&](const Row& u) {
                     const auto first = u.begin() + static_cast<Row::difference_type>(3 * at_index(body.number() - 1));
-                    return std::all_of(first + from, first + to, [&](const Exact& value) { return arithmetic_.is_zero(value); });
+                    return std::all_of(first + from, first + to,
+                                       [&](const Exact& value) { return arithmetic_.is_zero(value); });
                 });
             };
             if (rests(0, 3)) {
@@ -151,7 +154,8 @@ private:
         return entries;
     }
 
-    // --- the second order --------------------------------------------------------------------------------------------------
+    // --- the second order
+    // --------------------------------------------------------------------------------------------------
 
     State state(const Row& u, BodyIndex body) const {
         if (body == frame) return {};
@@ -160,8 +164,8 @@ private:
     }
     static Vector velocity(const State& state, const Vector& at) { return state.v + state.omega * quarter_turn(at); }
 
-    /// Centre of a profile's curvature at the contact; a tip is its own. Nothing for a line, and `known` false where the file
-    /// gives no profile.
+    /// Centre of a profile's curvature at the contact; a tip is its own. Nothing for a line, and `known` false where
+    /// the file gives no profile.
     std::optional<Vector> centre(const Joint& joint, BodyIndex body, bool& known) const {
         const auto profile = joint.profiles.find(body);
         known = profile != joint.profiles.end();
@@ -171,8 +175,8 @@ private:
         return std::nullopt;
     }
 
-    /// Of two profiles that touch: n · (a_i(P) − a_j(P)) for the material points at P, by the equivalent linkage through the
-    /// centres of curvature. Nothing where the file does not say enough.
+    /// Of two profiles that touch: n · (a_i(P) − a_j(P)) for the material points at P, by the equivalent linkage
+    /// through the centres of curvature. Nothing where the file does not say enough.
     std::optional<Exact> normal_difference(const Joint& joint, const Row& u, const Vector& normal) const {
         const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
         bool known_i = false, known_j = false;
@@ -194,12 +198,13 @@ private:
         const State& flat = first ? s_j : s_i;
         const Vector& c = first ? *c_i : *c_j;
         const Vector sliding = velocity(round, c) - velocity(flat, c);
-        const Exact along =
-            2 * flat.omega * dot(normal, quarter_turn(sliding)) + (square(round.omega) - square(flat.omega)) * dot(normal, c - p);
+        const Exact along = 2 * flat.omega * dot(normal, quarter_turn(sliding)) +
+                            (square(round.omega) - square(flat.omega)) * dot(normal, c - p);
         return first ? along : -along;
     }
 
-    /// q of the row: its time derivative is (row) · a + q(u) = 0, a the accelerations of the bodies' points at the origin.
+    /// q of the row: its time derivative is (row) · a + q(u) = 0, a the accelerations of the bodies' points at the
+    /// origin.
     std::optional<Exact> quadratic(const ConstraintRow& row, const Row& u) const {
         if (row.turn) return Exact();
         const Joint& joint = mechanism_.joint(row.joint);

@@ -1,12 +1,13 @@
-// Branches: what a degenerate position allows. The rank leaves a space of velocities; where constraints repeat each other the
-// accelerations exist only for some of them, and these are the branches that leave the position. Draws nothing.
+// Branches: what a degenerate position allows. The rank leaves a space of velocities; where constraints repeat each
+// other the accelerations exist only for some of them, and these are the branches that leave the position. Draws
+// nothing.
 #pragma once
 
 #include <vector>
 
+#include "engine/drawing/pose.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/motion/mobility.hpp"
-#include "engine/drawing/pose.hpp"
 
 namespace kinegraph {
 
@@ -17,9 +18,10 @@ struct Branch {
     std::vector<Exact> exact;    ///< the same where it is rational and the pose exact; else empty
 };
 
-/// Velocities u that the constraints J u = 0 allow at this pose, and what the second order says to them: J a = −q(u) has a
-/// solution only where every row vector s with s J = 0 (a state of self-stress) has s·q(u) = 0. These are quadratic forms on the
-/// space of u; where they vanish alike, nothing is asked. To the second order only: a branch is necessary, not proved to go on.
+/// Velocities u that the constraints J u = 0 allow at this pose, and what the second order says to them: J a = −q(u)
+/// has a solution only where every row vector s with s J = 0 (a state of self-stress) has s·q(u) = 0. These are
+/// quadratic forms on the space of u; where they vanish alike, nothing is asked. To the second order only: a branch is
+/// necessary, not proved to go on.
 struct InstantMotion {
     enum class SecondOrder {
         unasked,     ///< no constraint repeats another
@@ -36,9 +38,9 @@ struct InstantMotion {
     std::vector<BodyIndex> unturning;  ///< bodies that move, but turn in none
 };
 
-/// Exact on an exact pose. On a pose with a leftover in 400-bit arithmetic, where what is below 2^-60 of the drawing's size
-/// counts as zero; if that is not the rank that `mobility` found, the second order stays open. Source: Connelly and Whiteley,
-/// Second-order rigidity and prestress stability, SIAM J. Discrete Math. 9 (1996).
+/// Exact on an exact pose. On a pose with a leftover in 400-bit arithmetic, where what is below 2^-60 of the drawing's
+/// size counts as zero; if that is not the rank that `mobility` found, the second order stays open. Source: Connelly
+/// and Whiteley, Second-order rigidity and prestress stability, SIAM J. Discrete Math. 9 (1996).
 InstantMotion instant_motion_of(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility);
 
 }  // namespace kinegraph

@@ -35,10 +35,12 @@ public:
 
 private:
     Vector at(PointIndex point) const { return (1 / closure_.unit) * pose_.at(point); }
-    Vector from_reference(BodyIndex body, const Vector& place) const { return place - closure_.bodies[at_index(body)].reference; }
+    Vector from_reference(BodyIndex body, const Vector& place) const {
+        return place - closure_.bodies[at_index(body)].reference;
+    }
 
-    /// A hinge on the frame holds a body's reference: its place is known, and the hinge's own rows with it. Others have theirs at
-    /// a hinge where there is one, so that what turns freely about it has a column of its own.
+    /// A hinge on the frame holds a body's reference: its place is known, and the hinge's own rows with it. Others have
+    /// theirs at a hinge where there is one, so that what turns freely about it has a column of its own.
     void choose_references() {
         std::vector<bool> chosen(closure_.bodies.size(), false), held(closure_.bodies.size(), false);
         held_by_.assign(closure_.bodies.size(), nullptr);
@@ -85,7 +87,8 @@ private:
     }
     void equal_turns(BodyIndex i, BodyIndex j) { closure_.rows.push_back(row(Row::Kind::turns, i, {}, j, {})); }
     /// P of i keeps its place across the direction `along` of j, but for what it rolls.
-    void on_line(BodyIndex i, const Vector& p, BodyIndex j, const Vector& q, const Vector& along, const Exact& lever = {}) {
+    void on_line(BodyIndex i, const Vector& p, BodyIndex j, const Vector& q, const Vector& along,
+                 const Exact& lever = {}) {
         Row made = row(Row::Kind::on_line, i, p, j, q);
         made.along = along;
         made.offset = dot(along, p - q);
@@ -142,7 +145,8 @@ private:
         };
         const auto reach = [&](std::size_t side) -> Exact { return (*sides)[side].reach / closure_.unit; };
         if ((*sides)[0].straight || (*sides)[1].straight) {
-            // The centre of one, C = P + x n with n = z×t, runs along the other's line by −x t for each radian that it rolls.
+            // The centre of one, C = P + x n with n = z×t, runs along the other's line by −x t for each radian that it
+            // rolls.
             const std::size_t round = (*sides)[0].straight ? 1 : 0;
             const BodyIndex i = joint.bodies[round], j = joint.bodies[1 - round];
             if (pair.holds_normal) on_line(i, centre(round), j, place, normal);
@@ -151,10 +155,11 @@ private:
         }
         const Vector apart = centre(0) - centre(1);
         if (apart.is_zero() || std::abs(apart.x.to_double()) + std::abs(apart.y.to_double()) < 1e-9) {
-            errors_.push_back({ErrorCode::bad_input,
-                               joint.where,
-                               {"the centres of curvature coincide, so nothing is known of other positions than the drawn one",
-                                "i centri di curvatura coincidono: nulla si sa di posizioni diverse da quella disegnata"}});
+            errors_.push_back(
+                {ErrorCode::bad_input,
+                 joint.where,
+                 {"the centres of curvature coincide, so nothing is known of other positions than the drawn one",
+                  "i centri di curvatura coincidono: nulla si sa di posizioni diverse da quella disegnata"}});
             return;
         }
         if (pair.holds_normal) at_distance(joint.bodies[0], centre(0), joint.bodies[1], centre(1));
@@ -171,7 +176,8 @@ private:
     void drive(const SpinDriver& driver) { equal_turns(driver.body, driver.relative_to); }
     void drive(const SlideDriver& driver) {
         const Joint& joint = mechanism_.joint(driver.joint);
-        on_line(joint.bodies[0], at(joint.point), joint.bodies[1], at(joint.point), pose_.guide_units[at_index(driver.joint)]);
+        on_line(joint.bodies[0], at(joint.point), joint.bodies[1], at(joint.point),
+                pose_.guide_units[at_index(driver.joint)]);
     }
     void drive(const PointDriver& driver) {
         const auto index = static_cast<std::size_t>(
@@ -223,7 +229,8 @@ std::optional<std::array<ContactSide, 2>> sides_of(const Mechanism& mechanism, c
 
 namespace {
 
-/// Calls `claim(point, body)` for the places of masses, loads, efforts and driven points, each with the body that bears it.
+/// Calls `claim(point, body)` for the places of masses, loads, efforts and driven points, each with the body that bears
+/// it.
 template <class Claim>
 void claim_by_what_acts(const Mechanism& mechanism, const Claim& claim) {
     for (const Mass& mass : mechanism.masses) claim(mass.centre, mass.body);
@@ -252,12 +259,13 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
             carrier.body = body;
         } else if (needed && carrier.body != none && !are_pinned(mechanism, point, carrier.body, body)) {
             const auto name = [&](BodyIndex each) { return mechanism.body(each).name; };
-            errors.push_back(
-                {ErrorCode::bad_input,
-                 mechanism.point(point).where,
-                 {"body {0} and body {1} both need this point for their joints, and come apart there when they move; give it two names",
-                  "il corpo {0} e il corpo {1} usano entrambi questo punto per le loro coppie e lì si separano nel moto; dargli due nomi",
-                  name(carrier.body), name(body)}});
+            errors.push_back({ErrorCode::bad_input,
+                              mechanism.point(point).where,
+                              {"body {0} and body {1} both need this point for their joints, and come apart there when "
+                               "they move; give it two names",
+                               "il corpo {0} e il corpo {1} usano entrambi questo punto per le loro coppie e lì si "
+                               "separano nel moto; dargli due nomi",
+                               name(carrier.body), name(body)}});
         }
     };
     for (const Joint& joint : mechanism.joints) {

@@ -1,17 +1,18 @@
-// Closure: the loops of a mechanism as equations between the places of its bodies, one scalar equation a row, true in every
-// position that the joints and drivers allow. Knows the equations and their gradients; solving them is Positions'.
+// Closure: the loops of a mechanism as equations between the places of its bodies, one scalar equation a row, true in
+// every position that the joints and drivers allow. Knows the equations and their gradients; solving them is
+// Positions'.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/mechanism/mechanism.hpp"
 
 namespace kinegraph {
 
-/// Where a body is: the place of its reference (in `Closure::unit`), how far it has turned since the drawn pose (rad), and
-/// (cos, sin) of that.
+/// Where a body is: the place of its reference (in `Closure::unit`), how far it has turned since the drawn pose (rad),
+/// and (cos, sin) of that.
 template <class Number>
 struct BodyPlaceOf {
     VectorOf<Number> at;
@@ -25,8 +26,8 @@ VectorOf<Number> faced(const VectorOf<Number>& facing, const VectorOf<Number>& d
     return {facing.x * drawn.x - facing.y * drawn.y, facing.x * drawn.y + facing.y * drawn.x};
 }
 
-/// One equation between bodies i and j. P = `p` is a place of i, Q = `q` one of j, both from the body's reference as drawn;
-/// D = P − Q where they are now; `along` a direction of j, of length about 1.
+/// One equation between bodies i and j. P = `p` is a place of i, Q = `q` one of j, both from the body's reference as
+/// drawn; D = P − Q where they are now; `along` a direction of j, of length about 1.
 template <class Number>
 struct ClosureRowOf {
     enum class Kind {
@@ -34,7 +35,8 @@ struct ClosureRowOf {
         on_line,      ///< along · D = offset, `along` turning with j; it rolls by `lever`: … + lever (θ_i − θ_j)
         at_distance,  ///< (D² − offset²) / (2 offset) = 0
         turns,        ///< θ_i − θ_j = 0
-        rolls_round   ///< D has the direction `along` (as drawn) turned by ψ = share_i θ_i + share_j θ_j:  along(ψ) × D = 0
+        rolls_round  ///< D has the direction `along` (as drawn) turned by ψ = share_i θ_i + share_j θ_j:  along(ψ) × D
+                     ///< = 0
     } kind = Kind::together;
     BodyIndex i, j;
     VectorOf<Number> p, q, along;
@@ -44,19 +46,16 @@ struct ClosureRowOf {
 
 /// The excess of a row, the driver's coordinate not counted. `facing(ψ)` gives (cos ψ, sin ψ).
 template <class Number, class Facing>
-Number excess(const ClosureRowOf<Number>& row, const BodyPlaceOf<Number>& i, const BodyPlaceOf<Number>& j, Facing facing) {
+Number excess(const ClosureRowOf<Number>& row, const BodyPlaceOf<Number>& i, const BodyPlaceOf<Number>& j,
+              Facing facing) {
     using Kind = typename ClosureRowOf<Number>::Kind;
     if (row.kind == Kind::turns) return i.turn - j.turn;
     const VectorOf<Number> d = i.at + faced(i.facing, row.p) - j.at - faced(j.facing, row.q);
     switch (row.kind) {
-        case Kind::together:
-            return dot(row.along, d);
-        case Kind::on_line:
-            return dot(faced(j.facing, row.along), d) - row.offset - row.lever * (i.turn - j.turn);
-        case Kind::at_distance:
-            return (squared_length(d) - row.offset * row.offset) / (Number(2) * row.offset);
-        default:
-            return cross(faced(facing(Number(row.share_i * i.turn + row.share_j * j.turn)), row.along), d);
+        case Kind::together: return dot(row.along, d);
+        case Kind::on_line: return dot(faced(j.facing, row.along), d) - row.offset - row.lever * (i.turn - j.turn);
+        case Kind::at_distance: return (squared_length(d) - row.offset * row.offset) / (Number(2) * row.offset);
+        default: return cross(faced(facing(Number(row.share_i * i.turn + row.share_j * j.turn)), row.along), d);
     }
 }
 
@@ -64,8 +63,9 @@ Number excess(const ClosureRowOf<Number>& row, const BodyPlaceOf<Number>& i, con
 struct Closure {
     using Row = ClosureRowOf<Exact>;
     struct Body {
-        Vector reference;       ///< as drawn
-        int x = -1, turn = -1;  ///< columns of its place (x, then y) and turn; x < 0: a hinge on the frame holds its reference
+        Vector reference;  ///< as drawn
+        int x = -1,
+            turn = -1;  ///< columns of its place (x, then y) and turn; x < 0: a hinge on the frame holds its reference
     };
     Exact unit;
     int bits = 100;  ///< of the pose
@@ -84,12 +84,13 @@ struct Carrier {
     BodyIndex body;
     JointIndex contact;
 };
-/// By PointIndex. The pin of a slot belongs to the first body of its joint, and so does the point of a sleeve unless its second
-/// body is pinned there; a point of bodies that nothing pins together there to the first that lists it. Errors: a point that two
-/// joints need on bodies that come apart.
+/// By PointIndex. The pin of a slot belongs to the first body of its joint, and so does the point of a sleeve unless
+/// its second body is pinned there; a point of bodies that nothing pins together there to the first that lists it.
+/// Errors: a point that two joints need on bodies that come apart.
 Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism);
 
-/// What a profile is to its contact: a straight line, or a centre at `reach` along the normal n from P (a tip is its own centre).
+/// What a profile is to its contact: a straight line, or a centre at `reach` along the normal n from P (a tip is its
+/// own centre).
 struct ContactSide {
     bool straight = false;
     PointIndex centre;

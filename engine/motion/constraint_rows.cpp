@@ -15,8 +15,10 @@ std::vector<Vector> held_directions(const PlanePair& pair, const Pose& pose, std
 void write(const Joint& joint, JointIndex index, const Pose& pose, std::vector<ConstraintRow>& rows) {
     const std::vector<Vector> held = held_directions(joint.pair(), pose, at_index(index));
     for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
-        for (const Vector& along : held) rows.push_back({index, joint.bodies[0], joint.bodies[k], joint.point, along, false});
-        if (joint.pair().holds_rotation) rows.push_back({index, joint.bodies[0], joint.bodies[k], joint.point, {}, true});
+        for (const Vector& along : held)
+            rows.push_back({index, joint.bodies[0], joint.bodies[k], joint.point, along, false});
+        if (joint.pair().holds_rotation)
+            rows.push_back({index, joint.bodies[0], joint.bodies[k], joint.point, {}, true});
     }
 }
 

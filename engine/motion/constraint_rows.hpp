@@ -1,11 +1,11 @@
-// Constraint rows: what each pair forbids to the velocities of its bodies, one scalar condition a row. One list for the count of
-// the rank and for all that is asked of it afterwards. Knows no arithmetic but the pose's own.
+// Constraint rows: what each pair forbids to the velocities of its bodies, one scalar condition a row. One list for the
+// count of the rank and for all that is asked of it afterwards. Knows no arithmetic but the pose's own.
 #pragma once
 
 #include <vector>
 
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/mechanism/mechanism.hpp"
 
 namespace kinegraph {
 

@@ -1,6 +1,6 @@
-// Counts freedoms: Grübler's formula from the kinds of joints, and the rank of their constraints at this pose, joint by joint, so
-// that a redundant one is named. The constraints are written once, over a field: residues modulo a large prime where the pose is
-// exact, 512-bit reals where roots were taken or data are rounded. Speeds are unknown here.
+// Counts freedoms: Grübler's formula from the kinds of joints, and the rank of their constraints at this pose, joint by
+// joint, so that a redundant one is named. The constraints are written once, over a field: residues modulo a large
+// prime where the pose is exact, 512-bit reals where roots were taken or data are rounded. Speeds are unknown here.
 #include "engine/motion/mobility.hpp"
 
 #include <algorithm>
@@ -10,24 +10,25 @@
 #include <optional>
 #include <utility>
 
-#include "engine/number/assert.hpp"
-#include "engine/motion/constraint_rows.hpp"
 #include "engine/mechanism/rounding.hpp"
+#include "engine/motion/constraint_rows.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph {
 namespace {
 
-// --- two fields ----------------------------------------------------------------------------------------------------------------
+// --- two fields
+// ----------------------------------------------------------------------------------------------------------------
 
-/// Integers modulo a prime p < 2^61. A rank found here is never above the true one, and below it only if p happens to divide a
-/// minor, which for one prime has a chance of about 2^-60 and for two is not worth a thought.
+/// Integers modulo a prime p < 2^61. A rank found here is never above the true one, and below it only if p happens to
+/// divide a minor, which for one prime has a chance of about 2^-60 and for two is not worth a thought.
 class Residues {
 public:
     using Number = std::uint64_t;
     explicit Residues(std::uint64_t prime) : prime_(prime) {}
 
-    /// Zero for a number whose denominator the prime divides; `failed` then tells to take another prime (as after a division by
-    /// what is zero to this prime only).
+    /// Zero for a number whose denominator the prime divides; `failed` then tells to take another prime (as after a
+    /// division by what is zero to this prime only).
     Number from(const Exact& value) {
         const auto above = mpz_fdiv_ui(value.rational().get_num_mpz_t(), prime_);
         const auto below = mpz_fdiv_ui(value.rational().get_den_mpz_t(), prime_);
@@ -116,7 +117,8 @@ public:
     double magnitude(double a) const { return std::abs(a); }
 };
 
-// --- the constraints -----------------------------------------------------------------------------------------------------------
+// --- the constraints
+// -----------------------------------------------------------------------------------------------------------
 
 /// Coefficients of one constraint; unknowns of body b > 0 are columns 3(b−1): v_x, v_y of the origin's place, +2: ω.
 template <class Number>
@@ -135,7 +137,8 @@ public:
     std::vector<Row<Number>> rows;
     std::vector<Owner> owners;  ///< joints first, then drivers
 
-    Constraints(Field& field, const Mechanism& mechanism, const Pose& pose) : field_(field), mechanism_(mechanism), pose_(pose) {
+    Constraints(Field& field, const Mechanism& mechanism, const Pose& pose)
+        : field_(field), mechanism_(mechanism), pose_(pose) {
         // Lengths from the first point and over the size, so that no entry is large for being far away.
         size_ = field.from(pose.size);
         points_.reserve(pose.points.size());
@@ -243,7 +246,8 @@ private:
     Owner owner_;
 };
 
-// --- elimination ---------------------------------------------------------------------------------------------------------------
+// --- elimination
+// ---------------------------------------------------------------------------------------------------------------
 
 /// Rows reduced by those kept before; a kept row is scaled to one in its pivot column.
 template <class Field>
@@ -311,7 +315,8 @@ struct Verdict {
     bool is_full = false;  ///< no rank could be higher
 };
 
-/// `keep(i)`: reduces row i, keeps what is left of it, and says whether anything was. `spanned(row)`: says whether nothing was.
+/// `keep(i)`: reduces row i, keeps what is left of it, and says whether anything was. `spanned(row)`: says whether
+/// nothing was.
 template <class Field, class Keep, class Spanned>
 Verdict judge(Field& field, const Constraints<Field>& constraints, int bodies, Keep keep, Spanned spanned) {
     Verdict verdict;
@@ -369,8 +374,8 @@ Verdict judge_exactly(const Mechanism& mechanism, const Pose& pose) {
     return *std::move(best);
 }
 
-/// On an inexact pose, in step with a finer one once a pivot is so small that the pose may be to blame: what shrinks with the
-/// pose is zero, what stays is not. Nothing where the finer pose is needed and not given.
+/// On an inexact pose, in step with a finer one once a pivot is so small that the pose may be to blame: what shrinks
+/// with the pose is zero, what stays is not. Nothing where the finer pose is needed and not given.
 std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& pose, const Pose* finer) {
     const double suspicious = std::ldexp(1, -pose.bits * 2 / 5);
     const double shrinks = std::ldexp(1, -pose.bits / 2);
@@ -422,8 +427,8 @@ Verdict judge_in_reals(const Mechanism& mechanism, const Pose& pose, const Finer
     return *verdict;
 }
 
-/// On rounded data, in step with the shifted drawings: zero is what is left of a row that the precision explains. What is larger
-/// than may be in question is not asked.
+/// On rounded data, in step with the shifted drawings: zero is what is left of a row that the precision explains. What
+/// is larger than may be in question is not asked.
 Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
     Reals field;
     const auto bodies = static_cast<int>(mechanism.bodies.size());
@@ -498,14 +503,10 @@ Mobility::Verdict Mobility::verdict() const {
 
 const char* name_of(Mobility::Verdict verdict) {
     switch (verdict) {
-        case Mobility::Verdict::mechanism:
-            return "mechanism";
-        case Mobility::Verdict::isostatic:
-            return "isostatic";
-        case Mobility::Verdict::hyperstatic:
-            return "hyperstatic";
-        case Mobility::Verdict::labile:
-            break;
+        case Mobility::Verdict::mechanism: return "mechanism";
+        case Mobility::Verdict::isostatic: return "isostatic";
+        case Mobility::Verdict::hyperstatic: return "hyperstatic";
+        case Mobility::Verdict::labile: break;
     }
     return "labile";
 }
@@ -534,7 +535,8 @@ Mobility mobility_of(const Mechanism& mechanism, const Pose& pose, const FinerPo
     return mobility;
 }
 
-std::vector<JointIndex> nearly_redundant_joints(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility) {
+std::vector<JointIndex> nearly_redundant_joints(const Mechanism& mechanism, const Pose& pose,
+                                                const Mobility& mobility) {
     constexpr double nearly = 1e-3, rounding = 1e-13;
     Doubles field;
     const Constraints<Doubles> constraints(field, mechanism, pose);

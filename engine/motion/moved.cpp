@@ -11,12 +11,13 @@ namespace {
 /// A file without its constructions: points by coordinates, bearings by vectors.
 class Redrawing {
 public:
-    Redrawing(const Mechanism& mechanism, const Pose& pose, const Closure& closure, const std::vector<Carrier>& carriers,
-              const std::vector<BodyPlaceOf<Exact>>& places)
+    Redrawing(const Mechanism& mechanism, const Pose& pose, const Closure& closure,
+              const std::vector<Carrier>& carriers, const std::vector<BodyPlaceOf<Exact>>& places)
         : drawn_(mechanism), pose_(pose), closure_(closure), carriers_(carriers), places_(places), moved_(mechanism) {}
 
     Mechanism run() && {
-        for (std::size_t i = 0; i < moved_.points.size(); ++i) moved_.points[i].placement = Coordinates{place_of(PointIndex(i))};
+        for (std::size_t i = 0; i < moved_.points.size(); ++i)
+            moved_.points[i].placement = Coordinates{place_of(PointIndex(i))};
         for (Joint& joint : moved_.joints) turn(joint);
         for (std::size_t i = 0; i < moved_.drivers.size(); ++i)
             if (auto* point = std::get_if<PointDriver>(&moved_.drivers[i])) point->along = {pose_.driver_directions[i]};
@@ -139,7 +140,8 @@ Moved Mover::moved(Positions& positions, const Exact& coordinate) const {
     result.mechanism = mechanism_at(drawn_, positions.refined(drawn_.closure, coordinate));
     for (Load& load : result.mechanism.loads)
         if (auto* torsion = std::get_if<TorsionLoad>(&load))
-            torsion->turned += Exact::from_double(positions.turn(torsion->bodies[0]) - positions.turn(torsion->bodies[1]));
+            torsion->turned +=
+                Exact::from_double(positions.turn(torsion->bodies[0]) - positions.turn(torsion->bodies[1]));
     result.pose = pose_of(result.mechanism, drawn_.pose.bits);
     result.finer = pose_of(mechanism_at(finer_, positions.refined(finer_.closure, coordinate)), finer_.pose.bits);
     return result;

@@ -1,12 +1,13 @@
-// Moved: the mechanism as if it had been drawn in another of its positions, in exact numbers. Everything that reads a Mechanism
-// and a Pose then solves that position as it solves the drawn one.
+// Moved: the mechanism as if it had been drawn in another of its positions, in exact numbers. Everything that reads a
+// Mechanism and a Pose then solves that position as it solves the drawn one.
 #pragma once
 
 #include "engine/motion/positions.hpp"
 
 namespace kinegraph {
 
-/// Points are given by coordinates; guides, profiles and pushes are turned with their bodies. Loads and drivers stay the file's.
+/// Points are given by coordinates; guides, profiles and pushes are turned with their bodies. Loads and drivers stay
+/// the file's.
 struct Moved {
     Mechanism mechanism;
     Pose pose, finer;  ///< closed within 2^-bits, and with twice as many

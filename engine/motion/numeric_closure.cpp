@@ -55,7 +55,8 @@ State NumericClosure::drawn() const {
     return state;
 }
 
-// --- the equations ------------------------------------------------------------------------------------------------------------
+// --- the equations
+// ------------------------------------------------------------------------------------------------------------
 
 void NumericClosure::set_places(const std::vector<double>& q) {
     for (std::size_t i = 1; i < bodies_.size(); ++i) {
@@ -118,7 +119,8 @@ void NumericClosure::factor() {
     jacobian_.factor();
 }
 
-// --- rows that determine the motion -------------------------------------------------------------------------------------------
+// --- rows that determine the motion
+// -------------------------------------------------------------------------------------------
 
 std::size_t NumericClosure::rank(bool with_drivers) {
     write_jacobian();
@@ -154,10 +156,12 @@ int NumericClosure::sign_of_leading_rows() {
     return square_.rank() == leading_.size() ? square_.sign() : 0;
 }
 
-// --- Newton's method ----------------------------------------------------------------------------------------------------------
+// --- Newton's method
+// ----------------------------------------------------------------------------------------------------------
 
 bool NumericClosure::close(State& state) {
-    // With a matrix that is right to within the first correction, a correction leaves about its square; doubles keep 1e-15.
+    // With a matrix that is right to within the first correction, a correction leaves about its square; doubles keep
+    // 1e-15.
     constexpr double enough = 1e-15, farthest = 0.5;
     constexpr int most = 25;
     double first = 0, last = 0;

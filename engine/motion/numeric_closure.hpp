@@ -1,12 +1,12 @@
-// The equations of a closure in doubles, closed by Newton's method near a given position, with the storage made once. Knows no
-// position but the one that it is asked for; which branch it lies on is BranchWalk's.
+// The equations of a closure in doubles, closed by Newton's method near a given position, with the storage made once.
+// Knows no position but the one that it is asked for; which branch it lies on is BranchWalk's.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "engine/motion/place_rules.hpp"
 #include "engine/motion/closure.hpp"
+#include "engine/motion/place_rules.hpp"
 #include "engine/number/elimination.hpp"
 
 namespace kinegraph::closing {
@@ -15,8 +15,8 @@ namespace kinegraph::closing {
 struct State {
     double s = 0;              ///< the course's coordinate, rad or m
     std::vector<double> q, v;  ///< by the closure's columns, in its unit and rad; v = dq/ds
-    double slack = 1;          ///< the last pivot over the first: near 0 where the drivers do not determine the velocities
-    int sign = 0;              ///< of the leading rows' determinant
+    double slack = 1;  ///< the last pivot over the first: near 0 where the drivers do not determine the velocities
+    int sign = 0;      ///< of the leading rows' determinant
 };
 
 /// The largest |value|; 0 of none.
@@ -42,24 +42,26 @@ public:
     double rate(const Row& row) const { return row.driver >= 0 ? shares_[at_index(row.driver)] : 0; }
 
     void set_places(const std::vector<double>& q);
-    /// Adds the gradient of a row, at the places set, to a line of `columns()` elements: n · dD and what the turns add, with
-    /// dD = dP − dQ.
+    /// Adds the gradient of a row, at the places set, to a line of `columns()` elements: n · dD and what the turns add,
+    /// with dD = dP − dQ.
     void write(const Row& row, double* into) const;
     /// The matrix at the places set, factored.
     void factor();
 
     // Rows that determine the motion.
-    /// Of the rows at the places set, with those of the drivers or without, as far as it can be told from rounding; factors them.
+    /// Of the rows at the places set, with those of the drivers or without, as far as it can be told from rounding;
+    /// factors them.
     std::size_t rank(bool with_drivers);
     /// Of the matrix factored last.
     std::size_t rank_factored() const { return jacobian_.rank(); }
     /// Its last leading pivot over the first.
     double slack() const { return jacobian_.pivot_share(leading_.size() - 1); }
-    /// Columns without one of the first `rank` pivots of the matrix factored last rest from now on: nothing determines them.
+    /// Columns without one of the first `rank` pivots of the matrix factored last rest from now on: nothing determines
+    /// them.
     void freeze_beyond(std::size_t rank);
     void unfreeze();
-    /// The rows of the first `count` pivots of the matrix factored last lead: independent as long as their determinant keeps its
-    /// sign.
+    /// The rows of the first `count` pivots of the matrix factored last lead: independent as long as their determinant
+    /// keeps its sign.
     void take_leading_rows(std::size_t count);
     /// As many as will be taken.
     void expect_leading_rows(std::size_t count) { leading_.resize(count); }
@@ -69,11 +71,11 @@ public:
     int sign_of_leading_rows();
 
     // Newton's method.
-    /// From state.q, the matrix kept as long as it serves; q, slack and the places are then those of the position. False: there
-    /// is none near.
+    /// From state.q, the matrix kept as long as it serves; q, slack and the places are then those of the position.
+    /// False: there is none near.
     bool close(State& state);
-    /// With the unknown of a column given and the course's coordinate unknown in its stead; slope: ds over that unknown, v: dq
-    /// over it.
+    /// With the unknown of a column given and the course's coordinate unknown in its stead; slope: ds over that
+    /// unknown, v: dq over it.
     bool close_at(std::size_t column, State& state, double& slope);
     /// v by the matrix factored last.
     void look_along(State& state);

@@ -19,7 +19,8 @@ Spot world(const BodyPlaces& bodies, BodyIndex body, const Spot& local) {
 
 }  // namespace
 
-PlaceRules::PlaceRules(const Mechanism& mechanism, const Pose& pose, const Closure& closure, const std::vector<Carrier>& carriers)
+PlaceRules::PlaceRules(const Mechanism& mechanism, const Pose& pose, const Closure& closure,
+                       const std::vector<Carrier>& carriers)
     : unit_(closure.unit.to_double()), points_(carriers.size()) {
     for (std::size_t i = 0; i < points_.size(); ++i) {
         points_[i].carrier = carriers[i];
@@ -88,9 +89,9 @@ void PlaceRules::read(const BodyPlaces& bodies, Places& places) const {
         Spot &guide = places.guides[k], &normal = places.normals[k], &tangent = places.tangents[k];
         if (!rule.touches) {
             guide = rule.is_arc ? Spot{} : faced(bodies[at_index(rule.turns_with)].facing, rule.guide);
-            normal = rule.is_arc
-                         ? unit_ * (world(bodies, rule.bodies[0], rule.locals[0]) - world(bodies, rule.bodies[1], rule.locals[1]))
-                         : quarter_turn(guide);
+            normal = rule.is_arc ? unit_ * (world(bodies, rule.bodies[0], rule.locals[0]) -
+                                            world(bodies, rule.bodies[1], rule.locals[1]))
+                                 : quarter_turn(guide);
             continue;
         }
         if (rule.turns_with != none) {

@@ -1,13 +1,13 @@
-// How the places of points and the directions of joints follow from the places of the bodies, in doubles. Knows no equation: what
-// it reads is wherever the bodies are.
+// How the places of points and the directions of joints follow from the places of the bodies, in doubles. Knows no
+// equation: what it reads is wherever the bodies are.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "engine/motion/closure.hpp"
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/mechanism/mechanism.hpp"
+#include "engine/motion/closure.hpp"
 
 namespace kinegraph {
 
@@ -49,7 +49,8 @@ class PlaceRules {
 public:
     PlaceRules() = default;
     /// `carriers`: by point, of the mechanism. `closure`: of the pose.
-    PlaceRules(const Mechanism& mechanism, const Pose& pose, const Closure& closure, const std::vector<Carrier>& carriers);
+    PlaceRules(const Mechanism& mechanism, const Pose& pose, const Closure& closure,
+               const std::vector<Carrier>& carriers);
 
     const std::vector<PointRule>& points() const { return points_; }  ///< by PointIndex
     const std::vector<JointRule>& joints() const { return joints_; }  ///< by JointIndex

@@ -104,7 +104,8 @@ std::vector<std::vector<PointIndex>> cycles(const Dependencies& graph) {
     for (const PointIndex first : indices<PointIndex>(reached_from.size())) {
         const std::size_t own = components.of(first);
         const auto targets = graph.of(first);
-        const bool knotted = components.size(own) > 1 || std::find(targets.begin(), targets.end(), first) != targets.end();
+        const bool knotted =
+            components.size(own) > 1 || std::find(targets.begin(), targets.end(), first) != targets.end();
         if (!knotted || told[own]) continue;
         told[own] = true;
         found.push_back(shortest_cycle(graph, components, first, reached_from));

@@ -1,4 +1,5 @@
-// Cycles of points: those that are placed by each other, so that none can be placed. Knows which points hang on which, not how.
+// Cycles of points: those that are placed by each other, so that none can be placed. Knows which points hang on which,
+// not how.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +20,8 @@ struct Dependencies {
     }
 };
 
-/// One shortest cycle through the first point of each knot of points that depend on each other (Tarjan's strongly connected
-/// components, with a stack of our own so that no chain is too long).
+/// One shortest cycle through the first point of each knot of points that depend on each other (Tarjan's strongly
+/// connected components, with a stack of our own so that no chain is too long).
 std::vector<std::vector<PointIndex>> cycles(const Dependencies& graph);
 
 }  // namespace kinegraph

@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "engine/number/assert.hpp"
 #include "engine/mechanism/drivers.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph {
 namespace {
@@ -14,9 +14,11 @@ namespace {
 Error stuck(const Driver& driver) {
     return {ErrorCode::no_unique_answer,
             where_of(driver),
-            {"the drawn position is a dead point or a change point: the driver moves from it in no or in several ways; draw the "
+            {"the drawn position is a dead point or a change point: the driver moves from it in no or in several ways; "
+             "draw the "
              "mechanism in another position",
-             "la posizione disegnata è un punto morto o un punto di biforcazione: il movente se ne muove in nessun modo o in più "
+             "la posizione disegnata è un punto morto o un punto di biforcazione: il movente se ne muove in nessun "
+             "modo o in più "
              "d’uno; disegnare il meccanismo in un’altra posizione"}};
 }
 
@@ -43,13 +45,15 @@ std::vector<Exact> shares_in(const Course& course, const std::vector<Driver>& dr
     return shares;
 }
 
-/// Of a course: two degrees, or a fortieth of the drawing, for each driver. So far a look ahead by velocities can well see.
+/// Of a course: two degrees, or a fortieth of the drawing, for each driver. So far a look ahead by velocities can well
+/// see.
 double longest_step(const std::vector<Driver>& drivers, const std::vector<Exact>& shares, double unit) {
     constexpr double longest_turn = 0.035, longest_share = 1.0 / 40;
     double longest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < drivers.size(); ++i) {
         const double share = shares[i].to_double();
-        if (share != 0) longest = std::min(longest, (turns(drivers[i]) ? longest_turn : longest_share * unit) / std::abs(share));
+        if (share != 0)
+            longest = std::min(longest, (turns(drivers[i]) ? longest_turn : longest_share * unit) / std::abs(share));
     }
     return longest;
 }
@@ -77,7 +81,8 @@ Result<Positions> Positions::of(const Mechanism& mechanism, const Pose& pose, co
     closing::StartOfWalk start(made.walk_);
     if (!start.start_as_drawn(drivers.size())) {
         made.branch_ = start.start_at_change_point(mechanism, pose, course.branch);
-        if (!made.branch_) return tl::unexpected(Errors{course.branch ? no_such_branch(first, *course.branch) : stuck(first)});
+        if (!made.branch_)
+            return tl::unexpected(Errors{course.branch ? no_such_branch(first, *course.branch) : stuck(first)});
     }
     if (course.branch && !made.branch_) return tl::unexpected(Errors{no_branch(first)});
     return made;

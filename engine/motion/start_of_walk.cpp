@@ -4,12 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/number/elimination.hpp"
 #include "engine/motion/mobility.hpp"
+#include "engine/number/elimination.hpp"
 
 namespace kinegraph::closing {
 
-// --- as drawn -----------------------------------------------------------------------------------------------------------------
+// --- as drawn
+// -----------------------------------------------------------------------------------------------------------------
 
 bool StartOfWalk::start_as_drawn(std::size_t drivers) {
     closure_.set_places(drawn_.q);
@@ -32,7 +33,8 @@ bool StartOfWalk::start_as_drawn(std::size_t drivers) {
     return stays_free;
 }
 
-// --- out of a change point ----------------------------------------------------------------------------------------------------
+// --- out of a change point
+// ----------------------------------------------------------------------------------------------------
 
 std::optional<BranchTaken> StartOfWalk::start_at_change_point(const Mechanism& mechanism, const Pose& pose,
                                                               std::optional<std::size_t> asked) {

@@ -1,5 +1,5 @@
-// Elimination: Gauss with complete pivoting on a small dense matrix of doubles, which says its rank as it goes. Storage is made
-// once; equations may be more than unknowns and repeat each other.
+// Elimination: Gauss with complete pivoting on a small dense matrix of doubles, which says its rank as it goes. Storage
+// is made once; equations may be more than unknowns and repeat each other.
 #pragma once
 
 #include <cstddef>

@@ -147,7 +147,8 @@ Leading leading(mpz_srcptr number) {
             count * GMP_NUMB_BITS - static_cast<std::size_t>(unused)};
 }
 
-/// A number > 0 known nearly: between (digits − 2)·2^exponent and (digits + 1)·2^exponent, the highest bit of digits set.
+/// A number > 0 known nearly: between (digits − 2)·2^exponent and (digits + 1)·2^exponent, the highest bit of digits
+/// set.
 struct Nearly {
     mp_limb_t digits;
     long exponent;
@@ -156,8 +157,9 @@ static_assert(GMP_NUMB_BITS == 64, "what follows reckons in words of 64 bits");
 
 /// The absolute value of a fraction ≠ 0, from the leading digits alone.
 ///
-/// Numerator n = N·2^i and denominator d = D·2^j with 1/2 ≤ N, D < 1. Let N' be N·2^128 without its fraction (N·2^127 where N'
-/// would not be below 2^64·D'), D' be D·2^64 without its, and Q = ⌊N'/D'⌋, so 2^63 ≤ Q < 2^64. For q = N/D·2^64 (2^63):
+/// Numerator n = N·2^i and denominator d = D·2^j with 1/2 ≤ N, D < 1. Let N' be N·2^128 without its fraction (N·2^127
+/// where N' would not be below 2^64·D'), D' be D·2^64 without its, and Q = ⌊N'/D'⌋, so 2^63 ≤ Q < 2^64. For q =
+/// N/D·2^64 (2^63):
 ///   q < (N' + 1)/D' ≤ Q + 1, for N' + 1 ≤ D'·(Q + 1);
 ///   q > N'/(D' + 1) ≥ Q·D'/(D' + 1) = Q − Q/(D' + 1) > Q − 2, for Q < 2^64 ≤ 2·D'.
 Nearly nearly(const mpq_class& value) {
@@ -167,15 +169,16 @@ Nearly nearly(const mpq_class& value) {
     const bool is_halved = quotient[1] >= divisor;
     if (is_halved) mpn_rshift(quotient.data(), quotient.data(), 2, 1);
     mpn_divrem_1(quotient.data(), 0, quotient.data(), 2, divisor);
-    return {quotient[0], static_cast<long>(above.bits) - static_cast<long>(below.bits) - GMP_NUMB_BITS + (is_halved ? 1 : 0)};
+    return {quotient[0],
+            static_cast<long>(above.bits) - static_cast<long>(below.bits) - GMP_NUMB_BITS + (is_halved ? 1 : 0)};
 }
 
-/// The nearest double of what lies between digits − below and digits + above (both excluded and small); nothing where that is not
-/// one double, or none of the normal ones.
+/// The nearest double of what lies between digits − below and digits + above (both excluded and small); nothing where
+/// that is not one double, or none of the normal ones.
 ///
-/// A double keeps 53 of the 64 bits, so what is nearest changes in the middle between two multiples of 2^11, where the last 11
-/// bits are 2^10; below 2^63, where doubles are twice as dense, the first middle is 2^63 − 2^9. Where none lies between the
-/// bounds, all that does is rounded as `digits` is.
+/// A double keeps 53 of the 64 bits, so what is nearest changes in the middle between two multiples of 2^11, where the
+/// last 11 bits are 2^10; below 2^63, where doubles are twice as dense, the first middle is 2^63 − 2^9. Where none lies
+/// between the bounds, all that does is rounded as `digits` is.
 std::optional<double> nearest_double(const Nearly& value, mp_limb_t below, mp_limb_t above) {
     static_assert(std::numeric_limits<double>::digits == 53);
     constexpr int dropped = 11;
@@ -185,7 +188,8 @@ std::optional<double> nearest_double(const Nearly& value, mp_limb_t below, mp_li
     const mp_limb_t kept = (value.digits >> dropped) + (rest > middle ? 1 : 0);
     const long exponent = value.exponent + dropped;
     // 2^52 ≤ kept ≤ 2^53.
-    constexpr long least = std::numeric_limits<double>::min_exponent - 53, most = std::numeric_limits<double>::max_exponent - 54;
+    constexpr long least = std::numeric_limits<double>::min_exponent - 53,
+                   most = std::numeric_limits<double>::max_exponent - 54;
     if (exponent < least || exponent > most) return std::nullopt;
     return std::ldexp(static_cast<double>(kept), static_cast<int>(exponent));
 }
@@ -203,9 +207,9 @@ std::array<mp_limb_t, 2> square_of(mp_limb_t digits, long places) {
 
 /// √(x² + y²) to the nearest double, both ≠ 0; nothing as above.
 ///
-/// With X, Y the digits, at the scale of the larger one, and S = X² + ⌊Y²/2^2k⌋ the sum of squares T lies between S − 4X − 4Y >
-/// S − 2^67 and S + 2X + 2Y + 3 < S + 2^66 + 3, as X, Y < 2^64. Let R = ⌊√S⌋ (of ⌊S/4⌋ and a place higher where S ≥ 2^128: the
-/// bounds are then closer), so R ≥ 2^63 and
+/// With X, Y the digits, at the scale of the larger one, and S = X² + ⌊Y²/2^2k⌋ the sum of squares T lies between S −
+/// 4X − 4Y > S − 2^67 and S + 2X + 2Y + 3 < S + 2^66 + 3, as X, Y < 2^64. Let R = ⌊√S⌋ (of ⌊S/4⌋ and a place higher
+/// where S ≥ 2^128: the bounds are then closer), so R ≥ 2^63 and
 ///   √T > √S − 2^67/(√S + √T) > R − 9,    √T < √S + (2^66 + 3)/(√S + √T) < R + 1 + 5.
 std::optional<double> nearest_length(Nearly x, Nearly y) {
     if (x.exponent < y.exponent) std::swap(x, y);
@@ -223,9 +227,10 @@ std::optional<double> nearest_length(Nearly x, Nearly y) {
 
 /// a − b to the nearest double, both ≠ 0; nothing as above, nor where they cancel.
 ///
-/// At the scale of the one with more places, X the digits of it and Y those of the other without their fraction, |x| lies between
-/// X − 2 and X + 1 and |y| between Y − 2 and Y + 2. So their sum lies between X + Y − 4 and X + Y + 3 (and half of it between
-/// ⌊(X + Y)/2⌋ − 2 and + 2), their difference between X − Y − 4 and X − Y + 3, or the other way round.
+/// At the scale of the one with more places, X the digits of it and Y those of the other without their fraction, |x|
+/// lies between X − 2 and X + 1 and |y| between Y − 2 and Y + 2. So their sum lies between X + Y − 4 and X + Y + 3 (and
+/// half of it between ⌊(X + Y)/2⌋ − 2 and + 2), their difference between X − Y − 4 and X − Y + 3, or the other way
+/// round.
 std::optional<double> nearest_difference(const mpq_class& a, const mpq_class& b) {
     Nearly x = nearly(a), y = nearly(b);
     bool x_is_negative = sgn(a) < 0;
@@ -275,8 +280,8 @@ double to_nearest_double(const mpq_class& value) {
 double to_nearest_length(const mpq_class& x, const mpq_class& y) {
     if (sgn(x) == 0 || sgn(y) == 0) return std::abs(to_nearest_double(sgn(x) == 0 ? y : x));
     if (const auto nearest = nearest_length(nearly(x), nearly(y))) return *nearest;
-    // With so many bits that nothing is lost to overflow or underflow and only the last rounding counts; the exact square would
-    // be reduced at great cost.
+    // With so many bits that nothing is lost to overflow or underflow and only the last rounding counts; the exact
+    // square would be reduced at great cost.
     constexpr int bits = 160;
     Real other(bits), root(bits);
     mpfr_set_q(other(), x.get_mpq_t(), MPFR_RNDN);
@@ -318,7 +323,9 @@ bool is_same_ratio(const Exact& a, const Exact& b, const Exact& c, const Exact& 
     return mpz_class(left_above * right_below) == mpz_class(right_above * left_below);
 }
 
-std::size_t Exact::bits() const { return mpz_sizeinbase(value_.get_num_mpz_t(), 2) + mpz_sizeinbase(value_.get_den_mpz_t(), 2); }
+std::size_t Exact::bits() const {
+    return mpz_sizeinbase(value_.get_num_mpz_t(), 2) + mpz_sizeinbase(value_.get_den_mpz_t(), 2);
+}
 
 Exact abs(const Exact& value) { return value.sign() < 0 ? -value : value; }
 

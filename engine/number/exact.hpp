@@ -1,5 +1,5 @@
-// Exact: the number of every construction, a rational without rounding (GMP's mpq). Owns arithmetic, reading of decimals and
-// the certified square root; knows nothing of units, points or doubles beyond handing out the nearest one.
+// Exact: the number of every construction, a rational without rounding (GMP's mpq). Owns arithmetic, reading of
+// decimals and the certified square root; knows nothing of units, points or doubles beyond handing out the nearest one.
 #pragma once
 
 #include <gmpxx.h>
@@ -111,7 +111,8 @@ Exact tangent_in_first_octant(const Exact& half_turns, int bits);
 /// The angle of (x, y) ≠ 0 from +x in degrees, in (-180°, 180°], within 2^-bits; multiples of 45° exactly.
 Exact degrees_of(const Exact& y, const Exact& x, int bits);
 
-/// A free vector or the coordinates of a finite place; the unit is the context's, the number Exact or, in replays, double.
+/// A free vector or the coordinates of a finite place; the unit is the context's, the number Exact or, in replays,
+/// double.
 template <class Number>
 struct VectorOf {
     Number x{};

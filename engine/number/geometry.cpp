@@ -21,7 +21,8 @@ template <class Make>
 ProjectiveLine line_of(const Make& make) {
     mpq_class a, b, c;
     make(a, b, c);
-    return {Exact::in_lowest_terms(std::move(a)), Exact::in_lowest_terms(std::move(b)), Exact::in_lowest_terms(std::move(c))};
+    return {Exact::in_lowest_terms(std::move(a)), Exact::in_lowest_terms(std::move(b)),
+            Exact::in_lowest_terms(std::move(c))};
 }
 
 /// The same line with whole coefficients.
@@ -36,15 +37,17 @@ struct WholeLine {
     mpz_class a, b, c;
 };
 
-Exact ratio(mpz_class numerator, const mpz_class& denominator) { return Exact(mpq_class(std::move(numerator), denominator)); }
+Exact ratio(mpz_class numerator, const mpz_class& denominator) {
+    return Exact(mpq_class(std::move(numerator), denominator));
+}
 
 }  // namespace
 
 ProjectiveLine finite_line_through(const ProjectivePoint& point, const Vector& direction) {
     KG_ASSERT(!direction.is_zero(), "a line needs a direction");
     return line_of([&](mpq_class& a, mpq_class& b, mpq_class& c) {
-        CGAL::line_from_point_directionC2(point.x.rational(), point.y.rational(), direction.x.rational(), direction.y.rational(),
-                                          a, b, c);
+        CGAL::line_from_point_directionC2(point.x.rational(), point.y.rational(), direction.x.rational(),
+                                          direction.y.rational(), a, b, c);
     });
 }
 
@@ -55,8 +58,8 @@ ProjectiveLine finite_join(const ProjectivePoint& p, const ProjectivePoint& q) {
     });
 }
 
-// CGAL's intersection is the same over fractions: each of its products and differences is brought to lowest terms, where only the
-// two coordinates need be.
+// CGAL's intersection is the same over fractions: each of its products and differences is brought to lowest terms,
+// where only the two coordinates need be.
 ProjectivePoint finite_meet(const ProjectiveLine& l, const ProjectiveLine& m) {
     const WholeLine one(l), other(m);
     const mpz_class across = one.a * other.b - other.a * one.b;

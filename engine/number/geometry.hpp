@@ -1,6 +1,6 @@
-// Projective points and lines over any number. Over exact rationals lines and incidence are CGAL's (in geometry.cpp, the only
-// file that sees it); the meet, which CGAL brings to lowest terms at each step, and the thin layer of points and lines at
-// infinity, which CGAL has not, are ours. Over doubles, for replays, the same formulas stand here.
+// Projective points and lines over any number. Over exact rationals lines and incidence are CGAL's (in geometry.cpp,
+// the only file that sees it); the meet, which CGAL brings to lowest terms at each step, and the thin layer of points
+// and lines at infinity, which CGAL has not, are ours. Over doubles, for replays, the same formulas stand here.
 #pragma once
 
 #include "engine/number/exact.hpp"

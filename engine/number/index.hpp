@@ -1,4 +1,5 @@
-// Indices into the lists of a mechanism and of its record. Each knows of what: a body's is no joint's, and none is a number.
+// Indices into the lists of a mechanism and of its record. Each knows of what: a body's is no joint's, and none is a
+// number.
 #pragma once
 
 #include <compare>
@@ -22,7 +23,8 @@ public:
 
     constexpr int number() const { return number_; }
     constexpr ListIndex next() const { return ListIndex(number_ + 1); }
-    friend constexpr auto operator<=>(ListIndex, ListIndex) = default;  // NOLINT(modernize-use-nullptr): as in quantity.hpp
+    friend constexpr auto operator<=>(ListIndex,
+                                      ListIndex) = default;  // NOLINT(modernize-use-nullptr): as in quantity.hpp
 
 private:
     int number_ = -1;

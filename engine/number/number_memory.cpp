@@ -1,8 +1,9 @@
-// GMP asks through three functions without a context, so the lists are a thread's and the functions it had before are kept here:
-// there is no other place for them.
+// GMP asks through three functions without a context, so the lists are a thread's and the functions it had before are
+// kept here: there is no other place for them.
 //
-// Every block comes from the functions before ours, with at least the size it is asked for, and goes back to them with any size
-// that GMP says. So blocks of a list and others may be mixed, whoever made them and whichever thread ends them.
+// Every block comes from the functions before ours, with at least the size it is asked for, and goes back to them with
+// any size that GMP says. So blocks of a list and others may be mixed, whoever made them and whichever thread ends
+// them.
 #include "engine/number/number_memory.hpp"
 
 #include <gmp.h>
@@ -32,7 +33,7 @@ struct Block {
 static_assert(sizeof(Block) <= sizeof(mp_limb_t), "a block of one limb holds its link");
 
 constexpr std::size_t limb = sizeof(mp_limb_t);
-constexpr std::size_t longest = 64;                       ///< limbs of a block that is kept: 4096 bits; longer numbers are few
+constexpr std::size_t longest = 64;  ///< limbs of a block that is kept: 4096 bits; longer numbers are few
 constexpr std::size_t most_kept = std::size_t{4} << 20U;  ///< bytes a thread keeps
 
 struct Lists {
@@ -49,8 +50,8 @@ struct Before {
 };
 constinit Before before;
 
-/// Whether blocks of this size are kept: whole limbs, not too many. (Texts of numbers have any size.) Turned right by the bits
-/// below a limb, sizes of whole limbs are their number and all others are huge: one comparison for both.
+/// Whether blocks of this size are kept: whole limbs, not too many. (Texts of numbers have any size.) Turned right by
+/// the bits below a limb, sizes of whole limbs are their number and all others are huge: one comparison for both.
 bool is_kept(std::size_t size) {
     static_assert(std::has_single_bit(limb));
     return std::rotr(size, std::countr_zero(limb)) - 1 < longest;

@@ -9,14 +9,16 @@
 
 namespace kinegraph {
 
-/// Recipes name the element; the value is read from the record once it is finished. What was shown to vanish has no element.
+/// Recipes name the element; the value is read from the record once it is finished. What was shown to vanish has no
+/// element.
 template <class T>
 class Recorded {
 public:
     Recorded() = default;
     /// A value that stands in no record.
-    Recorded(T value) : known_(true), value_(std::move(value)) {}  // NOLINT(google-explicit-constructor): as std::optional
-    Recorded(std::nullopt_t) {}                                    // NOLINT(google-explicit-constructor)
+    Recorded(T value)
+        : known_(true), value_(std::move(value)) {}  // NOLINT(google-explicit-constructor): as std::optional
+    Recorded(std::nullopt_t) {}                      // NOLINT(google-explicit-constructor)
     static Recorded at(ElementIndex element) {
         Recorded found;
         found.known_ = true;

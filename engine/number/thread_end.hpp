@@ -1,4 +1,5 @@
-// What a thread that has computed with exact numbers gives back when it ends: libraries below keep constants for each thread.
+// What a thread that has computed with exact numbers gives back when it ends: libraries below keep constants for each
+// thread.
 #pragma once
 
 namespace kinegraph {

@@ -1,5 +1,5 @@
-// Watched memory: whether a sanitizer looks after memory. It must see every block end, and keeps what is freed from being used
-// again; so where it does, nothing is kept at hand.
+// Watched memory: whether a sanitizer looks after memory. It must see every block end, and keeps what is freed from
+// being used again; so where it does, nothing is kept at hand.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -47,9 +47,9 @@ void BodiesSection::read_bodies(JsonValue bodies) {
             if (form["circle"]) read_body_circle(form["circle"], index);
             if (!points) continue;
             if (!file_.expect(points, Kind::array, {"an array of points", "un array di punti"})) continue;
-        } else if (!file_.expect(
-                       points, Kind::array,
-                       {"an array of points, or {\"points\": […], …},", "un array di punti, o {\"points\": […], …},"})) {
+        } else if (!file_.expect(points, Kind::array,
+                                 {"an array of points, or {\"points\": […], …},",
+                                  "un array di punti, o {\"points\": […], …},"})) {
             continue;
         }
         for (const JsonValue name : points) carry(index, file_.point(name, true));
@@ -58,17 +58,22 @@ void BodiesSection::read_bodies(JsonValue bodies) {
 
 void BodiesSection::carry(BodyIndex on, PointIndex carried) {
     if (on == none || carried == none) return;
-    const std::uint64_t pair = (static_cast<std::uint64_t>(on.number()) << 32U) | static_cast<std::uint64_t>(carried.number());
+    const std::uint64_t pair =
+        (static_cast<std::uint64_t>(on.number()) << 32U) | static_cast<std::uint64_t>(carried.number());
     if (carried_.insert(pair).second) body_at(on).points.push_back(carried);
 }
 
 void BodiesSection::read_body_circle(JsonValue value, BodyIndex index) {
-    if (!file_.expect(value, Kind::object, {"{\"centre\": …, \"radius\": …}", "{\"centre\": …, \"radius\": …}"})) return;
-    const Members form = file_.members(value, {"centre", "radius"}, {"a body's circle", "la circonferenza di un corpo"});
+    if (!file_.expect(value, Kind::object, {"{\"centre\": …, \"radius\": …}", "{\"centre\": …, \"radius\": …}"}))
+        return;
+    const Members form =
+        file_.members(value, {"centre", "radius"}, {"a body's circle", "la circonferenza di un corpo"});
     Circle circle;
-    circle.centre = file_.point(file_.required(form, "centre", {"the circle's centre", "il centro della circonferenza"}));
-    circle.radius = file_.positive(file_.required(form, "radius", {"the circle's radius", "il raggio della circonferenza"}),
-                                   QuantityKind::length, {"a radius", "un raggio"});
+    circle.centre =
+        file_.point(file_.required(form, "centre", {"the circle's centre", "il centro della circonferenza"}));
+    circle.radius =
+        file_.positive(file_.required(form, "radius", {"the circle's radius", "il raggio della circonferenza"}),
+                       QuantityKind::length, {"a radius", "un raggio"});
     body_at(index).circle = std::move(circle);
 }
 

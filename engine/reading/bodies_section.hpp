@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <unordered_set>
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/mechanism.hpp"
+#include "engine/reading/form_reader.hpp"
 
 namespace kinegraph {
 

@@ -1,10 +1,11 @@
-// The file of a cam: FORMAT "Cams". Its law, its base circle and its follower, with the faults of a file as a mechanism's.
+// The file of a cam: FORMAT "Cams". Its law, its base circle and its follower, with the faults of a file as a
+// mechanism's.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "engine/mechanism/cam.hpp"
 #include "engine/file/file_kind.hpp"
+#include "engine/mechanism/cam.hpp"
 #include "engine/reading/law_reader.hpp"
 
 namespace kinegraph {
@@ -16,15 +17,17 @@ public:
 
     Result<Cam> read() {
         for (const JsonValue& twice : source_.duplicates())
-            fault(twice, {"{0} stands twice in this object; rename one or take it out",
-                          "{0} compare due volte in questo oggetto; rinominare o togliere uno dei due", quoted(twice.key())});
+            fault(twice,
+                  {"{0} stands twice in this object; rename one or take it out",
+                   "{0} compare due volte in questo oggetto; rinominare o togliere uno dei due", quoted(twice.key())});
         if (const JsonValue root = source_.root(); !root.is_object())
-            fault(root,
-                  {"a cam's file is a JSON object, not {0}", "il file di una camma è un oggetto JSON, non {0}", described(root)});
+            fault(root, {"a cam's file is a JSON object, not {0}", "il file di una camma è un oggetto JSON, non {0}",
+                         described(root)});
         else
             read_file(root);
         if (faults_.empty()) return std::move(cam_);
-        std::stable_sort(faults_.begin(), faults_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::stable_sort(faults_.begin(), faults_.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
         Errors errors;
         for (auto& [order, error] : faults_) errors.push_back(std::move(error));
         return tl::unexpected(std::move(errors));
@@ -33,28 +36,30 @@ public:
 private:
     void read_file(JsonValue root) {
         if (const auto other = fault_of_kind(root, FileKind::cam)) return fault(other->first, other->second);
-        const Members file =
-            members(root, {"$schema", "kinegraph", "title", "units", "cam"}, {"the file of a cam", "il file di una camma"});
-        const JsonValue version =
-            required(file, "kinegraph",
-                     {"write \"kinegraph\": 1, the version of the format", "scrivere \"kinegraph\": 1, la versione del formato"});
+        const Members file = members(root, {"$schema", "kinegraph", "title", "units", "cam"},
+                                     {"the file of a cam", "il file di una camma"});
+        const JsonValue version = required(file, "kinegraph",
+                                           {"write \"kinegraph\": 1, the version of the format",
+                                            "scrivere \"kinegraph\": 1, la versione del formato"});
         if (version && (!version.is_number() || version.text() != "1"))
-            fault(version,
-                  {"the version of the format is 1, not {0}", "la versione del formato è 1, non {0}", described(version)});
+            fault(version, {"the version of the format is 1, not {0}", "la versione del formato è 1, non {0}",
+                            described(version)});
         if (file["title"]) cam_.title = words(file["title"]);
         read_units(file["units"]);
-        const JsonValue cam = required(
-            file, "cam",
-            {"the cam: its law, its base radius and its follower", "la camma: la sua legge, il raggio di base e la punteria"});
+        const JsonValue cam = required(file, "cam",
+                                       {"the cam: its law, its base radius and its follower",
+                                        "la camma: la sua legge, il raggio di base e la punteria"});
         if (cam && expect(cam, Kind::object, {"a cam", "una camma"})) read_cam(cam);
     }
 
     void read_units(JsonValue units) {
-        if (units && expect(units, Kind::object, {"an object of units by quantity", "un oggetto con le unità per grandezza"})) {
-            const Members set =
-                members(units, {"length", "angle", "angular velocity"}, {"\"units\" of a cam", "\"units\" di una camma"});
-            for (const auto& [key, kind] : {std::pair("length", QuantityKind::length), std::pair("angle", QuantityKind::angle),
-                                            std::pair("angular velocity", QuantityKind::angular_velocity)}) {
+        if (units &&
+            expect(units, Kind::object, {"an object of units by quantity", "un oggetto con le unità per grandezza"})) {
+            const Members set = members(units, {"length", "angle", "angular velocity"},
+                                        {"\"units\" of a cam", "\"units\" di una camma"});
+            for (const auto& [key, kind] :
+                 {std::pair("length", QuantityKind::length), std::pair("angle", QuantityKind::angle),
+                  std::pair("angular velocity", QuantityKind::angular_velocity)}) {
                 const JsonValue value = set[key];
                 if (!value || !expect(value, Kind::string, {"a unit", "un’unità"})) continue;
                 const KnownUnit* unit = unit_spelt(value.text());
@@ -75,19 +80,21 @@ private:
 
     void read_cam(JsonValue value) {
         const Members form = members(value, {"omega", "base radius", "follower", "law"}, {"a cam", "una camma"});
-        const JsonValue omega = required(form, "omega", {"how fast the cam turns", "quanto velocemente ruota la camma"});
+        const JsonValue omega =
+            required(form, "omega", {"how fast the cam turns", "quanto velocemente ruota la camma"});
         cam_.omega = quantity(omega, QuantityKind::angular_velocity).value_or(Exact(1));
         if (cam_.omega.is_zero()) {
             fault(omega, {"a cam that does not turn moves nothing", "una camma che non ruota non muove nulla"});
             cam_.omega = 1;
         }
-        cam_.base_circle =
-            positive(required(form, "base radius", {"the radius of the base circle", "il raggio della circonferenza di base"}),
-                     QuantityKind::length, std::string("\"base radius\""));
+        cam_.base_circle = positive(
+            required(form, "base radius", {"the radius of the base circle", "il raggio della circonferenza di base"}),
+            QuantityKind::length, std::string("\"base radius\""));
         const JsonValue follower = required(form, "follower", {"what the cam moves", "ciò che la camma muove"});
         if (follower && expect(follower, Kind::object, {"a follower", "una punteria"})) read_follower(follower);
         const JsonValue law = required(
-            form, "law", {"how the follower moves over a turn of the cam", "come si muove la punteria in un giro della camma"});
+            form, "law",
+            {"how the follower moves over a turn of the cam", "come si muove la punteria in un giro della camma"});
         if (law) read_law(law);
     }
 
@@ -111,29 +118,33 @@ private:
     void read_follower(JsonValue value) {
         using Moves = Follower::Moves;
         using Face = Follower::Face;
-        const Members form =
-            members(value, {"moves", "face", "radius", "offset", "pivot", "arm", "side"}, {"a follower", "una punteria"});
+        const Members form = members(value, {"moves", "face", "radius", "offset", "pivot", "arm", "side"},
+                                     {"a follower", "una punteria"});
         Follower& follower = cam_.follower;
-        follower.moves =
-            choice(required(form, "moves", {"\"translating\" or \"oscillating\"", "\"translating\" oppure \"oscillating\""}),
-                   std::array{std::pair{std::string_view("translating"), Moves::translating},
-                              std::pair{std::string_view("oscillating"), Moves::oscillating}});
-        follower.face = choice(
-            required(form, "face", {"\"roller\", \"flat\" or \"knife edge\"", "\"roller\", \"flat\" oppure \"knife edge\""}),
-            std::array{std::pair{std::string_view("roller"), Face::roller}, std::pair{std::string_view("flat"), Face::flat},
-                       std::pair{std::string_view("knife edge"), Face::knife_edge}});
+        follower.moves = choice(
+            required(form, "moves", {"\"translating\" or \"oscillating\"", "\"translating\" oppure \"oscillating\""}),
+            std::array{std::pair{std::string_view("translating"), Moves::translating},
+                       std::pair{std::string_view("oscillating"), Moves::oscillating}});
+        follower.face =
+            choice(required(form, "face",
+                            {"\"roller\", \"flat\" or \"knife edge\"", "\"roller\", \"flat\" oppure \"knife edge\""}),
+                   std::array{std::pair{std::string_view("roller"), Face::roller},
+                              std::pair{std::string_view("flat"), Face::flat},
+                              std::pair{std::string_view("knife edge"), Face::knife_edge}});
         const bool oscillates = follower.moves == Moves::oscillating, is_flat = follower.face == Face::flat;
-        follower.radius =
-            wanted(form, "radius", follower.face == Face::roller, true, {"the roller's radius", "il raggio della rotella"},
-                   {"only a roller has a radius", "solo una rotella ha un raggio"});
-        follower.arm =
-            wanted(form, "arm", oscillates && !is_flat, true,
-                   {"from the pivot to the roller's centre, or to the edge", "dal perno al centro della rotella, o al coltello"},
-                   {"only an oscillating roller or edge has an arm", "solo una rotella o un coltello oscillante ha un braccio"});
-        follower.offset = wanted(form, "offset", oscillates == is_flat, false, {},
-                                 {"an offset is of a translating roller or edge, or of an "
-                                  "oscillating flat face",
-                                  "l’eccentricità è di una rotella o di un coltello che trasla, o di un piattello oscillante"});
+        follower.radius = wanted(form, "radius", follower.face == Face::roller, true,
+                                 {"the roller's radius", "il raggio della rotella"},
+                                 {"only a roller has a radius", "solo una rotella ha un raggio"});
+        follower.arm = wanted(form, "arm", oscillates && !is_flat, true,
+                              {"from the pivot to the roller's centre, or to the edge",
+                               "dal perno al centro della rotella, o al coltello"},
+                              {"only an oscillating roller or edge has an arm",
+                               "solo una rotella o un coltello oscillante ha un braccio"});
+        follower.offset =
+            wanted(form, "offset", oscillates == is_flat, false, {},
+                   {"an offset is of a translating roller or edge, or of an "
+                    "oscillating flat face",
+                    "l’eccentricità è di una rotella o di un coltello che trasla, o di un piattello oscillante"});
         if (const JsonValue pivot = form["pivot"]; oscillates) {
             const Words where("where the follower turns, [x, y] from the cam's centre",
                               "dove ruota la punteria, [x, y] dal centro della camma");
@@ -144,8 +155,8 @@ private:
             fault(pivot, {"only an oscillating follower has a pivot", "solo una punteria oscillante ha un perno"});
         }
         if (const JsonValue side = form["side"])
-            follower.on_left =
-                choice(side, std::array{std::pair{std::string_view("left"), true}, std::pair{std::string_view("right"), false}});
+            follower.on_left = choice(side, std::array{std::pair{std::string_view("left"), true},
+                                                       std::pair{std::string_view("right"), false}});
     }
 
     /// A length that some followers have, and others have not.
@@ -163,8 +174,8 @@ private:
     void read_law(JsonValue value) {
         const std::size_t before = faults_.size();
         const bool turning = cam_.follower.moves == Follower::Moves::oscillating;
-        cam_.law =
-            law_of_value(value, {"rise", turning ? QuantityKind::angle : QuantityKind::length, "turn", QuantityKind::angle});
+        cam_.law = law_of_value(
+            value, {"rise", turning ? QuantityKind::angle : QuantityKind::length, "turn", QuantityKind::angle});
         if (faults_.size() > before) return;
         Exact turn, end;
         bool sinks = false;

@@ -11,17 +11,18 @@ void ContactsOfJoints::read(const Members& form, const Joint& joint, JointIndex 
     const JsonValue materials = form["materials"];
     if (!materials) {
         if (form["length"] && !form.has_or_misspells("materials"))
-            file_.fault(form["length"], {"a contact has a \"length\" where it has \"materials\"; give them, or take it out",
-                                         "un contatto ha \"length\" dove ha \"materials\"; assegnarli, o toglierla"});
+            file_.fault(form["length"],
+                        {"a contact has a \"length\" where it has \"materials\"; give them, or take it out",
+                         "un contatto ha \"length\" dove ha \"materials\"; assegnarli, o toglierla"});
         return;
     }
     LoadedContact contact;
     contact.joint = index;
     contact.where = materials.pointer();
     read_bodies(materials, joint, contact);
-    contact.length =
-        file_.positive(file_.required(form, "length", {"how long the line of contact is", "quanto è lunga la linea di contatto"}),
-                       QuantityKind::length, {"the length", "la lunghezza"});
+    contact.length = file_.positive(
+        file_.required(form, "length", {"how long the line of contact is", "quanto è lunga la linea di contatto"}),
+        QuantityKind::length, {"the length", "la lunghezza"});
     check_profiles(materials, form, joint);
     contacts_.push_back(std::move(contact));
 }
@@ -45,8 +46,8 @@ void ContactsOfJoints::read_bodies(JsonValue materials, const Joint& joint, Load
         const BodyIndex on = file_.look_up_body(member, member.key());
         if (on == none) return;
         if (!joint.connects(on)) {
-            file_.fault(member,
-                        {"the body {0} is not in this joint", "il corpo {0} non è in questa coppia", quoted(member.key())});
+            file_.fault(member, {"the body {0} is not in this joint", "il corpo {0} non è in questa coppia",
+                                 quoted(member.key())});
             return;
         }
         const std::size_t i = joint.bodies[0] == on ? 0 : 1;
@@ -83,13 +84,15 @@ void ContactsOfJoints::check_profiles(JsonValue materials, const Members& form, 
             file_.fault(
                 materials,
                 {"a tip has no radius, and its pressure no bound; round it to a circle, or take \"materials\" out",
-                 "una punta non ha raggio, e la pressione non ha limite; arrotondarla a un cerchio, o togliere \"materials\""});
+                 "una punta non ha raggio, e la pressione non ha limite; arrotondarla a un cerchio, o togliere "
+                 "\"materials\""});
             return;
         }
     if (joint.pressure_angle && joint.pressure_angle->value.is_zero())
-        file_.fault(form["pressure angle"],
-                    {"teeth that press each other have a pressure angle larger than 0°, else their radii vanish",
-                     "denti che si premono hanno un angolo di pressione maggiore di 0°, altrimenti i raggi si annullano"});
+        file_.fault(
+            form["pressure angle"],
+            {"teeth that press each other have a pressure angle larger than 0°, else their radii vanish",
+             "denti che si premono hanno un angolo di pressione maggiore di 0°, altrimenti i raggi si annullano"});
     if (joint.pair().meshes() && !form.has_or_misspells("pressure angle"))
         file_.fault(materials, {"the radii of teeth at the pitch point want a \"pressure angle\"; give it",
                                 "i raggi dei denti nel punto primitivo richiedono un \"pressure angle\"; assegnarlo"});

@@ -1,13 +1,13 @@
-// The "materials" and the "length" of a joint whose bodies touch: Hertz's problem at a joint, whose force and radii the mechanism
-// gives.
+// The "materials" and the "length" of a joint whose bodies touch: Hertz's problem at a joint, whose force and radii the
+// mechanism gives.
 #pragma once
 
 #include <array>
 #include <string_view>
 #include <utility>
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/problem.hpp"
+#include "engine/reading/form_reader.hpp"
 #include "engine/reading/materials.hpp"
 
 namespace kinegraph {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "engine/number/assert.hpp"
 #include "engine/mechanism/drivers.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph {
 namespace {
@@ -27,8 +27,9 @@ void DriversSection::read_slide_driver(JsonValue value) {
     SlideDriver driver;
     driver.where = value.pointer();
     driver.joint = joints_.sliding_joint(
-        form["joint"], {"a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here",
-                        "un movente muove una coppia prismatica o un glifo rettilineo; qui comandare un corpo con \"body\""});
+        form["joint"],
+        {"a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here",
+         "un movente muove una coppia prismatica o un glifo rettilineo; qui comandare un corpo con \"body\""});
     if (driver.joint != none && mechanism_.joint(driver.joint).arc != none) {
         file_.fault(form["joint"],
                     {"the slot of {0} is curved; drive a \"body\" instead",
@@ -41,8 +42,9 @@ void DriversSection::read_slide_driver(JsonValue value) {
 }
 
 void DriversSection::read_point_driver(JsonValue value) {
-    const Members form = file_.members(value, {"body", "at", "along", "speed", "acceleration", "law", "drawn at", "joint"},
-                                       {"a driver of a point", "un movente di un punto"});
+    const Members form =
+        file_.members(value, {"body", "at", "along", "speed", "acceleration", "law", "drawn at", "joint"},
+                      {"a driver of a point", "un movente di un punto"});
     PointDriver driver;
     driver.where = value.pointer();
     if (form.has_or_misspells("joint")) return;
@@ -65,7 +67,8 @@ void DriversSection::read_point_driver(JsonValue value) {
 
 void DriversSection::read_spin_driver(JsonValue value) {
     const Members form = file_.members(
-        value, {"body", "relative to", "omega", "alpha", "law", "drawn at", "joint", "at", "along", "speed", "acceleration"},
+        value,
+        {"body", "relative to", "omega", "alpha", "law", "drawn at", "joint", "at", "along", "speed", "acceleration"},
         {"a driver", "un movente"});
     for (const std::string_view key : {"joint", "at", "along", "speed", "acceleration"}) {
         if (form.has_or_misspells(key)) return;
@@ -91,13 +94,13 @@ void DriversSection::read_spin_driver(JsonValue value) {
 void DriversSection::turn_instead(const Members& form) {
     for (const auto& [key, turning] : {std::pair{"speed", "omega"}, std::pair{"acceleration", "alpha"}})
         if (form[key])
-            file_.fault(
-                form[key],
-                {"a body turns: give \"{1}\"; \"{0}\" is of a \"joint\" that slides, or of a point of the body, \"at\" P "
-                 "\"along\" X",
-                 "un corpo ruota: assegnare \"{1}\"; \"{0}\" è di una coppia che scorre (\"joint\") o di un punto del corpo, "
-                 "\"at\" P \"along\" X",
-                 std::string_view(key), std::string_view(turning)});
+            file_.fault(form[key], {"a body turns: give \"{1}\"; \"{0}\" is of a \"joint\" that slides, or of a point "
+                                    "of the body, \"at\" P "
+                                    "\"along\" X",
+                                    "un corpo ruota: assegnare \"{1}\"; \"{0}\" è di una coppia che scorre (\"joint\") "
+                                    "o di un punto del corpo, "
+                                    "\"at\" P \"along\" X",
+                                    std::string_view(key), std::string_view(turning)});
 }
 
 std::optional<Law> DriversSection::law(const Members& form, std::initializer_list<std::string_view> rates) {
@@ -115,8 +118,9 @@ std::optional<Law> DriversSection::law(const Members& form, std::initializer_lis
     }
     const bool turning = *rates.begin() == "omega";
     const std::size_t faults = file_.fault_count();
-    Law law = laws_.law_of_value(value, turning ? LawReader::LawTerms{"turn", QuantityKind::angle, "time", QuantityKind::time}
-                                                : LawReader::LawTerms{"slide", QuantityKind::length, "time", QuantityKind::time});
+    Law law = laws_.law_of_value(
+        value, turning ? LawReader::LawTerms{"turn", QuantityKind::angle, "time", QuantityKind::time}
+                       : LawReader::LawTerms{"slide", QuantityKind::length, "time", QuantityKind::time});
     if (file_.fault_count() > faults) return std::nullopt;
     law.drawn = file_.quantity_or_zero(drawn, QuantityKind::time);
     if (law.drawn.sign() < 0 || law.drawn.to_double() > law.length() * (1 + 1e-12)) {

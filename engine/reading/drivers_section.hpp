@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/reading/law_reader.hpp"
 #include "engine/reading/joints_section.hpp"
+#include "engine/reading/law_reader.hpp"
 
 namespace kinegraph {
 

@@ -18,9 +18,10 @@ void EffortsSection::read_effort(JsonValue value) {
                        : value["joint"] ? read_actuator(value)
                                         : read_force_effort(value);
     if (!name.text.empty() && !effort_names_.insert(name.text).second) {
-        file_.fault(name.at, {"two efforts are named {0}; results go by the name, so rename one",
-                              "due azioni equilibranti si chiamano {0}; i risultati vanno per nome, quindi rinominarne una",
-                              quoted(name.text)});
+        file_.fault(name.at,
+                    {"two efforts are named {0}; results go by the name, so rename one",
+                     "due azioni equilibranti si chiamano {0}; i risultati vanno per nome, quindi rinominarne una",
+                     quoted(name.text)});
     }
 }
 
@@ -29,8 +30,8 @@ EffortsSection::Named EffortsSection::effort_name(JsonValue given, const Words& 
 }
 
 EffortsSection::Named EffortsSection::read_couple_effort(JsonValue value) {
-    const Members form =
-        file_.members(value, {"couple", "body", "from", "force"}, {"a couple that balances", "una coppia di forze equilibrante"});
+    const Members form = file_.members(value, {"couple", "body", "from", "force"},
+                                       {"a couple that balances", "una coppia di forze equilibrante"});
     file_.one_of(form, {"couple", "force"});
     Named name = effort_name(form["couple"], {"the couple's name", "il nome della coppia di forze"});
     CoupleEffort couple;
@@ -39,9 +40,10 @@ EffortsSection::Named EffortsSection::read_couple_effort(JsonValue value) {
     if (const JsonValue from = form["from"]) couple.from = file_.body(from);
     if (couple.body != none && couple.body == couple.from) {
         file_.fault(form["from"] ? form["from"] : form["body"],
-                    form["from"] ? Words("a couple from a body on itself balances nothing; name another",
-                                         "una coppia di forze da un corpo su se stesso non equilibra nulla; indicarne un altro")
-                                 : nothing_moves_the_frame());
+                    form["from"]
+                        ? Words("a couple from a body on itself balances nothing; name another",
+                                "una coppia di forze da un corpo su se stesso non equilibra nulla; indicarne un altro")
+                        : nothing_moves_the_frame());
     }
     couple.name = name.text;
     mechanism_.efforts.emplace_back(std::move(couple));
@@ -77,13 +79,13 @@ EffortsSection::Named EffortsSection::read_force_effort(JsonValue value) {
     Named name = effort_name(form["force"], {"the force's name", "il nome della forza"});
     ForceEffort force;
     force.where = value.pointer();
-    force.body = file_.moving_body(
-        file_.required(form, "body",
-                       {"the body on which it acts (or give \"joint\")", "il corpo su cui agisce (o assegnare \"joint\")"}),
-        nothing_moves_the_frame());
+    force.body = file_.moving_body(file_.required(form, "body",
+                                                  {"the body on which it acts (or give \"joint\")",
+                                                   "il corpo su cui agisce (o assegnare \"joint\")"}),
+                                   nothing_moves_the_frame());
     force.at = file_.point(file_.required(form, "at", {"the point at which it acts", "il punto in cui agisce"}));
-    force.along =
-        file_.bearing_or_default(file_.required(form, "along", {"the direction of the force", "la direzione della forza"}));
+    force.along = file_.bearing_or_default(
+        file_.required(form, "along", {"the direction of the force", "la direzione della forza"}));
     force.name = name.text;
     mechanism_.efforts.emplace_back(std::move(force));
     return name;

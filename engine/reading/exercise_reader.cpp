@@ -5,8 +5,8 @@
 #include <array>
 
 #include "engine/mechanism/problem.hpp"
-#include "engine/results/result_names.hpp"
 #include "engine/mechanism/variation.hpp"
+#include "engine/results/result_names.hpp"
 
 namespace kinegraph {
 namespace {
@@ -47,16 +47,11 @@ std::optional<std::pair<Sign, std::size_t>> sign_in(std::string_view text, std::
 /// By the sign of left − right.
 bool holds_by(Condition::Relation relation, int order) {
     switch (relation) {
-        case Condition::Relation::less:
-            return order < 0;
-        case Condition::Relation::at_most:
-            return order <= 0;
-        case Condition::Relation::equal:
-            return order == 0;
-        case Condition::Relation::at_least:
-            return order >= 0;
-        case Condition::Relation::greater:
-            return order > 0;
+        case Condition::Relation::less: return order < 0;
+        case Condition::Relation::at_most: return order <= 0;
+        case Condition::Relation::equal: return order == 0;
+        case Condition::Relation::at_least: return order >= 0;
+        case Condition::Relation::greater: return order > 0;
     }
     return false;
 }
@@ -69,9 +64,10 @@ void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
     knows_results_ = faults_.empty() && !stands_for_joints(mechanism);
     if (knows_results_) results_ = possible_results(mechanism);
     // A value in place of a formula cuts off what the formula hangs on.
-    knows_uses_ = faults_.empty() && std::none_of(parameters_.begin(), parameters_.end(), [](const auto& each) {
-                      return !each.second.set.empty() && each.second.at.is_string() && is_formula(each.second.at.text());
-                  });
+    knows_uses_ =
+        faults_.empty() && std::none_of(parameters_.begin(), parameters_.end(), [](const auto& each) {
+            return !each.second.set.empty() && each.second.at.is_string() && is_formula(each.second.at.text());
+        });
     Exercise exercise;
     exercise.comes_to = std::move(comes_to_);
     if (file["ask"]) read_ask(file["ask"], exercise);
@@ -83,14 +79,16 @@ void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
 const Column* ExerciseReader::result_named(std::string_view name) const {
     static const Column transmission{Column::Kind::named, {}, transmission_angle_name, QuantityKind::angle};
     if (name == transmission.name) return &transmission;
-    const auto found = std::find_if(results_.begin(), results_.end(), [&](const Column& each) { return each.name == name; });
+    const auto found =
+        std::find_if(results_.begin(), results_.end(), [&](const Column& each) { return each.name == name; });
     return found == results_.end() ? nullptr : &*found;
 }
 
 // ----- ask
 
 void ExerciseReader::read_ask(JsonValue ask, Exercise& exercise) {
-    const Words wanted("an array of names of results, such as \"omega 3\"", "un array di nomi di risultati, come \"omega 3\"");
+    const Words wanted("an array of names of results, such as \"omega 3\"",
+                       "un array di nomi di risultati, come \"omega 3\"");
     if (!expect(ask, Kind::array, wanted)) return;
     if (ask.size() == 0)
         fault(ask, {"nothing is asked for; take \"ask\" out, or name a result",
@@ -100,14 +98,16 @@ void ExerciseReader::read_ask(JsonValue ask, Exercise& exercise) {
                     {"the name of a result, such as \"omega 3\"", "il nome di un risultato, come \"omega 3\""}))
             continue;
         const std::string_view name = value.text();
-        if (std::any_of(exercise.ask.begin(), exercise.ask.end(), [&](const AskedResult& each) { return each.name == name; }))
-            fault(value, {"{0} is asked for twice; take one out", "{0} è chiesto due volte; toglierne uno", quoted(name)});
+        if (std::any_of(exercise.ask.begin(), exercise.ask.end(),
+                        [&](const AskedResult& each) { return each.name == name; }))
+            fault(value,
+                  {"{0} is asked for twice; take one out", "{0} è chiesto due volte; toglierne uno", quoted(name)});
         if (knows_results_ && result_named(name) == nullptr) {
             std::vector<std::string_view> names{transmission_angle_name};
             for (const Column& each : results_) names.emplace_back(each.name);
             fault(value, {"no result is named {0}{1}; names are those of the columns of \"sweep\"",
-                          "nessun risultato si chiama {0}{1}; i nomi sono quelli delle colonne di \"sweep\"", quoted(name),
-                          did_you_mean(speller_.nearest(name, names))});
+                          "nessun risultato si chiama {0}{1}; i nomi sono quelli delle colonne di \"sweep\"",
+                          quoted(name), did_you_mean(speller_.nearest(name, names))});
         }
         exercise.ask.push_back({std::string(name), value.pointer()});
     }
@@ -117,7 +117,8 @@ void ExerciseReader::read_ask(JsonValue ask, Exercise& exercise) {
 
 void ExerciseReader::read_vary(JsonValue vary, Exercise& exercise) {
     if (!expect(vary, Kind::object,
-                {"an object of parameters with the values that they take", "un oggetto con i parametri e i valori che assumono"}))
+                {"an object of parameters with the values that they take",
+                 "un oggetto con i parametri e i valori che assumono"}))
         return;
     if (vary.size() == 0)
         fault(vary, {"nothing varies; take \"vary\" out, or name a parameter",
@@ -130,21 +131,25 @@ void ExerciseReader::read_variation(JsonValue member, Exercise& exercise) {
     const Measured* own = nullptr;
     std::optional<Measured> of_the_file;
     if (found == parameters_.end()) {
-        fault(member, {"no parameter is named {0}{1}; what varies stands among the \"parameters\", with a value of its own",
-                       "nessun parametro si chiama {0}{1}; ciò che varia sta fra i \"parameters\", con un valore proprio",
-                       quoted(member.key()), did_you_mean(speller_.nearest(member.key(), parameter_names_))});
+        fault(member,
+              {"no parameter is named {0}{1}; what varies stands among the \"parameters\", with a value of its own",
+               "nessun parametro si chiama {0}{1}; ciò che varia sta fra i \"parameters\", con un valore proprio",
+               quoted(member.key()), did_you_mean(speller_.nearest(member.key(), parameter_names_))});
     } else if (knows_uses_ && !is_used(member.key())) {
-        fault(member,
-              {"nothing hangs on {0}: copies that differ in it alone would be the same; write \"= {1}\" where it counts, or "
-               "take it out of \"vary\"",
-               "nulla dipende da {0}: copie che differiscono solo per esso sarebbero uguali; scrivere \"= {1}\" dove conta, o "
-               "toglierlo da \"vary\"",
-               quoted(member.key()), std::string(member.key())});
+        fault(member, {"nothing hangs on {0}: copies that differ in it alone would be the same; write \"= {1}\" where "
+                       "it counts, or "
+                       "take it out of \"vary\"",
+                       "nulla dipende da {0}: copie che differiscono solo per esso sarebbero uguali; scrivere \"= "
+                       "{1}\" dove conta, o "
+                       "toglierlo da \"vary\"",
+                       quoted(member.key()), std::string(member.key())});
     } else if (found->second.at.is_string() && is_formula(found->second.at.text())) {
-        fault(member,
-              {"{0} is a formula, and what varies has a value of its own; let vary what it hangs on, or give it a value",
-               "{0} è una formula, e ciò che varia ha un valore proprio; far variare ciò da cui dipende, o darle un valore",
-               quoted(member.key())});
+        fault(
+            member,
+            {"{0} is a formula, and what varies has a value of its own; let vary what it hangs on, or give it a value",
+             "{0} è una formula, e ciò che varia ha un valore proprio; far variare ciò da cui dipende, o darle un "
+             "valore",
+             quoted(member.key())});
     } else {
         own = own_value(member.key(), found->second, of_the_file);
     }
@@ -184,11 +189,12 @@ const Measured* ExerciseReader::own_value(std::string_view name, const Parameter
     const Measured& set = parameter.value;
     if (set.is_bare != of_the_file->is_bare || !(set.dimension == of_the_file->dimension))
         faults_.emplace_back(
-            0, Error{ErrorCode::bad_input,
-                     {},
-                     {"--set {0}={1} is {2}; the file’s own value, and all that \"vary\" gives it, is {3}: set such a one",
-                      "--set {0}={1} è {2}; il valore proprio del file, e tutti quelli di \"vary\", è {3}: dare uno così",
-                      std::string(name), shown(parameter.set, 40), described(set), described(*of_the_file)}});
+            0,
+            Error{ErrorCode::bad_input,
+                  {},
+                  {"--set {0}={1} is {2}; the file’s own value, and all that \"vary\" gives it, is {3}: set such a one",
+                   "--set {0}={1} è {2}; il valore proprio del file, e tutti quelli di \"vary\", è {3}: dare uno così",
+                   std::string(name), shown(parameter.set, 40), described(set), described(*of_the_file)}});
     return &*of_the_file;
 }
 
@@ -218,14 +224,15 @@ std::optional<Measured> ExerciseReader::value_of_parameter(JsonValue value, cons
 void ExerciseReader::read_choices(JsonValue choose, const Measured* own, Variation& variation) {
     if (!expect(choose, Kind::array, {"an array of values", "un array di valori"})) return;
     if (choose.size() == 0)
-        fault(choose, {"there is nothing to choose from; write a value", "non c’è nulla da scegliere; scrivere un valore"});
+        fault(choose,
+              {"there is nothing to choose from; write a value", "non c’è nulla da scegliere; scrivere un valore"});
     std::vector<Exact> values;
     for (const JsonValue value : choose) {
         const auto read = value_of_parameter(value, own);
         if (!read) continue;
         if (std::find(values.begin(), values.end(), read->value) != values.end())
-            fault(value, {"{0} stands twice; two copies would be the same", "{0} compare due volte; due copie sarebbero uguali",
-                          shown(value.text(), 40)});
+            fault(value, {"{0} stands twice; two copies would be the same",
+                          "{0} compare due volte; due copie sarebbero uguali", shown(value.text(), 40)});
         values.push_back(read->value);
         variation.choices.emplace_back(value.text());
     }
@@ -235,15 +242,16 @@ void ExerciseReader::read_choices(JsonValue choose, const Measured* own, Variati
 void ExerciseReader::read_steps(const Members& form, const Measured* own, Variation& variation) {
     constexpr int most = 1'000'000;
     const auto from = value_of_parameter(
-        required(form, "from", {"the first value (or give \"choose\")", "il primo valore (o assegnare \"choose\")"}), own);
+        required(form, "from", {"the first value (or give \"choose\")", "il primo valore (o assegnare \"choose\")"}),
+        own);
     const auto to = value_of_parameter(required(form, "to", {"the last value", "l’ultimo valore"}), own);
     const auto step =
         value_of_parameter(required(form, "step", {"from one value to the next", "da un valore al successivo"}), own);
     if (!from || !to || !step) return;
     for (const auto& [key, value] : {std::pair("to", &*to), std::pair("step", &*step)})
         if (value->is_bare != from->is_bare || !(value->dimension == from->dimension)) {
-            fault(form[key],
-                  {"{0} and {1} do not go together", "{0} e {1} non vanno insieme", described(*from), described(*value)});
+            fault(form[key], {"{0} and {1} do not go together", "{0} e {1} non vanno insieme", described(*from),
+                              described(*value)});
             return;
         }
     if (step->value.sign() <= 0) {
@@ -256,11 +264,12 @@ void ExerciseReader::read_steps(const Members& form, const Measured* own, Variat
     }
     const Exact steps = (to->value - from->value) / step->value;
     if (steps >= Exact(most)) {
-        fault(form["step"], {"more than {0} values; take a larger step", "più di {0} valori; prendere un passo più grande",
-                             std::to_string(most)});
+        fault(form["step"], {"more than {0} values; take a larger step",
+                             "più di {0} valori; prendere un passo più grande", std::to_string(most)});
         return;
     }
-    variation.count = static_cast<std::uint64_t>(mpz_class(steps.rational().get_num() / steps.rational().get_den()).get_ui()) + 1;
+    variation.count =
+        static_cast<std::uint64_t>(mpz_class(steps.rational().get_num() / steps.rational().get_den()).get_ui()) + 1;
     // Told in the unit of the first value, or in the step's where only that has a decimal for all of them.
     for (const std::string_view key : {"from", "step"}) {
         Exact size = 1;
@@ -282,10 +291,12 @@ void ExerciseReader::read_steps(const Members& form, const Measured* own, Variat
 // ----- require
 
 void ExerciseReader::read_require(JsonValue require, const Mechanism& mechanism, Exercise& exercise) {
-    const Words wanted("an array of conditions, such as \"omega 3 > 0.2\"", "un array di condizioni, come \"omega 3 > 0.2\"");
+    const Words wanted("an array of conditions, such as \"omega 3 > 0.2\"",
+                       "un array di condizioni, come \"omega 3 > 0.2\"");
     if (!expect(require, Kind::array, wanted)) return;
     for (const JsonValue value : require) {
-        if (!expect(value, Kind::string, {"a condition, such as \"omega 3 > 0.2\"", "una condizione, come \"omega 3 > 0.2\""}))
+        if (!expect(value, Kind::string,
+                    {"a condition, such as \"omega 3 > 0.2\"", "una condizione, come \"omega 3 > 0.2\""}))
             continue;
         if (auto read = condition(value, mechanism)) exercise.require.push_back(*std::move(read));
     }
@@ -314,12 +325,14 @@ std::optional<Condition> ExerciseReader::phrase(JsonValue value, std::string_vie
     }
     std::vector<std::string_view> known{crank_phrase};
     for (const auto& each : polygon_phrases) known.push_back(each.first);
-    fault(value,
-          {"{0} is no condition{1}; write a comparison (\"omega 3 > 0.2\"), \"… between … and …\", \"crank turns fully\" or "
-           "\"velocity polygon readable\"",
-           "{0} non è una condizione{1}; scrivere un confronto (\"omega 3 > 0.2\"), \"… between … and …\", \"crank turns "
-           "fully\" o \"velocity polygon readable\"",
-           quoted(text), did_you_mean(speller_.nearest(text, known))});
+    fault(
+        value,
+        {"{0} is no condition{1}; write a comparison (\"omega 3 > 0.2\"), \"… between … and …\", \"crank turns fully\" "
+         "or "
+         "\"velocity polygon readable\"",
+         "{0} non è una condizione{1}; scrivere un confronto (\"omega 3 > 0.2\"), \"… between … and …\", \"crank turns "
+         "fully\" o \"velocity polygon readable\"",
+         quoted(text), did_you_mean(speller_.nearest(text, known))});
     return std::nullopt;
 }
 
@@ -328,8 +341,9 @@ std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechan
     const std::string_view text = trimmed(value.text());
     for (const std::string_view foreign : foreign_signs) {
         if (text.find(foreign) == std::string_view::npos) continue;
-        fault(value, {"{0} is not among the comparisons; they are >, >=, <, <=, =, and \"… between … and …\"",
-                      "{0} non è fra i confronti; sono >, >=, <, <=, =, e \"… between … and …\"", std::string(foreign)});
+        fault(value,
+              {"{0} is not among the comparisons; they are >, >=, <, <=, =, and \"… between … and …\"",
+               "{0} non è fra i confronti; sono >, >=, <, <=, =, e \"… between … and …\"", std::string(foreign)});
         return std::nullopt;
     }
     const std::size_t between = text.find(between_word);
@@ -347,12 +361,13 @@ std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechan
     } else if (between != std::string_view::npos) {
         const std::size_t last = text.rfind(and_word);
         if (last == std::string_view::npos || last < between + between_word.size()) {
-            fault(value,
-                  {"\"between\" wants two limits: \"… between … and …\"", "\"between\" vuole due limiti: \"… between … and …\""});
+            fault(value, {"\"between\" wants two limits: \"… between … and …\"",
+                          "\"between\" vuole due limiti: \"… between … and …\""});
             return std::nullopt;
         }
         read->kind = Condition::Kind::lies_between;
-        sides = {text.substr(0, between), text.substr(between + between_word.size(), last - between - between_word.size()),
+        sides = {text.substr(0, between),
+                 text.substr(between + between_word.size(), last - between - between_word.size()),
                  text.substr(last + and_word.size())};
     } else {
         read = phrase(value, text, mechanism);
@@ -361,7 +376,9 @@ std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechan
     read->text = text;
     read->where = value.pointer();
     const bool is_problem = stands_for_joints(mechanism);
-    const std::size_t wanted = read->kind == Condition::Kind::compares ? 2 : read->kind == Condition::Kind::lies_between ? 3 : 0;
+    const std::size_t wanted = read->kind == Condition::Kind::compares       ? 2
+                               : read->kind == Condition::Kind::lies_between ? 3
+                                                                             : 0;
     const std::array<Operand*, 3> operands{&read->left, &read->right, &read->upper};
     bool whole = true;
     for (std::size_t i = 0; i < wanted; ++i) {
@@ -382,7 +399,8 @@ std::optional<Operand> ExerciseReader::operand(JsonValue at, std::string_view te
         return std::nullopt;
     }
     std::string_view name = text;
-    if (text.size() > 2 && text.starts_with('|') && text.ends_with('|')) name = trimmed(text.substr(1, text.size() - 2));
+    if (text.size() > 2 && text.starts_with('|') && text.ends_with('|'))
+        name = trimmed(text.substr(1, text.size() - 2));
     if (text.starts_with("abs(") && text.ends_with(')')) name = trimmed(text.substr(4, text.size() - 5));
     const bool absolute = name.size() != text.size();
     if (result_named(name) != nullptr) {
@@ -390,7 +408,8 @@ std::optional<Operand> ExerciseReader::operand(JsonValue at, std::string_view te
         side.absolute = absolute;
         return side;
     }
-    auto value = evaluate("= " + std::string(text), [this](std::string_view other) { return look_up_parameter(other); });
+    auto value =
+        evaluate("= " + std::string(text), [this](std::string_view other) { return look_up_parameter(other); });
     if (value) {
         side.measured = *std::move(value);
         return side;
@@ -406,8 +425,8 @@ std::optional<Operand> ExerciseReader::operand(JsonValue at, std::string_view te
     for (const Column& each : results_) names.emplace_back(each.name);
     for (const std::string_view parameter : parameter_names_) names.push_back(parameter);
     const Words meant = did_you_mean(speller_.nearest(name, names));
-    fault(at, meant.empty() ? Words("{0} is no result, and as a formula: {1}", "{0} non è un risultato, e come formula: {1}",
-                                    quoted(text), value.error())
+    fault(at, meant.empty() ? Words("{0} is no result, and as a formula: {1}",
+                                    "{0} non è un risultato, e come formula: {1}", quoted(text), value.error())
                             : Words("{0} is neither a result nor a formula of the parameters{1}",
                                     "{0} non è né un risultato né una formula dei parametri{1}", quoted(text), meant));
     return std::nullopt;
@@ -438,7 +457,9 @@ void ExerciseReader::match_sides(JsonValue at, Condition& condition) {
 
 bool ExerciseReader::never_holds(const Condition& condition) const {
     const auto without_parameters = [](const Operand& side) {
-        const auto none_is = [](std::string_view) { return tl::expected<Measured, Words>(tl::make_unexpected(Words())); };
+        const auto none_is = [](std::string_view) {
+            return tl::expected<Measured, Words>(tl::make_unexpected(Words()));
+        };
         return side.result.empty() && evaluate("= " + side.text, none_is).has_value();
     };
     if (!without_parameters(condition.right) || !without_parameters(condition.upper)) return false;
@@ -479,8 +500,8 @@ void ExerciseReader::hold_sides_together(JsonValue at, Condition& condition) {
                 fault(at, {"{0} is {1}, and {2} is {3}", "{0} è {1}, e {2} è {3}", quoted(result->result),
                            with_article(column->unit), quoted(side->text), described(*side->measured)});
         } else if (const Column* other = result_named(side->result); other != nullptr && other->unit != column->unit) {
-            fault(at, {"{0} is {1}, and {2} is {3}", "{0} è {1}, e {2} è {3}", quoted(result->result), with_article(column->unit),
-                       quoted(side->result), with_article(other->unit)});
+            fault(at, {"{0} is {1}, and {2} is {3}", "{0} è {1}, e {2} è {3}", quoted(result->result),
+                       with_article(column->unit), quoted(side->result), with_article(other->unit)});
         }
     }
 }

@@ -1,9 +1,9 @@
 // The sections of a file that make an exercise of it: "ask", "vary", "require". Each fault where it stands.
 #pragma once
 
-#include "engine/sentences/column.hpp"
 #include "engine/mechanism/exercise.hpp"
 #include "engine/reading/law_reader.hpp"
+#include "engine/sentences/column.hpp"
 
 namespace kinegraph {
 
@@ -18,8 +18,8 @@ private:
 
     void read_vary(JsonValue vary, Exercise& exercise);
     void read_variation(JsonValue member, Exercise& exercise);
-    /// The value that the file gives a parameter, against which the values that it takes are held: told where `--set` gives
-    /// another kind. Null: it has none that could be read.
+    /// The value that the file gives a parameter, against which the values that it takes are held: told where `--set`
+    /// gives another kind. Null: it has none that could be read.
     const Measured* own_value(std::string_view name, const Parameter& parameter, std::optional<Measured>& of_the_file);
     void read_choices(JsonValue choose, const Measured* own, Variation& variation);
     void read_steps(const Members& form, const Measured* own, Variation& variation);

@@ -52,7 +52,8 @@ private:
         const char* between = "";
         for (const JsonValue member : all) {
             text += between + in_quotes(member.key()) + ": ";
-            const auto set = std::find_if(set_.begin(), set_.end(), [&](const Setting& s) { return s.name == member.key(); });
+            const auto set =
+                std::find_if(set_.begin(), set_.end(), [&](const Setting& s) { return s.name == member.key(); });
             const bool is_number = set != set_.end() && read_decimal(set->value).has_value();
             text += set == set_.end() ? on_one_line(member) : is_number ? set->value : in_quotes(set->value);
             between = ", ";

@@ -67,7 +67,8 @@ JsonValue FormReader::one_of(const Members& of, std::initializer_list<std::strin
         }
         only = of[key];
     }
-    const bool misspelt = std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return of.has_or_misspells(key); });
+    const bool misspelt =
+        std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return of.has_or_misspells(key); });
     if (!only && needed && !misspelt) {
         fault(of.object_, {"one of {0} is missing", "manca una fra {0}", listed({keys.begin(), keys.size()})});
     }
@@ -80,15 +81,17 @@ void FormReader::check_name(JsonValue at, std::string_view name) {
     if (name.empty()) {
         fault(at, {"a name must not be empty", "un nome non può essere vuoto"});
     } else if (name.find(',') != std::string_view::npos) {
-        fault(at, {"the name {0} has a comma; names in results are separated by commas, so choose another",
-                   "il nome {0} ha una virgola; nei risultati i nomi sono separati da virgole, quindi sceglierne un altro",
-                   quoted(name)});
+        fault(at,
+              {"the name {0} has a comma; names in results are separated by commas, so choose another",
+               "il nome {0} ha una virgola; nei risultati i nomi sono separati da virgole, quindi sceglierne un altro",
+               quoted(name)});
     } else if (name.find(" on ") != std::string_view::npos) {
         fault(at, {"the name {0} has \" on \" in it; results say \"3 on 2\", so choose another",
-                   "il nome {0} contiene \" on \"; i risultati dicono \"3 on 2\", quindi sceglierne un altro", quoted(name)});
-    } else if (has_control_character(name, true)) {
-        fault(at, {"the name {0} has a control character; take it out", "il nome {0} ha un carattere di controllo; toglierlo",
+                   "il nome {0} contiene \" on \"; i risultati dicono \"3 on 2\", quindi sceglierne un altro",
                    quoted(name)});
+    } else if (has_control_character(name, true)) {
+        fault(at, {"the name {0} has a control character; take it out",
+                   "il nome {0} ha un carattere di controllo; toglierlo", quoted(name)});
     }
 }
 
@@ -166,7 +169,8 @@ Words FormReader::words(JsonValue value) {
     if (value.is_string()) {
         result.en = result.it = line(value);
     } else if (value.is_object()) {
-        const Members by_language = members(value, {"en", "it"}, {"a text in several languages", "un testo in più lingue"});
+        const Members by_language =
+            members(value, {"en", "it"}, {"a text in several languages", "un testo in più lingue"});
         one_of_both(by_language);
         if (by_language["en"]) result.en = line(by_language["en"]);
         result.it = by_language["it"] ? line(by_language["it"]) : result.en;
@@ -192,10 +196,11 @@ void FormReader::read_parameters(JsonValue parameters, std::span<const Setting> 
     if (parameters) {
         for (const JsonValue member : parameters) {
             if (!is_parameter_name(member.key()))
-                fault(member, {"{0} can be no parameter’s name: a letter, then letters, digits and _; no function of formulas",
-                               "{0} non può essere il nome di un parametro: una lettera, poi lettere, cifre e _; nessuna "
-                               "funzione delle formule",
-                               quoted(member.key())});
+                fault(member,
+                      {"{0} can be no parameter’s name: a letter, then letters, digits and _; no function of formulas",
+                       "{0} non può essere il nome di un parametro: una lettera, poi lettere, cifre e _; nessuna "
+                       "funzione delle formule",
+                       quoted(member.key())});
             if (parameters_.try_emplace(member.key(), Parameter{.at = member, .set = {}}).second)
                 parameter_names_.push_back(member.key());
         }
@@ -203,11 +208,11 @@ void FormReader::read_parameters(JsonValue parameters, std::span<const Setting> 
     for (const Setting& setting : set) {
         const auto found = parameters_.find(setting.name);
         if (found == parameters_.end()) {
-            faults_.emplace_back(
-                0, Error{ErrorCode::bad_input,
-                         {},
-                         {"--set {0}: the file has no parameter named {0}{1}", "--set {0}: il file non ha un parametro {0}{1}",
-                          quoted(setting.name), did_you_mean(speller_.nearest(setting.name, parameter_names_))}});
+            faults_.emplace_back(0, Error{ErrorCode::bad_input,
+                                          {},
+                                          {"--set {0}: the file has no parameter named {0}{1}",
+                                           "--set {0}: il file non ha un parametro {0}{1}", quoted(setting.name),
+                                           did_you_mean(speller_.nearest(setting.name, parameter_names_))}});
         } else {
             found->second.set = setting.value;
         }
@@ -248,8 +253,8 @@ tl::expected<Measured, Words> FormReader::look_up_parameter(std::string_view nam
     if (found == parameters_.end()) {
         std::vector<std::string_view> known = parameter_names_;
         for (const std::string_view word : formula_words()) known.push_back(word);
-        return tl::make_unexpected(Words("no parameter is named {0}{1}", "nessun parametro si chiama {0}{1}", quoted(name),
-                                         did_you_mean(speller_.nearest(name, known))));
+        return tl::make_unexpected(Words("no parameter is named {0}{1}", "nessun parametro si chiama {0}{1}",
+                                         quoted(name), did_you_mean(speller_.nearest(name, known))));
     }
     Parameter& parameter = found->second;
     if (being_read_ != nullptr)
@@ -257,9 +262,9 @@ tl::expected<Measured, Words> FormReader::look_up_parameter(std::string_view nam
     else
         parameter.is_used = true;
     if (parameter.state == Parameter::State::being_read)
-        return tl::make_unexpected(Words("the parameter {0} is given by itself; give one of the cycle a value",
-                                         "il parametro {0} è dato per mezzo di se stesso; dare un valore a uno del cerchio",
-                                         quoted(name)));
+        return tl::make_unexpected(
+            Words("the parameter {0} is given by itself; give one of the cycle a value",
+                  "il parametro {0} è dato per mezzo di se stesso; dare un valore a uno del cerchio", quoted(name)));
     if (parameter.state == Parameter::State::unread && parameters_being_read_ > most_within_each_other)
         return tl::make_unexpected(Words("more than {0} parameters are given one by the other",
                                          "più di {0} parametri sono dati l’uno per mezzo dell’altro",
@@ -289,8 +294,8 @@ bool FormReader::is_used(std::string_view parameter) const {
 void FormReader::note(const Measured& value) {
     const Dimension& d = value.dimension;
     comes_to_ += value.value.rational().get_str(36);
-    for (const int each :
-         {d.length, d.mass, d.time, d.angle, static_cast<int>(value.is_bare) + 2 * static_cast<int>(value.is_in_radians)})
+    for (const int each : {d.length, d.mass, d.time, d.angle,
+                           static_cast<int>(value.is_bare) + 2 * static_cast<int>(value.is_in_radians)})
         comes_to_ += ' ' + std::to_string(each);
     comes_to_ += '\n';
 }
@@ -330,17 +335,19 @@ std::optional<WrittenQuantity> FormReader::quantity_as_written(JsonValue value, 
     } else if (value.is_string()) {
         result = read_quantity(value.text(), kind);
         if (result && result->unit->kind != kind) {
-            result = tl::make_unexpected(Words("{0} is {1}; {2} is wanted here", "{0} è {1}; qui serve {2}", quoted(value.text()),
-                                               with_article(result->unit->kind), with_article(kind)));
+            result =
+                tl::make_unexpected(Words("{0} is {1}; {2} is wanted here", "{0} è {1}; qui serve {2}",
+                                          quoted(value.text()), with_article(result->unit->kind), with_article(kind)));
         }
     } else {
         wrong(value, with_article(kind));
         return std::nullopt;
     }
     if (result && !is_within_range(result->in_si())) {
-        result = tl::make_unexpected(Words("{0} is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie",
-                                           "{0} è fuori da 1e-60 … 1e60 (in unità SI), dove deve stare un numero diverso da zero",
-                                           shown(value.text(), 40)));
+        result = tl::make_unexpected(
+            Words("{0} is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie",
+                  "{0} è fuori da 1e-60 … 1e60 (in unità SI), dove deve stare un numero diverso da zero",
+                  shown(value.text(), 40)));
     }
     if (!result) {
         fault(value, std::move(result.error()));
@@ -355,22 +362,27 @@ std::optional<Exact> FormReader::quantity(JsonValue value, QuantityKind kind) {
     return written->in_si();
 }
 
-Exact FormReader::quantity_or_zero(JsonValue value, QuantityKind kind) { return quantity(value, kind).value_or(Exact()); }
+Exact FormReader::quantity_or_zero(JsonValue value, QuantityKind kind) {
+    return quantity(value, kind).value_or(Exact());
+}
 
 Exact FormReader::positive(JsonValue value, QuantityKind kind, const Words& what) {
     const auto number = quantity(value, kind);
-    if (number && number->sign() <= 0) fault(value, {"{0} must be greater than zero", "{0} deve essere maggiore di zero", what});
+    if (number && number->sign() <= 0)
+        fault(value, {"{0} must be greater than zero", "{0} deve essere maggiore di zero", what});
     return number.value_or(Exact(1));
 }
 
 Exact FormReader::not_negative(JsonValue value, QuantityKind kind, const Words& what) {
     const auto number = quantity(value, kind);
-    if (number && number->sign() < 0) fault(value, {"{0} must not be negative", "{0} non può avere valore negativo", what});
+    if (number && number->sign() < 0)
+        fault(value, {"{0} must not be negative", "{0} non può avere valore negativo", what});
     return number.value_or(Exact());
 }
 
 std::optional<Exact> FormReader::bare_number(JsonValue value) {
-    if (!value || (!is_numeric(value) && !expect(value, Kind::number, {"a bare number", "un numero puro"}))) return std::nullopt;
+    if (!value || (!is_numeric(value) && !expect(value, Kind::number, {"a bare number", "un numero puro"})))
+        return std::nullopt;
     tl::expected<Exact, Words> number;
     if (value.is_number()) {
         number = read_decimal(value.text());
@@ -433,9 +445,11 @@ Bearing::Between FormReader::between(JsonValue value) {
 
 std::optional<Bearing> FormReader::bearing(JsonValue value) {
     if (!value) return std::nullopt;
-    if (value.is_string() && points_by_name_.contains(value.text()) && !read_quantity(value.text(), QuantityKind::angle)) {
-        fault(value, {"{0} is a point, no direction; two points in an array give one: [{0}, …]",
-                      "{0} è un punto, non una direzione; la danno due punti in un array: [{0}, …]", quoted(value.text())});
+    if (value.is_string() && points_by_name_.contains(value.text()) &&
+        !read_quantity(value.text(), QuantityKind::angle)) {
+        fault(value,
+              {"{0} is a point, no direction; two points in an array give one: [{0}, …]",
+               "{0} è un punto, non una direzione; la danno due punti in un array: [{0}, …]", quoted(value.text())});
         return std::nullopt;
     }
     if (value.is_number() || value.is_string()) {
@@ -454,9 +468,9 @@ std::optional<Bearing> FormReader::bearing(JsonValue value) {
             return Bearing{std::move(*direction)};
         }
     }
-    fault(value,
-          {"a direction is wanted here: an angle, two points [\"A\", \"B\"] or a vector [dx, dy], not {0}",
-           "qui serve una direzione: un angolo, due punti [\"A\", \"B\"] o un vettore [dx, dy], non {0}", described(value)});
+    fault(value, {"a direction is wanted here: an angle, two points [\"A\", \"B\"] or a vector [dx, dy], not {0}",
+                  "qui serve una direzione: un angolo, due punti [\"A\", \"B\"] o un vettore [dx, dy], non {0}",
+                  described(value)});
     return std::nullopt;
 }
 

@@ -1,5 +1,5 @@
-// Forms of a mechanism file: objects with the keys they may have, names of points and bodies, quantities with their units,
-// directions. Notes every fault where it stands; knows no section of the file.
+// Forms of a mechanism file: objects with the keys they may have, names of points and bodies, quantities with their
+// units, directions. Notes every fault where it stands; knows no section of the file.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +16,9 @@
 #include "engine/file/error.hpp"
 #include "engine/file/formula.hpp"
 #include "engine/file/json_source.hpp"
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/file/units.hpp"
+#include "engine/mechanism/mechanism.hpp"
 
 namespace kinegraph {
 
@@ -26,7 +26,8 @@ namespace kinegraph {
 class Members {
 public:
     JsonValue operator[](std::string_view key) const {
-        const auto found = std::find_if(known_.begin(), known_.end(), [&](const JsonValue& v) { return v.key() == key; });
+        const auto found =
+            std::find_if(known_.begin(), known_.end(), [&](const JsonValue& v) { return v.key() == key; });
         return found == known_.end() ? JsonValue() : *found;
     }
     /// There, or there in a spelling that has been reported.
@@ -45,8 +46,8 @@ private:
     std::vector<std::string> misspelt_;
 };
 
-/// What the reader of a file and of each section is built on. What cannot be read is a fault, and a value that does no harm
-/// stands for it.
+/// What the reader of a file and of each section is built on. What cannot be read is a fault, and a value that does no
+/// harm stands for it.
 class FormReader {
 public:
     using Kind = JsonValue::Kind;
@@ -101,7 +102,8 @@ public:
     void one_of_both(const Members& by_language);
 
     // ----- parameters
-    /// Every parameter is read here, so that its faults are told whether or not it is used. `set` overrides what the file says.
+    /// Every parameter is read here, so that its faults are told whether or not it is used. `set` overrides what the
+    /// file says.
     void read_parameters(JsonValue parameters, std::span<const Setting> set);
     bool has_parameter(std::string_view name) const { return parameters_.contains(name); }
     const std::vector<std::string_view>& parameter_names() const { return parameter_names_; }
@@ -116,7 +118,9 @@ public:
     /// Keeps the value of a formula: where the values of all are the same the file comes to the same.
     void note(const Measured& value);
     /// A number, or a formula.
-    static bool is_numeric(JsonValue value) { return value.is_number() || (value.is_string() && is_formula(value.text())); }
+    static bool is_numeric(JsonValue value) {
+        return value.is_number() || (value.is_string() && is_formula(value.text()));
+    }
     const KnownUnit& bare_unit(QuantityKind kind) const;
     void measure_bare_numbers_in(const KnownUnit& unit) { bare_units_.push_back(&unit); }
     /// A number or a string with a unit, as written; range checked in SI.

@@ -14,7 +14,8 @@ constexpr std::string_view flat_word = "flat";
 
 std::optional<HertzProblem> HertzSection::read(JsonValue section) {
     const std::size_t before = file_.fault_count();
-    const Members form = file_.members(section, {"force", "bodies", "contact", "length", "turned"}, {"\"hertz\"", "\"hertz\""});
+    const Members form =
+        file_.members(section, {"force", "bodies", "contact", "length", "turned"}, {"\"hertz\"", "\"hertz\""});
     HertzProblem problem;
     problem.force = file_.positive(
         file_.required(form, "force", {"the force that presses the bodies together", "la forza che preme i corpi"}),
@@ -32,11 +33,13 @@ std::optional<HertzProblem> HertzSection::read(JsonValue section) {
             file_.fault(
                 form["turned"],
                 {"bodies that touch along a line are not turned; take \"turned\" out, or write \"contact\": \"point\"",
-                 "corpi a contatto lungo una linea non sono ruotati; togliere \"turned\", o scrivere \"contact\": \"point\""});
+                 "corpi a contatto lungo una linea non sono ruotati; togliere \"turned\", o scrivere \"contact\": "
+                 "\"point\""});
     } else {
         if (form["length"])
-            file_.fault(form["length"], {"a contact at a point has no length; take it out, or write \"contact\": \"line\"",
-                                         "un contatto di punto non ha lunghezza; toglierla, o scrivere \"contact\": \"line\""});
+            file_.fault(form["length"],
+                        {"a contact at a point has no length; take it out, or write \"contact\": \"line\"",
+                         "un contatto di punto non ha lunghezza; toglierla, o scrivere \"contact\": \"line\""});
         if (form["turned"]) problem.turn = file_.quantity_or_zero(form["turned"], QuantityKind::angle);
     }
     const auto bodies = bodies_.two(form);
@@ -51,8 +54,9 @@ HertzBody HertzSection::read_body(JsonValue member, bool line) {
     body.body = bodies_.body(member);
     body.where = member.pointer();
     if (!file_.expect(member, Kind::object, {"an object", "un oggetto"})) return body;
-    const Members form = file_.members(
-        member, {"radius", "radii", "flat", "inside", "material", "young", "poisson", "depth", "label"}, {"a body", "un corpo"});
+    const Members form =
+        file_.members(member, {"radius", "radii", "flat", "inside", "material", "young", "poisson", "depth", "label"},
+                      {"a body", "un corpo"});
     if (form["label"]) mechanism_.bodies[at_index(body.body)].label = file_.words(form["label"]);
     read_shape(form, line, body);
     materials_.read(form, body);
@@ -72,9 +76,11 @@ void HertzSection::read_shape(const Members& form, bool line, HertzBody& body) {
     if (shape.key() == "flat") {
         if (!file_.expect(shape, Kind::boolean, {"true", "true"})) return;
         if (!is_true(shape))
-            file_.fault(shape, {"a body that is not flat has a \"radius\"", "un corpo che non è piano ha un \"radius\""});
+            file_.fault(shape,
+                        {"a body that is not flat has a \"radius\"", "un corpo che non è piano ha un \"radius\""});
         if (form["inside"])
-            file_.fault(form["inside"], {"what is flat has no inside; take it out", "ciò che è piano non è concavo; toglierlo"});
+            file_.fault(form["inside"],
+                        {"what is flat has no inside; take it out", "ciò che è piano non è concavo; toglierlo"});
     } else if (shape.key() == "radius") {
         read_radius(shape, 0, body);
         body.radii[1] = body.radii[0];
@@ -112,14 +118,16 @@ void HertzSection::check_curvatures(const HertzProblem& problem, JsonValue bodie
     const HertzBody& first = problem.bodies[0];
     const HertzBody& second = problem.bodies[1];
     const auto sum = [&](std::size_t plane) { return first.curvature(plane) + second.curvature(plane); };
-    if (first.radii[0].is_zero() && second.radii[0].is_zero() && first.radii[1].is_zero() && second.radii[1].is_zero()) {
+    if (first.radii[0].is_zero() && second.radii[0].is_zero() && first.radii[1].is_zero() &&
+        second.radii[1].is_zero()) {
         file_.fault(bodies, {"two flat bodies touch on their whole face; give one of them a \"radius\"",
                              "due corpi piani si toccano su tutta la faccia; dare a uno un \"radius\""});
         return;
     }
-    const Words conforms("the concave radius must be larger than the convex one, else the bodies do not touch at a {0} alone",
-                         "il raggio concavo deve essere maggiore di quello convesso, altrimenti i corpi non si toccano in {0}",
-                         problem.line ? Words("line", "una linea") : Words("point", "un punto"));
+    const Words conforms(
+        "the concave radius must be larger than the convex one, else the bodies do not touch at a {0} alone",
+        "il raggio concavo deve essere maggiore di quello convesso, altrimenti i corpi non si toccano in {0}",
+        problem.line ? Words("line", "una linea") : Words("point", "un punto"));
     const JsonValue concave = *(first.inside[0] || first.inside[1] ? bodies.begin() : ++bodies.begin());
     if (problem.line) {
         if (sum(0).sign() <= 0) file_.fault(concave, conforms);
@@ -129,16 +137,17 @@ void HertzSection::check_curvatures(const HertzProblem& problem, JsonValue bodie
     const Exact d1 = first.curvature(0) - first.curvature(1), d2 = second.curvature(0) - second.curvature(1);
     const double twice = 2 * problem.turn.to_double();
     const double s = (sum(0) + sum(1)).to_double();
-    const double d =
-        std::sqrt(std::max(0.0, square(d1).to_double() + square(d2).to_double() + 2 * (d1 * d2).to_double() * std::cos(twice)));
+    const double d = std::sqrt(
+        std::max(0.0, square(d1).to_double() + square(d2).to_double() + 2 * (d1 * d2).to_double() * std::cos(twice)));
     constexpr double slenderest = 1e-9;  // A/B: beyond it, an ellipse is a line
     if (s - d > slenderest * (s + d)) return;
     const bool is_concave = first.inside[0] || first.inside[1] || second.inside[0] || second.inside[1];
-    file_.fault(is_concave ? concave : bodies,
-                is_concave
-                    ? conforms
-                    : Words("these bodies touch along a line; write \"contact\": \"line\" with its \"length\"",
-                            "questi corpi si toccano lungo una linea; scrivere \"contact\": \"line\" con la sua \"length\""));
+    file_.fault(
+        is_concave ? concave : bodies,
+        is_concave
+            ? conforms
+            : Words("these bodies touch along a line; write \"contact\": \"line\" with its \"length\"",
+                    "questi corpi si toccano lungo una linea; scrivere \"contact\": \"line\" con la sua \"length\""));
 }
 
 }  // namespace kinegraph

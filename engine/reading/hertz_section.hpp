@@ -1,12 +1,12 @@
-// "hertz": two bodies that press each other, by their radii and materials. Curvatures that leave no contact are told here, since
-// the problem needs no drawing.
+// "hertz": two bodies that press each other, by their radii and materials. Curvatures that leave no contact are told
+// here, since the problem needs no drawing.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/problem.hpp"
+#include "engine/reading/form_reader.hpp"
 #include "engine/reading/materials.hpp"
 #include "engine/reading/problem_bodies.hpp"
 

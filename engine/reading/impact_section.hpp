@@ -3,15 +3,16 @@
 
 #include <optional>
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/problem.hpp"
+#include "engine/reading/form_reader.hpp"
 #include "engine/reading/problem_bodies.hpp"
 
 namespace kinegraph {
 
 class ImpactSection {
 public:
-    ImpactSection(FormReader& file, Mechanism& mechanism) : file_(file), mechanism_(mechanism), bodies_(file, mechanism) {}
+    ImpactSection(FormReader& file, Mechanism& mechanism)
+        : file_(file), mechanism_(mechanism), bodies_(file, mechanism) {}
 
     std::optional<ImpactProblem> read(JsonValue section);
 

@@ -31,14 +31,15 @@ JointIndex JointsSection::sliding_joint(JsonValue value, const Words& remedy) {
     if (const auto other = other_joints_.find(name); other != other_joints_.end()) {
         wrong_kind(value, other->second, remedy);
     } else if (joints_known_) {
-        file_.fault(value, {"no sliding joint is named {0}{1}", "nessuna coppia con scorrimento si chiama {0}{1}", quoted(name),
-                            did_you_mean(file_.speller().nearest(name, sliding_names_))});
+        file_.fault(value, {"no sliding joint is named {0}{1}", "nessuna coppia con scorrimento si chiama {0}{1}",
+                            quoted(name), did_you_mean(file_.speller().nearest(name, sliding_names_))});
     }
     return none;
 }
 
 JointIndex JointsSection::hinge(JsonValue value) {
-    if (!file_.expect(value, Kind::string, {"a hinge, by its name or its point,", "una cerniera, per nome o per punto"}) ||
+    if (!file_.expect(value, Kind::string,
+                      {"a hinge, by its name or its point,", "una cerniera, per nome o per punto"}) ||
         !joints_known_)
         return none;
     const std::string_view name = value.text();
@@ -51,19 +52,21 @@ JointIndex JointsSection::hinge(JsonValue value) {
     }
     if (named.empty()) named = there;
     if (named.size() == 1) return named.front();
-    file_.fault(value,
-                named.empty()
-                    ? Words("there is no hinge at {0}; a load on a point of a body has \"body\" and \"at\"",
-                            "in {0} non c’è cerniera; un carico in un punto di un corpo ha \"body\" e \"at\"", quoted(name))
-                    : Words("there are {1} hinges at {0}; make them one with all their bodies, or give the one meant a \"name\"",
-                            "in {0} ci sono {1} cerniere; farne una sola con tutti i corpi, o dare un \"name\" a quella voluta",
-                            quoted(name), std::to_string(named.size())));
+    file_.fault(
+        value,
+        named.empty()
+            ? Words("there is no hinge at {0}; a load on a point of a body has \"body\" and \"at\"",
+                    "in {0} non c’è cerniera; un carico in un punto di un corpo ha \"body\" e \"at\"", quoted(name))
+            : Words(
+                  "there are {1} hinges at {0}; make them one with all their bodies, or give the one meant a \"name\"",
+                  "in {0} ci sono {1} cerniere; farne una sola con tutti i corpi, o dare un \"name\" a quella voluta",
+                  quoted(name), std::to_string(named.size())));
     return none;
 }
 
 void JointsSection::wrong_kind(JsonValue joint, std::string_view kind, const Words& remedy) {
-    file_.fault(joint, {"the joint {0} is of kind \"{1}\"; {2}", "la coppia {0} è di tipo \"{1}\"; {2}", quoted(joint.text()),
-                        kind, remedy});
+    file_.fault(joint, {"the joint {0} is of kind \"{1}\"; {2}", "la coppia {0} è di tipo \"{1}\"; {2}",
+                        quoted(joint.text()), kind, remedy});
 }
 
 void JointsSection::read_joint(JsonValue value) {
@@ -87,7 +90,8 @@ void JointsSection::read_joint(JsonValue value) {
     if (!at.is_string() && !joint.named) joints_known_ = false;
     read_joint_bodies(form, joint);
     if (pair->is_sleeve())
-        joint.along = file_.bearing(file_.required(form, "along", {"the direction of the guide", "la direzione della guida"}));
+        joint.along =
+            file_.bearing(file_.required(form, "along", {"the direction of the guide", "la direzione della guida"}));
     if (pair->is_slot()) read_slot(form, joint);
     if (pair->touches()) profiles_.read_profiles(form, joint);
     joint.pushes = file_.sense(form["pushes"]);
@@ -98,13 +102,15 @@ void JointsSection::read_joint(JsonValue value) {
     if (const JsonValue arm = form["arm"]) {
         joint.arm = file_.body(arm);
         if (joint.connects(joint.arm) && joint.arm != none) {
-            file_.fault(arm, {"the carrier of the two gears is a third body", "il portatreno delle due ruote è un terzo corpo"});
+            file_.fault(arm, {"the carrier of the two gears is a third body",
+                              "il portatreno delle due ruote è un terzo corpo"});
         }
     }
     if (pair->has_common_point()) {
         for (const BodyIndex on : joint.bodies) bodies_.carry(on, joint.point);
     }
-    if (pair->has_guide() && !joint.name.empty()) add_sliding_name(value, joint, joint.named ? form["name"].text() : at.text());
+    if (pair->has_guide() && !joint.name.empty())
+        add_sliding_name(value, joint, joint.named ? form["name"].text() : at.text());
     if (!pair->has_guide() && !joint.name.empty()) other_joints_.emplace(joint.name, pair->key);
     if (pair->touches()) contacts_.read(form, joint, JointIndex(mechanism_.joints.size()));
     mechanism_.joints.push_back(std::move(joint));
@@ -147,12 +153,14 @@ void JointsSection::miss_kind(JsonValue value) {
         for (const std::string_view key : keys_of(pair))
             if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
     if (!file_.members(value, keys, {"a joint", "una coppia"}).has_misspelt())
-        file_.fault(value, {"the kind of joint is missing: one of {0}", "manca il tipo di coppia: uno fra {0}", listed(kinds)});
+        file_.fault(
+            value, {"the kind of joint is missing: one of {0}", "manca il tipo di coppia: uno fra {0}", listed(kinds)});
 }
 
 std::vector<std::string_view> JointsSection::keys_of(const PlanePair& pair) {
     std::vector<std::string_view> keys{pair.key, "bodies"};
-    std::copy_if(pair.members.begin(), pair.members.end(), std::back_inserter(keys), [](auto key) { return !key.empty(); });
+    std::copy_if(pair.members.begin(), pair.members.end(), std::back_inserter(keys),
+                 [](auto key) { return !key.empty(); });
     if (pair.touches()) keys.insert(keys.end(), ContactsOfJoints::keys.begin(), ContactsOfJoints::keys.end());
     keys.emplace_back("name");
     return keys;
@@ -164,16 +172,17 @@ void JointsSection::read_joint_bodies(const Members& form, Joint& joint) {
     if (!bodies || !file_.expect(bodies, Kind::array, {"an array of bodies", "un array di corpi"})) return;
     const bool any_number = joint.pair().joins_many;
     if (bodies.size() < 2 || (bodies.size() > 2 && !any_number)) {
-        file_.fault(bodies, {"{0} are wanted here, not {1}", "qui servono {0}, non {1}",
-                             any_number ? Words("two bodies or more", "due o più corpi") : Words("two bodies", "due corpi"),
-                             described(bodies)});
+        file_.fault(bodies,
+                    {"{0} are wanted here, not {1}", "qui servono {0}, non {1}",
+                     any_number ? Words("two bodies or more", "due o più corpi") : Words("two bodies", "due corpi"),
+                     described(bodies)});
     }
     std::set<BodyIndex> seen;
     for (const JsonValue name : bodies) {
         const BodyIndex connected = file_.body(name);
         if (connected != none && !seen.insert(connected).second) {
-            file_.fault(name, {"the body {0} stands twice in one joint", "il corpo {0} compare due volte nella stessa coppia",
-                               quoted(name.text())});
+            file_.fault(name, {"the body {0} stands twice in one joint",
+                               "il corpo {0} compare due volte nella stessa coppia", quoted(name.text())});
         }
         joint.bodies.push_back(connected);
     }

@@ -1,5 +1,5 @@
-// "joints": their kinds, bodies, guides and contacts, and how drivers, efforts and loads find them by name. Which pair transmits
-// what is the table of pairs'.
+// "joints": their kinds, bodies, guides and contacts, and how drivers, efforts and loads find them by name. Which pair
+// transmits what is the table of pairs'.
 #pragma once
 
 #include <string>

@@ -7,20 +7,21 @@
 namespace kinegraph {
 namespace {
 
-/// A quantity whose unit is no one's own, "2 m/s^3", "0.4 1/s", as a formula: "= 2*(1 m)/(1 s)^3". Nothing where it is no such
-/// thing.
+/// A quantity whose unit is no one's own, "2 m/s^3", "0.4 1/s", as a formula: "= 2*(1 m)/(1 s)^3". Nothing where it is
+/// no such thing.
 std::optional<std::string> with_unit_put_together(std::string_view text) {
     const std::size_t space = text.find(' ');
     if (space == std::string_view::npos || is_formula(text)) return std::nullopt;
-    constexpr auto spelt =
-        std::to_array<std::pair<std::string_view, std::string_view>>({{"²", "^2"}, {"³", "^3"}, {"·", "*"}, {" ", "*"}});
+    constexpr auto spelt = std::to_array<std::pair<std::string_view, std::string_view>>(
+        {{"²", "^2"}, {"³", "^3"}, {"·", "*"}, {" ", "*"}});
     std::string formula = "= " + std::string(text.substr(0, space)) + "*";
     std::string_view rest = text.substr(space + 1);
     while (!rest.empty()) {
         const auto* const other =
             std::find_if(spelt.begin(), spelt.end(), [&](const auto& each) { return rest.starts_with(each.first); });
         const auto letters = static_cast<std::size_t>(
-            std::find_if_not(rest.begin(), rest.end(), [](unsigned char c) { return std::isalpha(c) != 0; }) - rest.begin());
+            std::find_if_not(rest.begin(), rest.end(), [](unsigned char c) { return std::isalpha(c) != 0; }) -
+            rest.begin());
         if (other != spelt.end()) {
             formula += other->second;
             rest.remove_prefix(other->first.size());
@@ -40,16 +41,18 @@ std::optional<std::string> with_unit_put_together(std::string_view text) {
 }  // namespace
 
 void LawConstants::read(JsonValue constants) {
-    if (!constants ||
-        !file_.expect(constants, Kind::object, {"an object of constants by name", "un oggetto con le costanti per nome"}))
+    if (!constants || !file_.expect(constants, Kind::object,
+                                    {"an object of constants by name", "un oggetto con le costanti per nome"}))
         return;
     for (const JsonValue member : constants) {
         std::optional<Measured> value;
-        if (!is_parameter_name(member.key()) || member.key() == "t" || member.key() == "x" || elementary_called(member.key()))
+        if (!is_parameter_name(member.key()) || member.key() == "t" || member.key() == "x" ||
+            elementary_called(member.key()))
             file_.fault(
                 member,
                 {"{0} can be no constant’s name: a letter, then letters, digits and _; not t, x, pi nor a function",
-                 "{0} non può essere il nome di una costante: una lettera, poi lettere, cifre e _; non t, x, pi né una funzione",
+                 "{0} non può essere il nome di una costante: una lettera, poi lettere, cifre e _; non t, x, pi né una "
+                 "funzione",
                  quoted(member.key())});
         else if (file_.has_parameter(member.key()))
             file_.fault(member, {"{0} is a parameter already; rename one of them",
@@ -81,7 +84,8 @@ std::optional<Measured> LawConstants::read_one(JsonValue member) {
 }
 
 tl::expected<Measured, Words> LawConstants::look_up(std::string_view name, std::string_view variable) {
-    const auto found = std::find_if(constants_.begin(), constants_.end(), [&](const auto& each) { return each.first == name; });
+    const auto found =
+        std::find_if(constants_.begin(), constants_.end(), [&](const auto& each) { return each.first == name; });
     if (found != constants_.end()) {
         if (!found->second) return tl::make_unexpected(Words());
         return *found->second;

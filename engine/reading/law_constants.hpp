@@ -1,4 +1,5 @@
-// The "constants" of the laws of a point's motion, by name: numbers, quantities of any dimension, formulas of those before them.
+// The "constants" of the laws of a point's motion, by name: numbers, quantities of any dimension, formulas of those
+// before them.
 #pragma once
 
 #include <optional>
@@ -16,8 +17,8 @@ public:
     explicit LawConstants(FormReader& file) : file_(file) {}
 
     void read(JsonValue constants);
-    /// A constant or a parameter of the file; an error without words has been told before. `variable`: what else an expression
-    /// may name, for the remedy.
+    /// A constant or a parameter of the file; an error without words has been told before. `variable`: what else an
+    /// expression may name, for the remedy.
     tl::expected<Measured, Words> look_up(std::string_view name, std::string_view variable);
 
 private:

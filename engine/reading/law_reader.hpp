@@ -1,8 +1,9 @@
-// Laws of motion as files write them: FORMAT "Laws of motion". For drivers, over time, and for followers, over the cam's turn.
+// Laws of motion as files write them: FORMAT "Laws of motion". For drivers, over time, and for followers, over the
+// cam's turn.
 #pragma once
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/law.hpp"
+#include "engine/reading/form_reader.hpp"
 
 namespace kinegraph {
 

@@ -8,8 +8,8 @@
 namespace kinegraph {
 namespace {
 
-/// Young's modulus (Pa) and Poisson's ratio of a material known by name. Shigley, Mechanical Engineering Design, table A–5;
-/// nylon: Ashby, Materials Selection in Mechanical Design, appendix A.
+/// Young's modulus (Pa) and Poisson's ratio of a material known by name. Shigley, Mechanical Engineering Design, table
+/// A–5; nylon: Ashby, Materials Selection in Mechanical Design, appendix A.
 struct Material {
     std::string_view name;
     double young = 0;
@@ -17,9 +17,11 @@ struct Material {
 };
 
 constexpr std::array materials{
-    Material{"steel", 207e9, "0.292"},   Material{"stainless steel", 190e9, "0.305"}, Material{"cast iron", 100e9, "0.211"},
-    Material{"bronze", 111e9, "0.349"},  Material{"brass", 106e9, "0.324"},           Material{"aluminium", 71.7e9, "0.333"},
-    Material{"titanium", 114e9, "0.34"}, Material{"glass", 46.2e9, "0.245"},          Material{"nylon", 2.9e9, "0.35"},
+    Material{"steel", 207e9, "0.292"},     Material{"stainless steel", 190e9, "0.305"},
+    Material{"cast iron", 100e9, "0.211"}, Material{"bronze", 111e9, "0.349"},
+    Material{"brass", 106e9, "0.324"},     Material{"aluminium", 71.7e9, "0.333"},
+    Material{"titanium", 114e9, "0.34"},   Material{"glass", 46.2e9, "0.245"},
+    Material{"nylon", 2.9e9, "0.35"},
 };
 
 }  // namespace
@@ -36,11 +38,14 @@ void Materials::read(const Members& form, HertzBody& body) {
                        {"Young’s modulus (or give a \"material\")", "il modulo di Young (o dare un \"material\")"}),
         QuantityKind::pressure, {"Young’s modulus", "il modulo di Young"});
     const JsonValue ratio = file_.required(
-        form, "poisson", {"Poisson’s ratio (or give a \"material\")", "il coefficiente di Poisson (o dare un \"material\")"});
+        form, "poisson",
+        {"Poisson’s ratio (or give a \"material\")", "il coefficiente di Poisson (o dare un \"material\")"});
     body.poisson = file_.bare_number(ratio).value_or(Exact());
     if (ratio && (body.poisson.sign() < 0 || body.poisson >= Exact::ratio(1, 2)))
-        file_.fault(ratio, {"Poisson’s ratio must lie from 0 to less than 0.5, where a body could not be compressed at all",
-                            "il coefficiente di Poisson deve stare fra 0 e meno di 0.5, dove un corpo non sarebbe comprimibile"});
+        file_.fault(
+            ratio,
+            {"Poisson’s ratio must lie from 0 to less than 0.5, where a body could not be compressed at all",
+             "il coefficiente di Poisson deve stare fra 0 e meno di 0.5, dove un corpo non sarebbe comprimibile"});
 }
 
 void Materials::read_by_name(JsonValue name, HertzBody& body) {
@@ -49,9 +54,10 @@ void Materials::read_by_name(JsonValue name, HertzBody& body) {
     const auto* found =
         std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name.text(); });
     if (!name.is_string() || found == materials.end()) {
-        file_.fault(name, {"no material is known as {0}{1}; known are {2} (or give \"young\" and \"poisson\")",
-                           "nessun materiale è noto come {0}{1}; sono noti {2} (o dare \"young\" e \"poisson\")",
-                           quoted(name.text()), did_you_mean(file_.speller().nearest(name.text(), names)), listed(names)});
+        file_.fault(name,
+                    {"no material is known as {0}{1}; known are {2} (or give \"young\" and \"poisson\")",
+                     "nessun materiale è noto come {0}{1}; sono noti {2} (o dare \"young\" e \"poisson\")",
+                     quoted(name.text()), did_you_mean(file_.speller().nearest(name.text(), names)), listed(names)});
         return;
     }
     body.young = Exact::from_double(found->young);

@@ -1,8 +1,8 @@
 // What a body is made of, for what presses it: a material by its name, or Young's modulus and Poisson's ratio.
 #pragma once
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/problem.hpp"
+#include "engine/reading/form_reader.hpp"
 
 namespace kinegraph {
 

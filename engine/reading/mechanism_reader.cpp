@@ -1,5 +1,6 @@
-// The reader of mechanism files: docs/format.md turned into checks, and a Mechanism made of what passes them. Each fault is
-// reported once, where it stands; what only the drawing can tell (curves that do not meet, a misfit) is left to the pose.
+// The reader of mechanism files: docs/format.md turned into checks, and a Mechanism made of what passes them. Each
+// fault is reported once, where it stands; what only the drawing can tell (curves that do not meet, a misfit) is left
+// to the pose.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -8,13 +9,14 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/reading/exercise_reader.hpp"
 #include "engine/file/file_kind.hpp"
 #include "engine/file/json_source.hpp"
 #include "engine/mechanism/mechanism.hpp"
+#include "engine/mechanism/rounding.hpp"
 #include "engine/reading/bodies_section.hpp"
 #include "engine/reading/drivers_section.hpp"
 #include "engine/reading/efforts_section.hpp"
+#include "engine/reading/exercise_reader.hpp"
 #include "engine/reading/joints_section.hpp"
 #include "engine/reading/loads_section.hpp"
 #include "engine/reading/motion_section.hpp"
@@ -22,7 +24,6 @@
 #include "engine/reading/problem_section.hpp"
 #include "engine/reading/units_section.hpp"
 #include "engine/reading/wishes_section.hpp"
-#include "engine/mechanism/rounding.hpp"
 
 namespace kinegraph {
 namespace {
@@ -36,16 +37,19 @@ public:
 
     Result<Mechanism> read() {
         for (const JsonValue& twice : source_.duplicates()) {
-            fault(twice, {"{0} stands twice in this object; rename one or take it out",
-                          "{0} compare due volte in questo oggetto; rinominare o togliere uno dei due", quoted(twice.key())});
+            fault(twice,
+                  {"{0} stands twice in this object; rename one or take it out",
+                   "{0} compare due volte in questo oggetto; rinominare o togliere uno dei due", quoted(twice.key())});
         }
         if (const JsonValue root = source_.root(); !root.is_object()) {
-            fault(root, {"a mechanism is a JSON object, not {0}", "un meccanismo è un oggetto JSON, non {0}", described(root)});
+            fault(root, {"a mechanism is a JSON object, not {0}", "un meccanismo è un oggetto JSON, non {0}",
+                         described(root)});
         } else {
             read_file(root);
         }
         if (faults_.empty()) return finished();
-        std::stable_sort(faults_.begin(), faults_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::stable_sort(faults_.begin(), faults_.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
         Errors errors;
         errors.reserve(faults_.size());
         for (auto& [order, error] : faults_) errors.push_back(std::move(error));
@@ -53,24 +57,27 @@ public:
     }
 
 private:
-    /// Roots and sines are as exact as a compass that the file itself holds: what they leave open, the precision decides.
+    /// Roots and sines are as exact as a compass that the file itself holds: what they leave open, the precision
+    /// decides.
     Mechanism finished() {
         mechanism_.computed = std::move(computed_);
         std::sort(mechanism_.computed.begin(), mechanism_.computed.end());
-        if (is_approximate_ && !mechanism_.precision && !looks_rounded(mechanism_)) mechanism_.precision = precision_of_roots();
+        if (is_approximate_ && !mechanism_.precision && !looks_rounded(mechanism_))
+            mechanism_.precision = precision_of_roots();
         return std::move(mechanism_);
     }
 
     void read_file(JsonValue root) {
         if (const auto other = fault_of_kind(root, FileKind::mechanism)) return fault(other->first, other->second);
         const Members file = members(
-            root, {"$schema", "kinegraph", "title",  "units",   "parameters",     "precision", "frame",  "points", "bodies",
-                   "joints",  "drivers",   "masses", "gravity", "inertia forces", "loads",     "effort", "motion", "find",
-                   "scales",  "hertz",     "reye",   "impact",  "positions",      "ask",       "vary",   "require"},
+            root,
+            {"$schema", "kinegraph", "title",  "units",   "parameters",     "precision", "frame",  "points", "bodies",
+             "joints",  "drivers",   "masses", "gravity", "inertia forces", "loads",     "effort", "motion", "find",
+             "scales",  "hertz",     "reye",   "impact",  "positions",      "ask",       "vary",   "require"},
             {"a mechanism", "un meccanismo"});
-        const JsonValue version =
-            required(file, "kinegraph",
-                     {"write \"kinegraph\": 1, the version of the format", "scrivere \"kinegraph\": 1, la versione del formato"});
+        const JsonValue version = required(file, "kinegraph",
+                                           {"write \"kinegraph\": 1, the version of the format",
+                                            "scrivere \"kinegraph\": 1, la versione del formato"});
         if (version) read_version(version);
         if (file["$schema"]) expect(file["$schema"], Kind::string, {"a text", "un testo"});
         if (file["title"]) mechanism_.title = words(file["title"]);
@@ -85,7 +92,8 @@ private:
         };
         const JsonValue points = wanted("points", {"an object of points by name", "un oggetto con i punti per nome"});
         const JsonValue bodies = wanted("bodies", {"an object of bodies by name", "un oggetto con i corpi per nome"});
-        if (points && expect(points, Kind::object, {"an object of points by name", "un oggetto con i punti per nome"})) {
+        if (points &&
+            expect(points, Kind::object, {"an object of points by name", "un oggetto con i punti per nome"})) {
             know_points(true);
             for (const JsonValue member : points) points_.register_point(member);
         }
@@ -104,9 +112,11 @@ private:
         joints_.read_joints(file);
         if (LoadedContacts contacts = joints_.take_contacts(); !contacts.empty())
             mechanism_.problem = std::make_shared<const Problem>(Problem{std::move(contacts)});
-        each(file["drivers"], {"an array of drivers", "un array di moventi"}, [&](JsonValue v) { drivers_.read_driver(v); });
+        each(file["drivers"], {"an array of drivers", "un array di moventi"},
+             [&](JsonValue v) { drivers_.read_driver(v); });
         loads_.read_masses(file["masses"]);
-        mechanism_.gravity = vector(file["gravity"], QuantityKind::acceleration, {"a vector [gx, gy]", "un vettore [gx, gy]"});
+        mechanism_.gravity =
+            vector(file["gravity"], QuantityKind::acceleration, {"a vector [gx, gy]", "un vettore [gx, gy]"});
         if (const JsonValue inertia = file["inertia forces"];
             inertia && expect(inertia, Kind::boolean, {"true or false", "true o false"})) {
             mechanism_.inertia_forces = is_true(inertia);
@@ -130,9 +140,10 @@ private:
     void read_version(JsonValue version) {
         const auto number = version.is_number() ? read_decimal(version.text()) : tl::expected<Exact, Words>(Exact());
         if (!number || *number != Exact(1)) {
-            fault(version, {"the version of the format is 1, not {0}; a newer program may read this file",
-                            "la versione del formato è 1, non {0}; un programma più recente può forse leggere questo file",
-                            described(version)});
+            fault(version,
+                  {"the version of the format is 1, not {0}; a newer program may read this file",
+                   "la versione del formato è 1, non {0}; un programma più recente può forse leggere questo file",
+                   described(version)});
         }
     }
 

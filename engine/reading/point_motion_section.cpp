@@ -5,8 +5,8 @@
 #include <initializer_list>
 #include <utility>
 
-#include "engine/file/expression.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/file/expression.hpp"
 
 namespace kinegraph {
 namespace {
@@ -27,8 +27,9 @@ bool PointMotionSection::is_stated_by(JsonValue motion) {
 }
 
 std::optional<PointProblem> PointMotionSection::read(JsonValue section) {
-    const Members form = file_.members(section, {"point", "x", "y", "r", "theta", "path", "s", "at", "from", "to", "constants"},
-                                       {"the motion of a point", "il moto di un punto"});
+    const Members form =
+        file_.members(section, {"point", "x", "y", "r", "theta", "path", "s", "at", "from", "to", "constants"},
+                      {"the motion of a point", "il moto di un punto"});
     PointProblem problem;
     problem.where = section.pointer();
     problem.point = "P";
@@ -110,24 +111,28 @@ void PointMotionSection::read_path(JsonValue value, PointProblem& problem) {
     } else if (kind.key() == "circle") {
         CirclePath path;
         if (start) path.start = file_.quantity_or_zero(start, QuantityKind::angle);
-        if (!file_.expect(kind, Kind::object, {"{\"centre\": [x, y], \"radius\": …}", "{\"centre\": [x, y], \"radius\": …}"}))
+        if (!file_.expect(kind, Kind::object,
+                          {"{\"centre\": [x, y], \"radius\": …}", "{\"centre\": [x, y], \"radius\": …}"}))
             return;
         const Members circle = file_.members(kind, {"centre", "radius"}, {"a circle", "una circonferenza"});
-        path.centre =
-            file_.vector(circle["centre"], QuantityKind::length, {"a place [x, y]", "un luogo [x, y]"}).value_or(Vector{});
-        path.radius = file_.positive(file_.required(circle, "radius", {"the circle's radius", "il raggio della circonferenza"}),
-                                     QuantityKind::length, {"a radius", "un raggio"});
+        path.centre = file_.vector(circle["centre"], QuantityKind::length, {"a place [x, y]", "un luogo [x, y]"})
+                          .value_or(Vector{});
+        path.radius =
+            file_.positive(file_.required(circle, "radius", {"the circle's radius", "il raggio della circonferenza"}),
+                           QuantityKind::length, {"a radius", "un raggio"});
         problem.path = path;
     } else {
         if (start)
             file_.fault(start, {"a line starts where it is \"from\"; take \"start\" out",
                                 "una retta parte da \"from\"; togliere \"start\""});
-        if (!file_.expect(kind, Kind::object, {"{\"from\": [x, y], \"along\": X}", "{\"from\": [x, y], \"along\": X}"})) return;
+        if (!file_.expect(kind, Kind::object, {"{\"from\": [x, y], \"along\": X}", "{\"from\": [x, y], \"along\": X}"}))
+            return;
         const Members line = file_.members(kind, {"from", "along"}, {"a line", "una retta"});
         LinePath path;
-        path.from = file_.vector(line["from"], QuantityKind::length, {"a place [x, y]", "un luogo [x, y]"}).value_or(Vector{});
-        path.direction = own_direction(
-            file_.required(line, "along", {"its direction, an angle or [dx, dy]", "la sua direzione, un angolo o [dx, dy]"}));
+        path.from =
+            file_.vector(line["from"], QuantityKind::length, {"a place [x, y]", "un luogo [x, y]"}).value_or(Vector{});
+        path.direction = own_direction(file_.required(
+            line, "along", {"its direction, an angle or [dx, dy]", "la sua direzione, un angolo o [dx, dy]"}));
         problem.path = path;
     }
 }
@@ -139,9 +144,10 @@ Vector PointMotionSection::own_direction(JsonValue value) {
 }
 
 void PointMotionSection::read_times(const Members& form, PointProblem& problem) {
-    const JsonValue at = file_.required(form, "at", {"the instant that is looked at, a time", "l’istante considerato, un tempo"});
-    const JsonValue to =
-        file_.required(form, "to", {"the time up to which the motion is followed", "il tempo fino al quale si segue il moto"});
+    const JsonValue at =
+        file_.required(form, "at", {"the instant that is looked at, a time", "l’istante considerato, un tempo"});
+    const JsonValue to = file_.required(
+        form, "to", {"the time up to which the motion is followed", "il tempo fino al quale si segue il moto"});
     problem.at = file_.quantity_or_zero(at, QuantityKind::time);
     problem.from = form["from"] ? file_.quantity_or_zero(form["from"], QuantityKind::time) : Exact();
     problem.to = file_.quantity_or_zero(to, QuantityKind::time);

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/problem.hpp"
+#include "engine/reading/form_reader.hpp"
 #include "engine/reading/law_constants.hpp"
 
 namespace kinegraph {
@@ -22,7 +22,8 @@ private:
     using Kind = FormReader::Kind;
 
     void read_laws(const Members& form, PointProblem& problem);
-    StatedLaw read_law(JsonValue value, const std::string& symbol, QuantityKind of, QuantityKind is, NamedConstants& constants);
+    StatedLaw read_law(JsonValue value, const std::string& symbol, QuantityKind of, QuantityKind is,
+                       NamedConstants& constants);
     void read_path(JsonValue value, PointProblem& problem);
     /// An angle or a vector: these problems have no points that a direction could lie between.
     Vector own_direction(JsonValue value);

@@ -39,22 +39,28 @@ void PointsSection::report_cycle(const std::vector<PointIndex>& cycle, const std
     const auto name = [&](PointIndex i) { return quoted(mechanism_.point(i).name); };
     Words chain = name(cycle.front());
     for (std::size_t i = 1; i < std::min(cycle.size(), most_named); ++i) chain += " → " + name(cycle[i]);
-    if (cycle.size() > most_named) chain += Words(" → … ({0} points)", " → … ({0} punti)", std::to_string(cycle.size()));
+    if (cycle.size() > most_named)
+        chain += Words(" → … ({0} points)", " → … ({0} punti)", std::to_string(cycle.size()));
     chain += " → " + name(cycle.front());
     file_.fault(
         places[at_index(cycle.front())],
         cycle.size() == 1
             ? Words("the point {0} is placed by itself; place it by others or by coordinates",
-                    "il punto {0} è definito per mezzo di se stesso; definirlo con altri o con coordinate", name(cycle.front()))
-            : Words("these points are placed by each other in a cycle: {0}; place one of them by others or by coordinates",
-                    "questi punti si definiscono l’un l’altro in cerchio: {0}; definirne uno con altri o con coordinate", chain));
+                    "il punto {0} è definito per mezzo di se stesso; definirlo con altri o con coordinate",
+                    name(cycle.front()))
+            : Words(
+                  "these points are placed by each other in a cycle: {0}; place one of them by others or by "
+                  "coordinates",
+                  "questi punti si definiscono l’un l’altro in cerchio: {0}; definirne uno con altri o con coordinate",
+                  chain));
 }
 
 Placement PointsSection::placement(JsonValue value) {
     if (value.is_array())
-        return Coordinates{
-            file_.vector(value, QuantityKind::length, {"a pair of coordinates [x, y]", "una coppia di coordinate [x, y]"})
-                .value_or(Vector{})};
+        return Coordinates{file_
+                               .vector(value, QuantityKind::length,
+                                       {"a pair of coordinates [x, y]", "una coppia di coordinate [x, y]"})
+                               .value_or(Vector{})};
     if (!value.is_object()) {
         file_.fault(value, {"a point is [x, y] or an object that says how to place it, not {0}",
                             "un punto è [x, y] o un oggetto che dice come si trova, non {0}", described(value)});
@@ -67,19 +73,21 @@ Placement PointsSection::placement(JsonValue value) {
                             "una curva sola non è un punto; scrivere {\"meet\": [curva, curva]}"});
         return Coordinates{};
     }
-    const Members form =
-        file_.members(value, {"from", "distance", "angle", "relative to", "to", "ratio", "meet"}, {"a point", "un punto"});
-    if (form.has_or_misspells("meet") || form.has_or_misspells("to") || form.has_or_misspells("ratio")) return Coordinates{};
+    const Members form = file_.members(value, {"from", "distance", "angle", "relative to", "to", "ratio", "meet"},
+                                       {"a point", "un punto"});
+    if (form.has_or_misspells("meet") || form.has_or_misspells("to") || form.has_or_misspells("ratio"))
+        return Coordinates{};
     Polar polar;
-    polar.from = file_.point(
-        file_.required(form, "from", {"the point from which the distance is taken", "il punto da cui si misura la distanza"}));
+    polar.from = file_.point(file_.required(
+        form, "from", {"the point from which the distance is taken", "il punto da cui si misura la distanza"}));
     polar.distance = file_.quantity_or_zero(
         file_.required(form, "distance", {"how far from there the point lies", "quanto dista di lì il punto"}),
         QuantityKind::length);
-    polar.angle = file_
-                      .angle(file_.required(form, "angle",
-                                            {"in which direction (or give \"to\")", "in quale direzione (o assegnare \"to\")"}))
-                      .value_or(Angle{});
+    polar.angle =
+        file_
+            .angle(file_.required(form, "angle",
+                                  {"in which direction (or give \"to\")", "in quale direzione (o assegnare \"to\")"}))
+            .value_or(Angle{});
     if (const JsonValue base = form["relative to"]) {
         if (base.is_array() && base.size() == 2) {
             polar.relative_to = file_.between(base);
@@ -95,16 +103,17 @@ Placement PointsSection::point_on_line(JsonValue value) {
     const Members form =
         file_.members(value, {"from", "to", "distance", "ratio"}, {"a point on a line", "un punto su una retta"});
     Along along;
-    along.from = file_.point(
-        file_.required(form, "from", {"the point from which the distance is taken", "il punto da cui si misura la distanza"}));
-    along.to = file_.point(file_.required(form, "to", {"the point towards which it is taken", "il punto verso cui si misura"}));
+    along.from = file_.point(file_.required(
+        form, "from", {"the point from which the distance is taken", "il punto da cui si misura la distanza"}));
+    along.to = file_.point(
+        file_.required(form, "to", {"the point towards which it is taken", "il punto verso cui si misura"}));
     if (along.from != none && along.from == along.to)
         file_.fault(form["to"], {"a point and itself give no line; name another",
                                  "un punto e se stesso non danno una retta; indicarne un altro"});
     if (const JsonValue amount = file_.one_of(form, {"distance", "ratio"})) {
         along.is_ratio = amount.key() == "ratio";
-        along.amount =
-            along.is_ratio ? file_.bare_number(amount).value_or(Exact()) : file_.quantity_or_zero(amount, QuantityKind::length);
+        along.amount = along.is_ratio ? file_.bare_number(amount).value_or(Exact())
+                                      : file_.quantity_or_zero(amount, QuantityKind::length);
     }
     return along;
 }
@@ -117,7 +126,8 @@ Placement PointsSection::meet(JsonValue value) {
             meet.first = curve(*curves.begin());
             meet.second = curve(*++curves.begin());
         } else {
-            file_.fault(curves, {"two curves are wanted here, not {0}", "qui servono due curve, non {0}", described(curves)});
+            file_.fault(curves,
+                        {"two curves are wanted here, not {0}", "qui servono due curve, non {0}", described(curves)});
         }
     }
     file_.one_of(form, {"near", "side"}, false);
@@ -128,15 +138,17 @@ Placement PointsSection::meet(JsonValue value) {
 
 Meet::Side PointsSection::side_of(JsonValue value, const Meet& meet) {
     using Side = Meet::Side;
-    const bool first = std::holds_alternative<LineCurve>(meet.first), second = std::holds_alternative<LineCurve>(meet.second);
+    const bool first = std::holds_alternative<LineCurve>(meet.first),
+               second = std::holds_alternative<LineCurve>(meet.second);
     const bool on_line = first != second;
-    constexpr std::array sides{std::pair{"left", Side::left}, std::pair{"right", Side::right}, std::pair{"behind", Side::behind},
-                               std::pair{"ahead", Side::ahead}};
+    constexpr std::array sides{std::pair{"left", Side::left}, std::pair{"right", Side::right},
+                               std::pair{"behind", Side::behind}, std::pair{"ahead", Side::ahead}};
     for (const auto& [word, side] : sides) {
         if (!value.is_string() || value.text() != word) continue;
         if (side == Side::left || side == Side::right || first || second) return side;
-        file_.fault(value, {"{0} is a side on a line; of two circles take \"left\" or \"right\"",
-                            "{0} è un lato su una retta; per due circonferenze scegliere \"left\" o \"right\"", quoted(word)});
+        file_.fault(value,
+                    {"{0} is a side on a line; of two circles take \"left\" or \"right\"",
+                     "{0} è un lato su una retta; per due circonferenze scegliere \"left\" o \"right\"", quoted(word)});
         return Side::either;
     }
     file_.wrong(value, on_line ? Words("\"behind\" or \"ahead\"", "\"behind\" o \"ahead\"")
@@ -151,10 +163,12 @@ Curve PointsSection::curve(JsonValue value) {
     if (value["circle"] || value["radius"]) {
         const Members form = file_.members(value, {"circle", "radius"}, {"a circle", "una circonferenza"});
         CircleCurve circle;
-        if (const JsonValue centre = file_.required(form, "circle", {"the circle's centre", "il centro della circonferenza"}))
+        if (const JsonValue centre =
+                file_.required(form, "circle", {"the circle's centre", "il centro della circonferenza"}))
             circle.centre = file_.place(centre);
-        circle.radius = file_.positive(file_.required(form, "radius", {"the circle's radius", "il raggio della circonferenza"}),
-                                       QuantityKind::length, {"a radius", "un raggio"});
+        circle.radius =
+            file_.positive(file_.required(form, "radius", {"the circle's radius", "il raggio della circonferenza"}),
+                           QuantityKind::length, {"a radius", "un raggio"});
         return circle;
     }
     const Members form =

@@ -1,11 +1,12 @@
-// "points": coordinates, or a place found from others by distances, lines and circles. Whether the curves meet, the pose tells.
+// "points": coordinates, or a place found from others by distances, lines and circles. Whether the curves meet, the
+// pose tells.
 #pragma once
 
 #include <vector>
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/motion/point_cycles.hpp"
+#include "engine/reading/form_reader.hpp"
 
 namespace kinegraph {
 

@@ -17,8 +17,9 @@ namespace {
 Words length_words(double si, const KnownUnit& unit) {
     std::array<char, 40> text{};
     constexpr int digits = 6;
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), si / unit.si.to_double(), std::chars_format::general, digits).ptr;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), si / unit.si.to_double(),
+                                   std::chars_format::general, digits)
+                         .ptr;
     std::string value(text.data(), end);
     value += " " + std::string(unit.symbol);
     std::string with_comma = value;
@@ -43,9 +44,9 @@ std::optional<PositionsProblem> PositionsSection::read(JsonValue section) {
         if (!file_.expect(position, Kind::object, wanted)) return std::nullopt;
         if (problem.positions.empty()) {
             if (position.size() != 2) {
-                file_.fault(position,
-                            {"the first position gives the places of two points; {0} are given",
-                             "la prima posizione dà i luoghi di due punti; ne sono dati {0}", std::to_string(position.size())});
+                file_.fault(position, {"the first position gives the places of two points; {0} are given",
+                                       "la prima posizione dà i luoghi di due punti; ne sono dati {0}",
+                                       std::to_string(position.size())});
                 return std::nullopt;
             }
             std::size_t i = 0;
@@ -88,12 +89,13 @@ void PositionsSection::read_position(JsonValue value, PositionsProblem& problem)
         if (!first) keep_distance(second, problem, position);
     }
     if (first && position.places[0] == position.places[1])
-        file_.fault(value,
-                    {"both points lie at the same place; they must lie apart", "i due punti coincidono; devono essere distinti"});
+        file_.fault(value, {"both points lie at the same place; they must lie apart",
+                            "i due punti coincidono; devono essere distinti"});
     problem.positions.push_back(std::move(position));
 }
 
-void PositionsSection::keep_distance(JsonValue at, const PositionsProblem& problem, PositionsProblem::Position& position) {
+void PositionsSection::keep_distance(JsonValue at, const PositionsProblem& problem,
+                                     PositionsProblem::Position& position) {
     const auto& start = problem.positions[0].places;
     const Exact wanted = squared_length(start[1] - start[0]);
     const Vector arm = position.places[1] - position.places[0];
@@ -103,11 +105,11 @@ void PositionsSection::keep_distance(JsonValue at, const PositionsProblem& probl
     if (arm.is_zero() || std::abs(here - there) > rounded_away * there) {
         const KnownUnit& unit = file_.bare_unit(QuantityKind::length);
         const auto said = [&](double si) { return length_words(si, unit); };
-        file_.fault(
-            at,
-            {"a rigid body keeps distances: here {0} and {1} are {2} apart, in the first position {3}; correct one, or give \"turned\"",
-             "un corpo rigido conserva le distanze: qui {0} e {1} distano {2}, nella prima posizione {3}; correggere, o dare \"turned\"",
-             problem.points[0], problem.points[1], said(here), said(there)});
+        file_.fault(at, {"a rigid body keeps distances: here {0} and {1} are {2} apart, in the first position {3}; "
+                         "correct one, or give \"turned\"",
+                         "un corpo rigido conserva le distanze: qui {0} e {1} distano {2}, nella prima posizione {3}; "
+                         "correggere, o dare \"turned\"",
+                         problem.points[0], problem.points[1], said(here), said(there)});
         return;
     }
     position.places[1] = position.places[0] + square_root(wanted / squared_length(arm), 200).value * arm;

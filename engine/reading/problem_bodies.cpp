@@ -21,8 +21,8 @@ std::array<JsonValue, 2> ProblemBodies::two(const Members& section) {
     const JsonValue bodies = file_.required(section, "bodies", wanted);
     if (!bodies || !file_.expect(bodies, Kind::object, wanted)) return {};
     if (bodies.size() != 2) {
-        file_.fault(bodies,
-                    {"two bodies touch; {0} are given", "si toccano due corpi; ne sono dati {0}", std::to_string(bodies.size())});
+        file_.fault(bodies, {"two bodies touch; {0} are given", "si toccano due corpi; ne sono dati {0}",
+                             std::to_string(bodies.size())});
         return {};
     }
     return {*bodies.begin(), *++bodies.begin()};

@@ -1,11 +1,11 @@
-// The section of a file that states a problem in place of joints: "hertz", "reye", "impact", "positions", or the "motion" of a
-// point. Owns which sections go together; each problem has a file of its own.
+// The section of a file that states a problem in place of joints: "hertz", "reye", "impact", "positions", or the
+// "motion" of a point. Owns which sections go together; each problem has a file of its own.
 #pragma once
 
 #include <memory>
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/problem.hpp"
+#include "engine/reading/form_reader.hpp"
 
 namespace kinegraph {
 

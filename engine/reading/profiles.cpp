@@ -14,7 +14,8 @@ void ProfilesOfContact::read_profiles(const Members& form, Joint& joint) {
     if (form.has_or_misspells("tangent") || (!shape && form.has_or_misspells("profiles"))) return;
     bool complete = joint.bodies.size() == 2 && joint.bodies[0] != none && joint.bodies[1] != none;
     if (shape) {
-        if (!file_.expect(shape, Kind::object, {"an object of profiles by body", "un oggetto con i profili per corpo"})) return;
+        if (!file_.expect(shape, Kind::object, {"an object of profiles by body", "un oggetto con i profili per corpo"}))
+            return;
         for (const JsonValue member : shape) complete = read_profile(member, joint) && complete;
     }
     if (!complete) return;
@@ -24,16 +25,17 @@ void ProfilesOfContact::read_profiles(const Members& form, Joint& joint) {
         const Body& owner = mechanism_.body(on);
         if (owner.circle) {
             if (owner.circle->centre == joint.point && joint.point != none) {
-                file_.fault(place, {"the circle of body {0} has its centre at the contact itself",
-                                    "la circonferenza del corpo {0} ha il centro nel contatto stesso", quoted(owner.name)});
+                file_.fault(place,
+                            {"the circle of body {0} has its centre at the contact itself",
+                             "la circonferenza del corpo {0} ha il centro nel contatto stesso", quoted(owner.name)});
             }
             joint.profiles.emplace(on, CircleProfile{owner.circle->centre});
         } else {
-            file_.fault(
-                place,
-                {"the profile of body {0} is missing: give it under \"profiles\", or the body a \"circle\", or the joint a \"tangent\"",
-                 "manca il profilo del corpo {0}: assegnarlo in \"profiles\", o dare al corpo un \"circle\", o alla coppia una \"tangent\"",
-                 quoted(owner.name)});
+            file_.fault(place, {"the profile of body {0} is missing: give it under \"profiles\", or the body a "
+                                "\"circle\", or the joint a \"tangent\"",
+                                "manca il profilo del corpo {0}: assegnarlo in \"profiles\", o dare al corpo un "
+                                "\"circle\", o alla coppia una \"tangent\"",
+                                quoted(owner.name)});
             complete = false;
         }
     }
@@ -41,13 +43,15 @@ void ProfilesOfContact::read_profiles(const Members& form, Joint& joint) {
     const Profile& first = joint.profiles.at(joint.bodies[0]);
     const Profile& second = joint.profiles.at(joint.bodies[1]);
     if (std::holds_alternative<LineProfile>(first) && std::holds_alternative<LineProfile>(second)) {
-        file_.fault(place,
-                    {"two lines are no contact: they touch everywhere or nowhere; one of the bodies has another profile",
-                     "due rette non fanno un contatto: si toccano ovunque o in nessun punto; uno dei corpi ha un altro profilo"});
+        file_.fault(
+            place, {"two lines are no contact: they touch everywhere or nowhere; one of the bodies has another profile",
+                    "due rette non fanno un contatto: si toccano ovunque o in nessun punto; uno dei corpi ha un altro "
+                    "profilo"});
     }
     if (std::holds_alternative<TipProfile>(first) && std::holds_alternative<TipProfile>(second)) {
-        file_.fault(place, {"two tips are no contact: they have no common tangent; one of the bodies has another profile",
-                            "due punte non fanno un contatto: non hanno tangente comune; uno dei corpi ha un altro profilo"});
+        file_.fault(place,
+                    {"two tips are no contact: they have no common tangent; one of the bodies has another profile",
+                     "due punte non fanno un contatto: non hanno tangente comune; uno dei corpi ha un altro profilo"});
     }
 }
 
@@ -55,8 +59,8 @@ bool ProfilesOfContact::read_profile(JsonValue member, Joint& joint) {
     const BodyIndex on = file_.look_up_body(member, member.key());
     if (on != none && !joint.connects(on)) {
         if (!joint.connects(none)) {
-            file_.fault(member,
-                        {"the body {0} is not in this joint", "il corpo {0} non è in questa coppia", quoted(member.key())});
+            file_.fault(member, {"the body {0} is not in this joint", "il corpo {0} non è in questa coppia",
+                                 quoted(member.key())});
         }
         return false;
     }

@@ -1,8 +1,9 @@
-// The profiles that touch in a contact: given with the joint, or the circles of its bodies, or their common tangent alone.
+// The profiles that touch in a contact: given with the joint, or the circles of its bodies, or their common tangent
+// alone.
 #pragma once
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/mechanism.hpp"
+#include "engine/reading/form_reader.hpp"
 
 namespace kinegraph {
 

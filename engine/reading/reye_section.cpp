@@ -30,8 +30,9 @@ std::optional<ReyeProblem> ReyeSection::read(JsonValue section) {
     problem.force = file_.positive(file_.required(form, "force", {"the force that presses", "la forza che preme"}),
                                    QuantityKind::force, {"the force", "la forza"});
     if (!slides)
-        file_.required(form, "friction",
-                       {"the coefficient of friction, which makes the torque", "il coefficiente d’attrito, che dà il momento"});
+        file_.required(
+            form, "friction",
+            {"the coefficient of friction, which makes the torque", "il coefficiente d’attrito, che dà il momento"});
     if (const JsonValue friction = form["friction"]) {
         problem.friction = file_.bare_number(friction).value_or(Exact(1));
         if (problem.friction->sign() <= 0)
@@ -45,10 +46,11 @@ std::optional<ReyeProblem> ReyeSection::read(JsonValue section) {
                           "la profondità d’usura richiede \"wear\", {0} e \"time\"", quoted(speed));
         problem.wear = file_.positive(file_.required(form, "wear", needs), QuantityKind::wear,
                                       {"the coefficient of wear", "il coefficiente d’usura"});
-        problem.speed =
-            file_.positive(file_.required(form, speed, needs), slides ? QuantityKind::velocity : QuantityKind::angular_velocity,
-                           {"the speed", "la velocità"});
-        problem.time = file_.positive(file_.required(form, "time", needs), QuantityKind::time, {"the time", "la durata"});
+        problem.speed = file_.positive(file_.required(form, speed, needs),
+                                       slides ? QuantityKind::velocity : QuantityKind::angular_velocity,
+                                       {"the speed", "la velocità"});
+        problem.time =
+            file_.positive(file_.required(form, "time", needs), QuantityKind::time, {"the time", "la durata"});
     }
     if (slides)
         read_pad(form, problem);
@@ -72,8 +74,8 @@ std::optional<ReyeProblem::Kind> ReyeSection::read_kind(JsonValue section) {
         file_.fault(section, {"\"kind\" is missing: {0}", "manca \"kind\": {0}", wanted});
         return std::nullopt;
     }
-    const auto* found =
-        std::find_if(kinds.begin(), kinds.end(), [&](const auto& each) { return kind.is_string() && each.first == kind.text(); });
+    const auto* found = std::find_if(kinds.begin(), kinds.end(),
+                                     [&](const auto& each) { return kind.is_string() && each.first == kind.text(); });
     if (found == kinds.end()) {
         file_.wrong(kind, wanted);
         return std::nullopt;
@@ -83,7 +85,8 @@ std::optional<ReyeProblem::Kind> ReyeSection::read_kind(JsonValue section) {
 
 void ReyeSection::read_pad(const Members& form, ReyeProblem& problem) {
     problem.length = file_.positive(
-        file_.required(form, "length", {"the pad’s length along the sliding", "la lunghezza del pattino lungo lo strisciamento"}),
+        file_.required(form, "length",
+                       {"the pad’s length along the sliding", "la lunghezza del pattino lungo lo strisciamento"}),
         QuantityKind::length, {"the length", "la lunghezza"});
     problem.width = file_.positive(file_.required(form, "width", {"the pad’s width", "la larghezza del pattino"}),
                                    QuantityKind::length, {"the width", "la larghezza"});
@@ -92,16 +95,17 @@ void ReyeSection::read_pad(const Members& form, ReyeProblem& problem) {
         form, "offset", {"how far from its end the force acts", "a quale distanza dal suo estremo agisce la forza"});
     problem.offset = file_.quantity_or_zero(offset, QuantityKind::length);
     if (offset && (problem.offset.sign() <= 0 || problem.offset >= problem.length))
-        file_.fault(offset, {"the force must act over the pad, between 0 and its length; beyond, the pad tips over",
-                             "la forza deve cadere sul pattino, fra 0 e la sua lunghezza; oltre, il pattino si ribalta"});
+        file_.fault(offset,
+                    {"the force must act over the pad, between 0 and its length; beyond, the pad tips over",
+                     "la forza deve cadere sul pattino, fra 0 e la sua lunghezza; oltre, il pattino si ribalta"});
 }
 
 void ReyeSection::read_disc(const Members& form, ReyeProblem& problem) {
     const Words radius("a radius", "un raggio");
     const JsonValue inner = file_.required(form, "inner", {"the inner radius", "il raggio interno"});
     problem.inner = file_.positive(inner, QuantityKind::length, radius);
-    problem.outer =
-        file_.positive(file_.required(form, "outer", {"the outer radius", "il raggio esterno"}), QuantityKind::length, radius);
+    problem.outer = file_.positive(file_.required(form, "outer", {"the outer radius", "il raggio esterno"}),
+                                   QuantityKind::length, radius);
     if (inner && form["outer"] && problem.inner >= problem.outer)
         file_.fault(inner, {"the inner radius must be less than the outer one",
                             "il raggio interno deve essere minore di quello esterno"});
@@ -123,20 +127,22 @@ void ReyeSection::read_shoe(const Members& form, ReyeProblem& problem) {
     problem.width = file_.positive(file_.required(form, "width", {"the shoe’s width", "la larghezza del ceppo"}),
                                    QuantityKind::length, length);
     const JsonValue pivot = file_.required(
-        form, "pivot", {"the distance of the pivot from the drum’s centre", "la distanza della cerniera dal centro del tamburo"});
+        form, "pivot",
+        {"the distance of the pivot from the drum’s centre", "la distanza della cerniera dal centro del tamburo"});
     problem.pivot = file_.positive(pivot, QuantityKind::length, length);
     problem.arm = file_.positive(
-        file_.required(form, "arm", {"the arm of the force about the pivot", "il braccio della forza rispetto alla cerniera"}),
+        file_.required(form, "arm",
+                       {"the arm of the force about the pivot", "il braccio della forza rispetto alla cerniera"}),
         QuantityKind::length, length);
     const Words end("the angle from the pivot to an end of the shoe", "l’angolo dalla cerniera a un estremo del ceppo");
     const JsonValue to = file_.required(form, "to", end);
     problem.from = file_.quantity_or_zero(file_.required(form, "from", end), QuantityKind::angle);
     problem.to = file_.quantity_or_zero(to, QuantityKind::angle);
     if (to && form["from"] && (problem.from.sign() < 0 || problem.to <= problem.from || problem.to > pi()))
-        file_.fault(
-            to,
-            {"a shoe reaches from an angle not less than 0° to a larger one, at most 180°; beyond it would part from the drum",
-             "un ceppo va da un angolo non minore di 0° a uno maggiore, al più 180°; oltre si staccherebbe dal tamburo"});
+        file_.fault(to, {"a shoe reaches from an angle not less than 0° to a larger one, at most 180°; beyond it would "
+                         "part from the drum",
+                         "un ceppo va da un angolo non minore di 0° a uno maggiore, al più 180°; oltre si staccherebbe "
+                         "dal tamburo"});
     if (form["inside"] && file_.expect(form["inside"], Kind::boolean, {"true or false", "true o false"})) {
         problem.inside = is_true(form["inside"]);
         if (problem.inside && pivot && problem.pivot >= problem.radius)

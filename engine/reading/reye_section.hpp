@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/problem.hpp"
+#include "engine/reading/form_reader.hpp"
 
 namespace kinegraph {
 

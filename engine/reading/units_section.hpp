@@ -1,8 +1,8 @@
 // "units" and "scales": what bare numbers are measured in, and how large figures are drawn.
 #pragma once
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/mechanism.hpp"
+#include "engine/reading/form_reader.hpp"
 
 namespace kinegraph {
 

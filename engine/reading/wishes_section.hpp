@@ -1,11 +1,11 @@
-// "find": what is asked for, relative motions and cuts of a truss among it. Cuts are read last, when the whole file makes a
-// truss.
+// "find": what is asked for, relative motions and cuts of a truss among it. Cuts are read last, when the whole file
+// makes a truss.
 #pragma once
 
 #include <vector>
 
-#include "engine/reading/form_reader.hpp"
 #include "engine/mechanism/mechanism.hpp"
+#include "engine/reading/form_reader.hpp"
 #include "engine/solution/truss.hpp"
 
 namespace kinegraph {
@@ -21,7 +21,8 @@ public:
 private:
     using Kind = FormReader::Kind;
 
-    /// Whether the motion is to be found through the observer; one that translates gives no direction of a relative velocity.
+    /// Whether the motion is to be found through the observer; one that translates gives no direction of a relative
+    /// velocity.
     void read_solve(JsonValue value, RelativeMotionQuery& query);
     static bool is_cut(JsonValue value);
     void read_cut(JsonValue value, const TrussStructure& truss);

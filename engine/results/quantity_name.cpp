@@ -18,12 +18,9 @@ public:
     std::string name(const Quantity& q) const {
         std::string whole = part_of_name(q) + stem(q);
         switch (q.component) {
-            case Quantity::Component::whole:
-                return whole;
-            case Quantity::Component::x:
-                return whole + " x";
-            case Quantity::Component::y:
-                return whole + " y";
+            case Quantity::Component::whole: return whole;
+            case Quantity::Component::x: return whole + " x";
+            case Quantity::Component::y: return whole + " y";
         }
         KG_ASSERT(false, "a component is x or y");
     }
@@ -31,73 +28,43 @@ public:
 private:
     std::string stem(const Quantity& q) const {
         switch (q.kind) {
-            case Kind::unnamed:
-                return "";
-            case Kind::velocity:
-                return "velocity " + carried(q);
-            case Kind::acceleration:
-                return "acceleration " + carried(q);
-            case Kind::omega:
-                return "omega " + body(q.body);
-            case Kind::alpha:
-                return "alpha " + body(q.body);
-            case Kind::centre:
-                return "centre " + body(q.body) + "," + body(q.other);
-            case Kind::sliding_velocity:
-                return "sliding " + joint(q.joint) + " velocity";
-            case Kind::sliding_acceleration:
-                return "sliding " + joint(q.joint) + " acceleration";
-            case Kind::sliding_coriolis:
-                return "sliding " + joint(q.joint) + " coriolis";
-            case Kind::force:
-                return action(q);
-            case Kind::couple:
-                return action(q) + " couple";
-            case Kind::force_component:
-                return action(q) + " component";
+            case Kind::unnamed: return "";
+            case Kind::velocity: return "velocity " + carried(q);
+            case Kind::acceleration: return "acceleration " + carried(q);
+            case Kind::omega: return "omega " + body(q.body);
+            case Kind::alpha: return "alpha " + body(q.body);
+            case Kind::centre: return "centre " + body(q.body) + "," + body(q.other);
+            case Kind::sliding_velocity: return "sliding " + joint(q.joint) + " velocity";
+            case Kind::sliding_acceleration: return "sliding " + joint(q.joint) + " acceleration";
+            case Kind::sliding_coriolis: return "sliding " + joint(q.joint) + " coriolis";
+            case Kind::force: return action(q);
+            case Kind::couple: return action(q) + " couple";
+            case Kind::force_component: return action(q) + " component";
             case Kind::load:
                 return "load " + std::visit([](const auto& load) { return load.name; }, mechanism_.loads[at(q.given)]);
-            case Kind::weight:
-                return "weight " + body(mechanism_.masses[at(q.given)].body);
-            case Kind::inertia:
-                return "inertia " + body(mechanism_.masses[at(q.given)].body);
-            case Kind::effort:
-                return effort(q);
-            case Kind::radius:
-                return "radius " + mechanism_.points[at(q.point)].name + " on " + body(q.body);
-            case Kind::inflection_diameter:
-                return "inflection circle " + body(q.body);
-            case Kind::acceleration_pole:
-                return "acceleration pole " + body(q.body);
-            case Kind::virtual_power:
-                return "virtual power";
-            case Kind::virtual_effort:
-                return effort(q) + " by virtual work";
-            case Kind::resultant:
-                return "resultant " + body(q.body);
-            case Kind::resultant_couple:
-                return "resultant " + body(q.body) + " couple";
-            case Kind::bar:
-                return "bar " + bar(q.body);
+            case Kind::weight: return "weight " + body(mechanism_.masses[at(q.given)].body);
+            case Kind::inertia: return "inertia " + body(mechanism_.masses[at(q.given)].body);
+            case Kind::effort: return effort(q);
+            case Kind::radius: return "radius " + mechanism_.points[at(q.point)].name + " on " + body(q.body);
+            case Kind::inflection_diameter: return "inflection circle " + body(q.body);
+            case Kind::acceleration_pole: return "acceleration pole " + body(q.body);
+            case Kind::virtual_power: return "virtual power";
+            case Kind::virtual_effort: return effort(q) + " by virtual work";
+            case Kind::resultant: return "resultant " + body(q.body);
+            case Kind::resultant_couple: return "resultant " + body(q.body) + " couple";
+            case Kind::bar: return "bar " + bar(q.body);
         }
         KG_ASSERT(false, "a quantity has a kind");
     }
     static std::string part_of_name(const Quantity& q) {
         switch (q.part) {
-            case Quantity::Part::whole:
-                return "";
-            case Quantity::Part::relative:
-                return "relative ";
-            case Quantity::Part::normal:
-                return "normal ";
-            case Quantity::Part::tangential:
-                return "tangential ";
-            case Quantity::Part::sliding:
-                return "sliding ";
-            case Quantity::Part::coriolis:
-                return "coriolis ";
-            case Quantity::Part::transport:
-                return "transport ";
+            case Quantity::Part::whole: return "";
+            case Quantity::Part::relative: return "relative ";
+            case Quantity::Part::normal: return "normal ";
+            case Quantity::Part::tangential: return "tangential ";
+            case Quantity::Part::sliding: return "sliding ";
+            case Quantity::Part::coriolis: return "coriolis ";
+            case Quantity::Part::transport: return "transport ";
         }
         KG_ASSERT(false, "a part is one of these");
     }

@@ -27,7 +27,8 @@ public:
             for (const Kind kind : {Kind::omega, Kind::alpha}) add({.kind = kind, .body = body}, "");
         for (const PointIndex point : indices<PointIndex>(m_.points.size())) add_point(point);
         for (const Joint& joint : m_.joints) add_joint(joint);
-        for (std::size_t e = 0; e < m_.efforts.size(); ++e) add({.kind = Kind::effort, .given = static_cast<int>(e)}, "");
+        for (std::size_t e = 0; e < m_.efforts.size(); ++e)
+            add({.kind = Kind::effort, .given = static_cast<int>(e)}, "");
         for (const auto& [quantity, subject] : vectors_) {
             Column column = modulus_column(quantity, m_, subject);
             const auto is_taken = [&](const Column& other) { return other.name == column.name; };
@@ -47,17 +48,20 @@ private:
         std::vector<BodyIndex> carriers;
         for (const BodyIndex body : m_.moving_bodies()) {
             const auto& listed = m_.body(body).points;
-            const bool joined = std::any_of(m_.joints.begin(), m_.joints.end(),
-                                            [&](const Joint& joint) { return joint.point == point && joint.connects(body); });
+            const bool joined = std::any_of(m_.joints.begin(), m_.joints.end(), [&](const Joint& joint) {
+                return joint.point == point && joint.connects(body);
+            });
             const bool given = m_.motion && m_.motion->body == body;
-            if (joined || given || std::find(listed.begin(), listed.end(), point) != listed.end()) carriers.push_back(body);
+            if (joined || given || std::find(listed.begin(), listed.end(), point) != listed.end())
+                carriers.push_back(body);
         }
         if (carriers.empty()) return;
         for (const Kind kind : {Kind::velocity, Kind::acceleration}) {
             add_vector({.kind = kind, .body = carriers.front(), .point = point}, m_.point(point).name);
             if (carriers.size() == 1) continue;
             for (const BodyIndex body : carriers)
-                add_vector({.kind = kind, .body = body, .point = point}, m_.point(point).name + " on " + m_.body(body).name);
+                add_vector({.kind = kind, .body = body, .point = point},
+                           m_.point(point).name + " on " + m_.body(body).name);
         }
     }
     void add_joint(const Joint& joint) {
@@ -66,8 +70,8 @@ private:
             for (const Kind kind : {Kind::sliding_velocity, Kind::sliding_acceleration}) {
                 add({.kind = kind, .joint = index}, joint.name);
                 if (joint.pair().touches())
-                    add({.kind = kind, .joint = index},
-                        joint.name + " (" + m_.body(joint.bodies[0]).name + " on " + m_.body(joint.bodies[1]).name + ")");
+                    add({.kind = kind, .joint = index}, joint.name + " (" + m_.body(joint.bodies[0]).name + " on " +
+                                                            m_.body(joint.bodies[1]).name + ")");
             }
         }
         for (const BodyIndex on : joint.bodies) {
@@ -89,7 +93,8 @@ private:
 
 }  // namespace
 
-void add_columns(const Quantity& q, const Mechanism& mechanism, const std::string& subject, std::vector<Column>& columns) {
+void add_columns(const Quantity& q, const Mechanism& mechanism, const std::string& subject,
+                 std::vector<Column>& columns) {
     const auto add = [&](Column::Kind kind, std::string name, QuantityKind unit) {
         columns.push_back({kind, q, std::move(name), unit});
     };
@@ -100,25 +105,20 @@ void add_columns(const Quantity& q, const Mechanism& mechanism, const std::strin
         case Kind::omega:
             add(Column::Kind::angle, "angle " + body(), QuantityKind::angle);
             return add(Column::Kind::result, "omega " + body(), QuantityKind::angular_velocity);
-        case Kind::alpha:
-            return add(Column::Kind::result, "alpha " + body(), QuantityKind::angular_acceleration);
+        case Kind::alpha: return add(Column::Kind::result, "alpha " + body(), QuantityKind::angular_acceleration);
         case Kind::velocity:
             if (is_x) {
                 add(Column::Kind::place_x, "x " + subject, QuantityKind::length);
                 add(Column::Kind::place_y, "y " + subject, QuantityKind::length);
             }
             return add(Column::Kind::result, "v" + axis + subject, QuantityKind::velocity);
-        case Kind::acceleration:
-            return add(Column::Kind::result, "a" + axis + subject, QuantityKind::acceleration);
+        case Kind::acceleration: return add(Column::Kind::result, "a" + axis + subject, QuantityKind::acceleration);
         case Kind::sliding_velocity:
             if (mechanism.joint(q.joint).along) add(Column::Kind::slid, "s " + subject, QuantityKind::length);
             return add(Column::Kind::along, "v " + subject, QuantityKind::velocity);
-        case Kind::sliding_acceleration:
-            return add(Column::Kind::along, "a " + subject, QuantityKind::acceleration);
-        case Kind::force:
-            return add(Column::Kind::result, "F" + axis + action_of(q, mechanism), QuantityKind::force);
-        case Kind::couple:
-            return add(Column::Kind::result, "C " + action_of(q, mechanism), QuantityKind::moment);
+        case Kind::sliding_acceleration: return add(Column::Kind::along, "a " + subject, QuantityKind::acceleration);
+        case Kind::force: return add(Column::Kind::result, "F" + axis + action_of(q, mechanism), QuantityKind::force);
+        case Kind::couple: return add(Column::Kind::result, "C " + action_of(q, mechanism), QuantityKind::moment);
         default: {
             const Effort& effort = mechanism.efforts[at_index(q.given)];
             const auto name = std::visit([](const auto& each) { return each.name; }, effort);
@@ -131,12 +131,9 @@ void add_columns(const Quantity& q, const Mechanism& mechanism, const std::strin
 Column modulus_column(const Quantity& vector, const Mechanism& mechanism, const std::string& subject) {
     const Quantity whole = vector.along(Quantity::Component::whole);
     switch (vector.kind) {
-        case Kind::velocity:
-            return {Column::Kind::result, whole, "v " + subject, QuantityKind::velocity};
-        case Kind::acceleration:
-            return {Column::Kind::result, whole, "a " + subject, QuantityKind::acceleration};
-        default:
-            return {Column::Kind::result, whole, "F " + action_of(vector, mechanism), QuantityKind::force};
+        case Kind::velocity: return {Column::Kind::result, whole, "v " + subject, QuantityKind::velocity};
+        case Kind::acceleration: return {Column::Kind::result, whole, "a " + subject, QuantityKind::acceleration};
+        default: return {Column::Kind::result, whole, "F " + action_of(vector, mechanism), QuantityKind::force};
     }
 }
 
@@ -148,7 +145,8 @@ bool is_modulus(const Column& column) {
 
 Symbol symbol_of_action(const Quantity& action, const Mechanism& mechanism) {
     const Joint& joint = mechanism.joint(action.joint);
-    const std::string& of = action.other == none ? mechanism.point(joint.point).name : mechanism.body(action.other).name;
+    const std::string& of =
+        action.other == none ? mechanism.point(joint.point).name : mechanism.body(action.other).name;
     const std::string& on = mechanism.body(action.body).name;
     Symbol symbol{action.kind == Kind::couple ? Symbol::Letter::M : Symbol::Letter::F, of, ""};
     symbol.about += (of.size() == 1 && on.size() == 1 ? "" : ",") + on;
@@ -165,7 +163,8 @@ std::optional<Quantity> bar_of(const Column& column, const Mechanism& mechanism)
     if (!is_modulus(column) || q.kind != Kind::force || q.other != none) return std::nullopt;
     const PointIndex pin = mechanism.joint(q.joint).point;
     for (const Load& load : mechanism.loads)
-        if (const auto* force = std::get_if<ForceLoad>(&load); force != nullptr && force->body == q.body && force->at == pin)
+        if (const auto* force = std::get_if<ForceLoad>(&load);
+            force != nullptr && force->body == q.body && force->at == pin)
             return std::nullopt;
     const auto truss = truss_of(mechanism);
     if (!truss) return std::nullopt;
@@ -181,9 +180,10 @@ std::vector<Column> asked_columns(const Mechanism& mechanism) {
     if (asked_of(mechanism).empty()) return columns;
     const std::vector<Column> possible = possible_results(mechanism);
     for (const AskedResult& each : asked_of(mechanism)) {
-        const auto found =
-            std::find_if(possible.begin(), possible.end(), [&](const Column& other) { return other.name == each.name; });
-        columns.push_back(found != possible.end() ? *found : Column{Column::Kind::named, {}, each.name, QuantityKind::angle});
+        const auto found = std::find_if(possible.begin(), possible.end(),
+                                        [&](const Column& other) { return other.name == each.name; });
+        columns.push_back(found != possible.end() ? *found
+                                                  : Column{Column::Kind::named, {}, each.name, QuantityKind::angle});
         if (const auto bar = bar_of(columns.back(), mechanism)) columns.back().quantity = *bar;
     }
     return columns;

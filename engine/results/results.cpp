@@ -1,5 +1,5 @@
-// The results file (docs/format.md, 3): a Solution written as JSON, SI units, keys in the file's order, numbers as the shortest
-// decimals that give the double back. Computes nothing and rounds nothing but to doubles.
+// The results file (docs/format.md, 3): a Solution written as JSON, SI units, keys in the file's order, numbers as the
+// shortest decimals that give the double back. Computes nothing and rounds nothing but to doubles.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/results/quantity_name.hpp"
-#include "engine/number/assert.hpp"
-#include "engine/solution/displacements.hpp"
 #include "engine/equations/equations.hpp"
 #include "engine/file/json_text.hpp"
+#include "engine/number/assert.hpp"
+#include "engine/results/quantity_name.hpp"
+#include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/solution.hpp"
 
@@ -103,7 +103,8 @@ Vector without_sense(Vector direction, bool pose_is_exact) {
     KG_ASSERT(!largest.is_zero(), "a point at infinity has a direction");
     direction = {direction.x / largest, direction.y / largest};
     if (!pose_is_exact) {
-        // On a pose with a leftover an upright direction is upright within 2^-100 or so; its sense must not hang on that.
+        // On a pose with a leftover an upright direction is upright within 2^-100 or so; its sense must not hang on
+        // that.
         const Exact noise = Exact::power_of_two(-80);
         if (abs(direction.x) < noise) direction.x = 0;
         if (abs(direction.y) < noise) direction.y = 0;
@@ -162,7 +163,8 @@ public:
     void add_towards(const Vector& sensed) {
         const Vector direction = without_sense(sensed, pose_.exact);
         add("towards", unit(direction));
-        if (exact_ && certain(direction.x) && certain(direction.y)) fractions_.emplace_back("towards", whole(direction));
+        if (exact_ && certain(direction.x) && certain(direction.y))
+            fractions_.emplace_back("towards", whole(direction));
     }
     bool empty() const { return members_.empty(); }
     std::string json() && {
@@ -172,8 +174,8 @@ public:
     }
 
 private:
-    /// On a pose with a leftover what depends on it is a fraction as long as the compass's rounding, and no exact value. A
-    /// short one cannot depend on it.
+    /// On a pose with a leftover what depends on it is a fraction as long as the compass's rounding, and no exact
+    /// value. A short one cannot depend on it.
     bool certain(const Exact& value) const {
         return pose_.exact || value.bits() < static_cast<std::size_t>(pose_.bits > 0 ? pose_.bits : 1);
     }
@@ -220,7 +222,8 @@ public:
     std::string json() const {
         Members file;
         file.emplace_back("mobility", mobility());
-        if (solution_.instant_motion && !solution_.instant_motion->branches.empty()) file.emplace_back("branches", branches());
+        if (solution_.instant_motion && !solution_.instant_motion->branches.empty())
+            file.emplace_back("branches", branches());
         file.emplace_back("points", points());
         file.emplace_back("bodies", bodies());
         file.emplace_back("sliding", sliding());
@@ -380,7 +383,8 @@ private:
 
     std::string curvature() const {
         Members all;
-        for (const Curvature& found : solution_.curvature) all.emplace_back(name_of_body(found.body), curvature_of(found));
+        for (const Curvature& found : solution_.curvature)
+            all.emplace_back(name_of_body(found.body), curvature_of(found));
         return object_of_lines(all);
     }
     std::string curvature_of(const Curvature& found) const {
@@ -467,7 +471,8 @@ private:
             Entry seen = entry();
             seen.add("point", quoted(name_of_point(motion.query.point)));
             if (motion.query.translating_with != none)
-                seen.add("observer", object({{"translating with", quoted(name_of_point(motion.query.translating_with))}}));
+                seen.add("observer",
+                         object({{"translating with", quoted(name_of_point(motion.query.translating_with))}}));
             else
                 seen.add("observer", quoted(name_of_body(motion.query.observer)));
             seen.add("velocity", motion.velocity);
@@ -490,8 +495,8 @@ private:
             if (!action.force && !action.component && !action.couple) continue;
             const Joint& joint = mechanism_.joint(action.joint);
             if (by_joint.empty() || by_joint.back().first != joint.name) {
-                const auto same =
-                    std::find_if(by_joint.begin(), by_joint.end(), [&](const auto& entry) { return entry.first == joint.name; });
+                const auto same = std::find_if(by_joint.begin(), by_joint.end(),
+                                               [&](const auto& entry) { return entry.first == joint.name; });
                 if (same != by_joint.end()) {
                     std::rotate(same, same + 1, by_joint.end());
                 } else {
@@ -540,7 +545,8 @@ private:
                 all.emplace_back(truss.structure.bars[bar].name, number(truss.tension(bar, solution_.pose.points)));
         return object_of_lines(all);
     }
-    /// Of each bar found by a cut: the moment of what acts on one side, and its arm; across parallel bars the component.
+    /// Of each bar found by a cut: the moment of what acts on one side, and its arm; across parallel bars the
+    /// component.
     std::string cuts() const {
         std::vector<std::string> all;
         for (const Truss::Cut& cut : solution_.truss->cuts) {
@@ -548,7 +554,8 @@ private:
             std::string names;
             for (const int bar : cut.bars)
                 names += (names.empty() ? "" : ", ") + quoted(truss.structure.bars[at_index(bar)].name);
-            Members members{{"cut", "[" + names + "]"}, {"bar", quoted(truss.structure.bars[at_index(cut.found)].name)}};
+            Members members{{"cut", "[" + names + "]"},
+                            {"bar", quoted(truss.structure.bars[at_index(cut.found)].name)}};
             const Truss::CutNumbers numbers = truss.numbers_of(cut, solution_.pose.points);
             if (cut.pivot) {
                 members.emplace_back("about", pair(*cut.pivot));
@@ -652,7 +659,9 @@ public:
     /// The value of "motion".
     std::string json_of(const PointMotionSolution& found) const {
         const auto& problem = std::get<PointProblem>(mechanism_.problem->of);
-        const auto if_defined = [](bool defined, const std::string& value) { return defined ? value : std::string("null"); };
+        const auto if_defined = [](bool defined, const std::string& value) {
+            return defined ? value : std::string("null");
+        };
         Members members{{"point", quoted(problem.point)},
                         {"at", number(problem.at)},
                         {"position", pair(found.place)},
@@ -665,15 +674,17 @@ public:
                         {"radius of curvature", if_defined(found.centre.has_value(), number(found.radius))},
                         {"centre of curvature", found.centre ? pair(*found.centre) : "null"}};
         const auto two = [](const std::array<double, 2>& of) { return pair(number(of[0]), number(of[1])); };
-        members.emplace_back("polar", if_defined(!found.at_pole, object({{"position", pair(number(found.r), number(found.theta))},
-                                                                         {"velocity", two(found.polar_velocity)},
-                                                                         {"acceleration", two(found.polar_acceleration)}})));
+        members.emplace_back(
+            "polar", if_defined(!found.at_pole, object({{"position", pair(number(found.r), number(found.theta))},
+                                                        {"velocity", two(found.polar_velocity)},
+                                                        {"acceleration", two(found.polar_acceleration)}})));
         Members derivatives;
         const auto add_law = [&](const StatedLaw& law, const Derived& derived, std::string_view variable) {
             std::vector<std::string> orders;
             for (const Expression& each : derived.by_order)
                 orders.push_back((orders.empty() ? "" : ", ") + quoted(written(each, problem.constants, variable)));
-            derivatives.emplace_back(law.symbol == "θ" ? "theta" : law.symbol, "[" + orders[0] + orders[1] + orders[2] + "]");
+            derivatives.emplace_back(law.symbol == "θ" ? "theta" : law.symbol,
+                                     "[" + orders[0] + orders[1] + orders[2] + "]");
         };
         for (std::size_t i = 0; i < found.laws.size(); ++i) add_law(problem.laws[i], found.laws[i], "t");
         if (found.of_path) add_law(std::get<GraphPath>(*problem.path).f, *found.of_path, "x");
@@ -700,8 +711,8 @@ private:
         members.emplace_back("energy lost", number(found.energy_lost));
         members.emplace_back("normal restitution", number(found.kinematic_restitution));
         if (exact_)
-            members.emplace_back("exact",
-                                 object({{"impulse", fractions(found.impulse)}, {"energy lost", fraction(found.energy_lost)}}));
+            members.emplace_back(
+                "exact", object({{"impulse", fractions(found.impulse)}, {"energy lost", fraction(found.energy_lost)}}));
         file.emplace_back("impact", object_of_lines(members));
     }
     void add(const ReyeSolution& found, Members& file) const {
@@ -710,7 +721,9 @@ private:
         if (found.worn) members.emplace_back("worn", pair(number((*found.worn)[0]), number((*found.worn)[1])));
         file.emplace_back("reye", object_of_lines(members));
     }
-    void add(const HertzSolution&, Members& file) const { file.emplace_back("hertz", object_of_lines(values_of(found_))); }
+    void add(const HertzSolution&, Members& file) const {
+        file.emplace_back("hertz", object_of_lines(values_of(found_)));
+    }
     void add(const PointMotionSolution& found, Members& file) const { file.emplace_back("motion", json_of(found)); }
     void add(const PositionsSolution& found, Members& file) const {
         const auto& problem = std::get<PositionsProblem>(mechanism_.problem->of);
@@ -722,7 +735,8 @@ private:
             members.emplace_back("pole", each.pole ? pair(*each.pole) : "null");
             members.emplace_back("angle", number(each.angle));
             if (exact_ && each.pole) members.emplace_back("exact", object({{"pole", fractions(*each.pole)}}));
-            displacements.emplace_back(std::to_string(each.from + 1) + "," + std::to_string(each.to + 1), object(members));
+            displacements.emplace_back(std::to_string(each.from + 1) + "," + std::to_string(each.to + 1),
+                                       object(members));
         }
         for (std::size_t i = 0; i < found.pivots.size(); ++i) {
             static constexpr std::array kinds{"pivot", "straight line", "free", "fixed"};
@@ -767,13 +781,14 @@ public:
         std::vector<std::string> loops, laws;
         for (const Equations::Loop& loop : e_.loops) loops.push_back(quoted(spelt(e_, loop)));
         for (const Equations::Law& law : e_.laws) laws.push_back(quoted(spelt(e_, law)));
-        Members members{{"unknowns", names(e_.unknowns)},
-                        {"free", names(e_.free)},
-                        {"jacobian", matrix(e_.jacobian)},
-                        {"drive", matrix(e_.drive)},
-                        {"rank", std::to_string(e_.rank)},
-                        {"determinant", number(e_.determinant)},
-                        {"velocity ratios", ratios([&](std::size_t j, std::size_t k) { return number(e_.ratios[j][k]); })}};
+        Members members{
+            {"unknowns", names(e_.unknowns)},
+            {"free", names(e_.free)},
+            {"jacobian", matrix(e_.jacobian)},
+            {"drive", matrix(e_.drive)},
+            {"rank", std::to_string(e_.rank)},
+            {"determinant", number(e_.determinant)},
+            {"velocity ratios", ratios([&](std::size_t j, std::size_t k) { return number(e_.ratios[j][k]); })}};
         if (!e_.second_ratios.empty()) members.emplace_back("second ratios", second_ratios());
         if (!e_.cannot_be_driven.empty()) members.emplace_back("cannot be driven", names(e_.cannot_be_driven));
         members.emplace_back("loops", list(loops));
@@ -842,14 +857,16 @@ private:
 /// Virtual work: what is displaced, how far and by which work for each unit of it, and the efforts.
 class DisplacementResults {
 public:
-    DisplacementResults(const Mechanism& mechanism, const Displacements& found) : mechanism_(mechanism), found_(found) {}
+    DisplacementResults(const Mechanism& mechanism, const Displacements& found)
+        : mechanism_(mechanism), found_(found) {}
 
     std::string json() const {
         std::vector<std::string> freedoms;
         for (const Displacements::Freedom& freedom : found_.freedoms) freedoms.push_back(of(freedom));
         return object_of_lines(
             {{"freedoms", list(freedoms)},
-             {"effort", efforts([](const auto& effort) { return effort.value ? number(*effort.value) : std::string("null"); })},
+             {"effort",
+              efforts([](const auto& effort) { return effort.value ? number(*effort.value) : std::string("null"); })},
              {"effort by velocity ratios", efforts([](const auto& effort) { return number(effort.ratio); })},
              {"balanced", found_.balanced ? "true" : "false"}});
     }
@@ -858,7 +875,8 @@ private:
     template <class Value>
     std::string efforts(Value value) const {
         Members members;
-        for (const Displacements::Effort& effort : found_.efforts) members.emplace_back(name(effort.given), value(effort));
+        for (const Displacements::Effort& effort : found_.efforts)
+            members.emplace_back(name(effort.given), value(effort));
         return object(members);
     }
     std::string name(int effort) const {
@@ -868,7 +886,8 @@ private:
         const VirtualWork& work = *freedom.moved->virtual_work;
         Members points, turns, shares;
         for (const PointMotion& point : freedom.moved->points)
-            if (point.bodies.front() != frame && point.velocity) points.emplace_back(point.label, pair(*point.velocity));
+            if (point.bodies.front() != frame && point.velocity)
+                points.emplace_back(point.label, pair(*point.velocity));
         for (const BodyIndex body : mechanism_.moving_bodies())
             if (const auto& turn = freedom.moved->bodies[at_index(body)].omega)
                 turns.emplace_back(mechanism_.body(body).name, number(*turn));
@@ -878,7 +897,8 @@ private:
                                     {"on", quoted(mechanism_.body(entry.body).name)},
                                     {"work", number(entry.power)},
                                     {"by velocity ratios", number(work_by_ratios(*freedom.equations, entry))}}));
-        for (const VirtualWork::Share& share : work.shares) shares.emplace_back(name(share.effort), number(*share.power));
+        for (const VirtualWork::Share& share : work.shares)
+            shares.emplace_back(name(share.effort), number(*share.power));
         return object({{"displaced", quoted(coordinate_name(mechanism_, freedom.driver))},
                        {"chosen", freedom.chosen ? "true" : "false"},
                        {"points", object(points)},

@@ -23,8 +23,8 @@ std::string free_name(const Mechanism& mechanism, const std::string& letter) {
 
 Symbol centre_symbol(const Mechanism& mechanism, BodyIndex first, BodyIndex second, bool at_infinity) {
     const std::string &i = mechanism.body(first).name, &j = mechanism.body(second).name;
-    const bool together =
-        i.size() == 1 && j.size() == 1 && std::none_of(mechanism.points.begin(), mechanism.points.end(), looks_like_a_centre);
+    const bool together = i.size() == 1 && j.size() == 1 &&
+                          std::none_of(mechanism.points.begin(), mechanism.points.end(), looks_like_a_centre);
     return {Symbol::Letter::centre, together ? i + j : i + "," + j, at_infinity ? "∞" : ""};
 }
 

@@ -1,5 +1,5 @@
-// Columns: what the numbers of a cycle are, position by position, and the table that they make. Knows neither how they are found
-// nor how they are drawn.
+// Columns: what the numbers of a cycle are, position by position, and the table that they make. Knows neither how they
+// are found nor how they are drawn.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/sentences/quantity.hpp"
 #include "engine/file/units.hpp"
 #include "engine/file/words.hpp"
+#include "engine/sentences/quantity.hpp"
 
 namespace kinegraph {
 
@@ -18,7 +18,8 @@ struct Column {
     enum class Kind {
         turn,     ///< the driver's coordinate: 0 as drawn
         time,     ///< since the drawn position, where the driver's rate does not change
-        angle,    ///< of a body: of its first point to its second from +x, or since the drawn pose; goes on past a full turn
+        angle,    ///< of a body: of its first point to its second from +x, or since the drawn pose; goes on past a full
+                  ///< turn
         place_x,  ///< of a point
         place_y,
         slid,    ///< at a straight slide, along X, since the drawn pose
@@ -36,8 +37,8 @@ struct Travel {
     double from = 0, to = 0;
     bool starts_at_limit = false, ends_at_limit = false;  ///< the driver stops there: a dead point
     std::vector<double> change_points;
-    /// Where the driver has a law: from when to when, s, zero as drawn; positions then follow each other in equal times, and
-    /// `from` and `to` are the least and the greatest coordinate.
+    /// Where the driver has a law: from when to when, s, zero as drawn; positions then follow each other in equal
+    /// times, and `from` and `to` are the least and the greatest coordinate.
     std::optional<std::pair<double, double>> times = std::nullopt;
 
     /// The share of the way, from 0 to 1, as a time where there is a law, else as a coordinate.
@@ -61,7 +62,8 @@ struct CycleTable {
     Travel travel;
     std::vector<Column> columns;  ///< the first is the driver's coordinate
     std::vector<std::vector<double>> rows;
-    /// Limits of the travel, which have no row: by column what the place alone gives there (turns, angles, places, slides).
+    /// Limits of the travel, which have no row: by column what the place alone gives there (turns, angles, places,
+    /// slides).
     std::vector<std::vector<std::optional<double>>> limits;
     std::vector<double> left_out;  ///< positions without a row, as Travel::at gives them
     std::optional<Transmission> transmission;

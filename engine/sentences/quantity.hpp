@@ -1,5 +1,5 @@
-// Quantities: what a solution may hold a value of, as data: the kind, of whom, where, seen from where. One quantity said twice
-// compares equal. Knows no value and no typography.
+// Quantities: what a solution may hold a value of, as data: the kind, of whom, where, seen from where. One quantity
+// said twice compares equal. Knows no value and no typography.
 #pragma once
 
 #include <compare>

@@ -20,32 +20,19 @@ std::string_view stem(Symbol::Letter letter) {
         case Symbol::Letter::point:
         case Symbol::Letter::image:
         case Symbol::Letter::length:
-        case Symbol::Letter::body:
-            return "";
-        case Symbol::Letter::pole:
-            return "o";
-        case Symbol::Letter::v:
-            return "v";
-        case Symbol::Letter::a:
-            return "a";
-        case Symbol::Letter::omega:
-            return "omega";
-        case Symbol::Letter::alpha:
-            return "alpha";
-        case Symbol::Letter::centre:
-            return "P";
-        case Symbol::Letter::radius:
-            return "rho";
-        case Symbol::Letter::diameter:
-            return "delta";
-        case Symbol::Letter::error:
-            return "epsilon";
-        case Symbol::Letter::F:
-            return "F";
-        case Symbol::Letter::M:
-            return "M";
-        case Symbol::Letter::speed:
-            return "s";
+        case Symbol::Letter::body: return "";
+        case Symbol::Letter::pole: return "o";
+        case Symbol::Letter::v: return "v";
+        case Symbol::Letter::a: return "a";
+        case Symbol::Letter::omega: return "omega";
+        case Symbol::Letter::alpha: return "alpha";
+        case Symbol::Letter::centre: return "P";
+        case Symbol::Letter::radius: return "rho";
+        case Symbol::Letter::diameter: return "delta";
+        case Symbol::Letter::error: return "epsilon";
+        case Symbol::Letter::F: return "F";
+        case Symbol::Letter::M: return "M";
+        case Symbol::Letter::speed: return "s";
     }
     KG_ASSERT(false, "a symbol has a letter");
 }
@@ -64,7 +51,8 @@ bool has_own_name(const Symbol& symbol) {
     // A letter of its kind alone, with a script, a number or small letters: F, F_gas, F1, Fc. A torque is as often a T.
     const std::string_view letters = symbol.letter == Symbol::Letter::F ? "F" : "MT";
     if (name.empty() || letters.find(name[0]) == std::string_view::npos) return false;
-    if (name.size() == 1 || name[1] == '_' || name.find_first_not_of("0123456789", 1) == std::string_view::npos) return true;
+    if (name.size() == 1 || name[1] == '_' || name.find_first_not_of("0123456789", 1) == std::string_view::npos)
+        return true;
     // Mr and Fc are M and F with short scripts, as one writes them without one.
     constexpr std::size_t longest = 3;
     const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
@@ -72,7 +60,9 @@ bool has_own_name(const Symbol& symbol) {
 }
 
 JointName reader_name(const Mechanism& mechanism, const Joint& joint) {
-    const auto slides_there = [&](const Joint& other) { return other.point == joint.point && other.pair().has_guide(); };
+    const auto slides_there = [&](const Joint& other) {
+        return other.point == joint.point && other.pair().has_guide();
+    };
     if (!joint.named) return {joint.name, false};
     if (std::count_if(mechanism.joints.begin(), mechanism.joints.end(), slides_there) > 1) return {joint.name, true};
     return {mechanism.point(joint.point).name, false};

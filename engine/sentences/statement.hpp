@@ -1,5 +1,5 @@
-// Statements: the sentences of a solution as data. A symbol is a quantity's written form, a message a sentence to be said in any
-// language, an equation a vector equation with what is known of each term. Knows no language and no font.
+// Statements: the sentences of a solution as data. A symbol is a quantity's written form, a message a sentence to be
+// said in any language, an equation a vector equation with what is known of each term. Knows no language and no font.
 #pragma once
 
 #include <optional>
@@ -13,112 +13,141 @@ namespace kinegraph {
 
 /// The written form of a quantity: v_B, a_BA^t, ω_3, α_3, P_13, a (image of A). See docs/notation.md.
 struct Symbol {
-    enum class Letter { point, image, pole, v, a, omega, alpha, centre, length, radius, diameter, error, F, M, speed, body };
+    enum class Letter {
+        point,
+        image,
+        pole,
+        v,
+        a,
+        omega,
+        alpha,
+        centre,
+        length,
+        radius,
+        diameter,
+        error,
+        F,
+        M,
+        speed,
+        body
+    };
     Letter letter = Letter::point;
     std::string about;  ///< subscript: "B", "BA" (of B relative to A), "3"; for point, image and body the name itself
     std::string term;   ///< superscript: "n", "t", "rel", "tr", "cor", "∞"
     friend bool operator==(const Symbol&, const Symbol&) = default;
 };
-/// Whether the file's name of a force or couple is a symbol by itself: F, F_gas, F1, M4, T4; else it is the subscript of F or M.
+/// Whether the file's name of a force or couple is a symbol by itself: F, F_gas, F1, M4, T4; else it is the subscript
+/// of F or M.
 bool has_own_name(const Symbol& symbol);
-/// Of a Coriolis term the relative velocity it belongs to: v_AA* of a_AA*^cor, v_B^rel of a_B^cor. `observed`: by an observer.
+/// Of a Coriolis term the relative velocity it belongs to: v_AA* of a_AA*^cor, v_B^rel of a_B^cor. `observed`: by an
+/// observer.
 Symbol velocity_of_coriolis(Symbol coriolis, bool observed);
 /// Plain name for ids, tables and results: "v_B", "a_BA_t", "omega_3", "P_13", "b", "b'".
 std::string name_of(const Symbol& symbol);
 
 /// The sentences that a solution may say. render/text/words.cpp has each in every language.
 enum class Sentence {
-    crank_velocity,            ///< {0} body, {1} pivot, {2} point, {3} v, {4} ω: the driven body turns about a point at rest
-    crank_acceleration,        ///< {0} body, {1} pivot, {2} point, {3} a, {4} ω, {5} α (absent: it turns uniformly)
-    image_velocity,            ///< {0} point, {1} body, {2} v, {3} known point, {4} ω: the image (Rivals)
-    image_acceleration,        ///< {0} point, {1} body, {2} a, {3} known point, {4} ω, {5} α (absent: it turns uniformly)
-    translating_velocity,      ///< {0} body, {1} point, {2} v: ω = 0, all points alike
-    translating_acceleration,  ///< {0} body, {1} point, {2} a: it translates, all points alike
+    crank_velocity,      ///< {0} body, {1} pivot, {2} point, {3} v, {4} ω: the driven body turns about a point at rest
+    crank_acceleration,  ///< {0} body, {1} pivot, {2} point, {3} a, {4} ω, {5} α (absent: it turns uniformly)
+    image_velocity,      ///< {0} point, {1} body, {2} v, {3} known point, {4} ω: the image (Rivals)
+    image_acceleration,  ///< {0} point, {1} body, {2} a, {3} known point, {4} ω, {5} α (absent: it turns uniformly)
+    translating_velocity,              ///< {0} body, {1} point, {2} v: ω = 0, all points alike
+    translating_acceleration,          ///< {0} body, {1} point, {2} a: it translates, all points alike
     image_acceleration_without_omega,  ///< {0} point, {1} body, {2} a, {3} known point, {4} α: ω = 0 for an instant
-    two_lines_velocity,                ///< {0} tip of the point sought (image), {1} first line's reason, {2} second line's reason
+    two_lines_velocity,  ///< {0} tip of the point sought (image), {1} first line's reason, {2} second line's reason
     two_lines_acceleration,
     omega_from_pair,  ///< {0} omega, {1} v_BA, {2} segment BA, {3} body; where it draws v_BA, {4} {5} images of A, B
-    alpha_from_pair,  ///< {0} alpha, {1} a_BA^t, {2} segment, {3} body; where it draws it, {4} {5} images of A, B, {6} a_BA^n
-    omega_by_sleeve,  ///< {0} omega of body, {1} omega of the other, {2} joint's point: a sleeve lets no relative rotation
+    alpha_from_pair,  ///< {0} alpha, {1} a_BA^t, {2} segment, {3} body; where it draws it, {4} {5} images of A, B, {6}
+                      ///< a_BA^n
+    omega_by_sleeve,  ///< {0} omega of body, {1} omega of the other, {2} joint's point: a sleeve lets no relative
+                      ///< rotation
     alpha_by_sleeve,
     omega_by_joint,  ///< the same for another joint that holds the rotation
     alpha_by_joint,
-    omega_by_fixed_guide,  ///< {0} omega, {1} body, {2} joint's point: the sleeve's guide is at rest, so it does not turn
+    omega_by_fixed_guide,  ///< {0} omega, {1} body, {2} joint's point: the sleeve's guide is at rest, so it does not
+                           ///< turn
     alpha_by_fixed_guide,
     omega_by_driver,  ///< {0} omega, {1} omega of the reference body
     alpha_by_driver,
     slide_velocity,  ///< {0} v_rel read off once both ends are known: {1} point, {2} body i, {3} body j
     slide_acceleration,
     slide_acceleration_without_coriolis,  ///< {0} a_rel, {1} point, {2} body i, {3} body j: ω or v_rel vanishes
-    slide_velocity_on_rest,               ///< {0} v_rel, {1} point, {2} v of the slider: the guide is at rest, so they are one
+    slide_velocity_on_rest,  ///< {0} v_rel, {1} point, {2} v of the slider: the guide is at rest, so they are one
     slide_acceleration_on_rest,
     driven_point_velocity,  ///< {0} v of a point fully known from a slide driver, {1} joint
     driven_point_acceleration,
     auxiliary_point,       ///< {0} S, {1} body: the perpendiculars to two loci meet in S
-    omega_from_parallels,  ///< {0} omega, {1} segment XY, {2} body: two loci are parallel, their distance gives ω (auxiliary
-                           ///< point at infinity)
+    omega_from_parallels,  ///< {0} omega, {1} segment XY, {2} body: two loci are parallel, their distance gives ω
+                           ///< (auxiliary point at infinity)
     alpha_from_parallels,
-    rolling_point_at_rest,  ///< {0} contact, {1} body, {2} body at rest, {3} v_P: rolls on what stands still, so P stands still
+    rolling_point_at_rest,  ///< {0} contact, {1} body, {2} body at rest, {3} v_P: rolls on what stands still, so P
+                            ///< stands still
     rolling_velocity,       ///< {0} contact, {1} body, {2} other body, {3} v_P, {4} v_P*: one velocity
-    rolling_point_on_rest_acceleration,  ///< {0} contact, {1} body, {2} body at rest, {3} a_P, {6} lever: along the normal
-    rolling_acceleration,                ///< {0} contact, {1} body, {2} other body, {3} a_P, {4} a_P*, {5} a_PP*^n, {6} lever
-    equivalent_link,         ///< {0} {1} bodies, {2} contact, {3} join of the centres of curvature: replaced by a link
-    equivalent_slot,         ///< {0} round body, {1} straight body, {2} contact, {3} centre: replaced by a pin in a slot
-    equivalent_tip,          ///< {0} body with the tip, {1} straight body, {2} contact
-    contact_tangent,         ///< {0} {1} bodies, {2} contact: no relative velocity along the common normal
-    pitch_curves,            ///< {0} {1} bodies, {2} pitch point, as they carry it {3} {4}: one velocity along the tangent
-    primary_revolute,        ///< {0} centre, {1} point
-    primary_prismatic,       ///< {0} centre, {1} joint's point: at infinity ⟂ guide
-    primary_rolling,         ///< {0} centre, {1} contact point
-    primary_gear,            ///< {0} centre, {1} pitch point
-    primary_weld,            ///< {0} centre, {1} point: no relative motion
-    kennedy,                 ///< {0} centre, {1} {2} centres of the first line, {3} {4} of the second
-    kennedy_line,            ///< {0} centre, {1} {2} centres of one line, {3} point whose normal is the other
-    kennedy_two_normals,     ///< {0} centre, {1} {2} points whose normals meet
-    kennedy_same,            ///< {0} centre, {1} {2} two centres that coincide: the third is with them
-    centre_by_rigidity,      ///< {0} centre, {1} centre with which it falls together because two bodies do not move against each
-                             ///< other
+    rolling_point_on_rest_acceleration,  ///< {0} contact, {1} body, {2} body at rest, {3} a_P, {6} lever: along the
+                                         ///< normal
+    rolling_acceleration,  ///< {0} contact, {1} body, {2} other body, {3} a_P, {4} a_P*, {5} a_PP*^n, {6} lever
+    equivalent_link,       ///< {0} {1} bodies, {2} contact, {3} join of the centres of curvature: replaced by a link
+    equivalent_slot,       ///< {0} round body, {1} straight body, {2} contact, {3} centre: replaced by a pin in a slot
+    equivalent_tip,        ///< {0} body with the tip, {1} straight body, {2} contact
+    contact_tangent,       ///< {0} {1} bodies, {2} contact: no relative velocity along the common normal
+    pitch_curves,         ///< {0} {1} bodies, {2} pitch point, as they carry it {3} {4}: one velocity along the tangent
+    primary_revolute,     ///< {0} centre, {1} point
+    primary_prismatic,    ///< {0} centre, {1} joint's point: at infinity ⟂ guide
+    primary_rolling,      ///< {0} centre, {1} contact point
+    primary_gear,         ///< {0} centre, {1} pitch point
+    primary_weld,         ///< {0} centre, {1} point: no relative motion
+    kennedy,              ///< {0} centre, {1} {2} centres of the first line, {3} {4} of the second
+    kennedy_line,         ///< {0} centre, {1} {2} centres of one line, {3} point whose normal is the other
+    kennedy_two_normals,  ///< {0} centre, {1} {2} points whose normals meet
+    kennedy_same,         ///< {0} centre, {1} {2} two centres that coincide: the third is with them
+    centre_by_rigidity,  ///< {0} centre, {1} centre with which it falls together because two bodies do not move against
+                         ///< each other
     centre_from_velocities,  ///< {0} centre, {1} {2} points whose relative velocities were used
     second_way,              ///< {0} omega, {1} centre, {2} centre, {3} centre, {4} omega of the driver body
-    trial_on_line,           ///< {0} image, {1} its line's reason: no rule leads on, so it is tried at two places of its line
-    trial_of_spin,           ///< {0} ω or α: the same for an angular velocity
-    trial_closes_on_line,    ///< {0} image, {1} reason of the line it must lie on, {2} image or ω: the true value in proportion
-                             ///< to the errors {3} {4}
-    trial_closes_by_spin,    ///< {0} {1} ω that must agree, {2} image or ω: the true value in proportion
+    trial_on_line,  ///< {0} image, {1} its line's reason: no rule leads on, so it is tried at two places of its line
+    trial_of_spin,  ///< {0} ω or α: the same for an angular velocity
+    trial_closes_on_line,  ///< {0} image, {1} reason of the line it must lie on, {2} image or ω: the true value in
+                           ///< proportion to the errors {3} {4}
+    trial_closes_by_spin,  ///< {0} {1} ω that must agree, {2} image or ω: the true value in proportion
     relative_transport_velocity,      ///< {0} point, {1} observer body, {2} v_tr, {3} v_rel
     relative_transport_acceleration,  ///< … {2} a_tr {3} a_cor {4} a_rel
     relative_translating_velocity,    ///< {0} point, {1} origin, {2} v_tr, {3} v_rel
     relative_translating_acceleration,
-    observer_velocity,      ///< {0} point, {1} observer body, {2} v, {3} v_tr, {4} v_rel: what the meet that follows closes
+    observer_velocity,  ///< {0} point, {1} observer body, {2} v, {3} v_tr, {4} v_rel: what the meet that follows closes
     observer_acceleration,  ///< … {2} a, {3} a_tr, {4} a_rel, {5} a_cor (absent: it vanishes)
     not_through_observer,   ///< {0} point, {1} observer body: a remark, the motion was found another way
     inertia_force,          ///< {0} body, {1} F_i, {2} a_G, {3} G: equal to m a_G, opposite, through G
     inertia_couple,         ///< {0} body, {1} M_i, {2} α: J α, opposite
     two_force_body,         ///< {0} body, {1} {2} points: two forces only, so both act along their join
-    two_force_guide,        ///< {0} body, {1} point, {2} guide's joint: two forces, so both act through {1} normal to the guide
-    two_force_group,        ///< {0} bodies, {1} {2} points: taken together they carry two forces only
-    zero_forces,            ///< {0} body: two forces whose lines cannot coincide, so both vanish
-    two_forces_and_couple,  ///< {0} body, {1} point: two forces and a couple, so the force at {1} is parallel to the other
-    three_force_line,       ///< {0} body, {1} name of the meet, {2} symbol of the force whose line is found, {3} its point
-    three_parallel_lines,   ///< {0} body, {1} symbol: two lines are parallel, so the third force is parallel to them
-    triangle,               ///< {0} body, {1} {2} symbols found by closing the triangle
-    triangle_at,            ///< {0} body, {1} name of the meet, {2} {3} symbols found
-    polygon,                ///< as triangle, of more than three forces
-    polygon_at,             ///< as triangle_at, of more than three forces: the known ones are added first
-    parallel_forces,        ///< {0} body, {1} {2} symbols: parallel forces, by moments (funicular polygon)
-    culmann,       ///< {0} body, {1} meet of the lines of {3} and {4}, {2} symbol: by moments about {1}, then the triangle
-    culmann_line,  ///< {0} body, {1} {2} the meets that give Culmann's line, {3} {4} {5} symbols: {3} at {1}, the others at {2}
-    force_and_couple,    ///< {0} body, {1} symbol of the force, equal and opposite to the rest, {2} symbol of the couple M = F·b
-    single_reaction,     ///< {0} body, {1} symbol: what is left balances the rest
-    superposition,       ///< {0} body whose loads act alone now
-    superposition_sum,   ///< the partial reactions are added
-    through_pin,         ///< {0} body, {1} point, {2} symbol: all that is known on it passes through {1}, so {2} does
-    known_resultant,     ///< {0} body, {1} symbols that are added, {2} their resultant
-    inertia_moved,       ///< {0} body, {1} F_i, {2} M_i: F_i moved aside stands for both
-    funicular_parallel,  ///< {0} body, {1} {2} symbols: parallel forces, by the funicular polygon; {3} meet of the outer strings
+    two_force_guide,  ///< {0} body, {1} point, {2} guide's joint: two forces, so both act through {1} normal to the
+                      ///< guide
+    two_force_group,  ///< {0} bodies, {1} {2} points: taken together they carry two forces only
+    zero_forces,      ///< {0} body: two forces whose lines cannot coincide, so both vanish
+    two_forces_and_couple,  ///< {0} body, {1} point: two forces and a couple, so the force at {1} is parallel to the
+                            ///< other
+    three_force_line,  ///< {0} body, {1} name of the meet, {2} symbol of the force whose line is found, {3} its point
+    three_parallel_lines,  ///< {0} body, {1} symbol: two lines are parallel, so the third force is parallel to them
+    triangle,              ///< {0} body, {1} {2} symbols found by closing the triangle
+    triangle_at,           ///< {0} body, {1} name of the meet, {2} {3} symbols found
+    polygon,               ///< as triangle, of more than three forces
+    polygon_at,            ///< as triangle_at, of more than three forces: the known ones are added first
+    parallel_forces,       ///< {0} body, {1} {2} symbols: parallel forces, by moments (funicular polygon)
+    culmann,  ///< {0} body, {1} meet of the lines of {3} and {4}, {2} symbol: by moments about {1}, then the triangle
+    culmann_line,       ///< {0} body, {1} {2} the meets that give Culmann's line, {3} {4} {5} symbols: {3} at {1}, the
+                        ///< others at {2}
+    force_and_couple,   ///< {0} body, {1} symbol of the force, equal and opposite to the rest, {2} symbol of the couple
+                        ///< M = F·b
+    single_reaction,    ///< {0} body, {1} symbol: what is left balances the rest
+    superposition,      ///< {0} body whose loads act alone now
+    superposition_sum,  ///< the partial reactions are added
+    through_pin,        ///< {0} body, {1} point, {2} symbol: all that is known on it passes through {1}, so {2} does
+    known_resultant,    ///< {0} body, {1} symbols that are added, {2} their resultant
+    inertia_moved,      ///< {0} body, {1} F_i, {2} M_i: F_i moved aside stands for both
+    funicular_parallel,  ///< {0} body, {1} {2} symbols: parallel forces, by the funicular polygon; {3} meet of the
+                         ///< outer strings
     funicular_far,       ///< {0} body, {1} {2} symbols: lines that meet far away, by the funicular polygon
-    funicular_several,   ///< {0} bodies, {1} {2} symbols, {3} known symbols: of several directions, by the funicular polygon; {4}
-                         ///< as {3} above
+    funicular_several,   ///< {0} bodies, {1} {2} symbols, {3} known symbols: of several directions, by the funicular
+                         ///< polygon; {4} as {3} above
     trial,               ///< {0} symbol: one trial value, then in proportion
     elastic_spring,      ///< {0} F, {1} {2} points: k (l − l_0), along their join
     torsion_spring,      ///< {0} M on the first body, {1} first body, {2} second: −k φ
@@ -135,58 +164,61 @@ enum class Sentence {
     truss_stuck,         ///< {0} bars: no pin has two unknown bars at most, so a cut goes on
     truss_cut_moment,    ///< {0} bars cut, {1} F of the bar found, {2} {3} the others, {4} where they meet (Ritter)
     truss_cut_across,    ///< {0} bars cut, {1} F of the bar found, {2} {3} the others, which are parallel
-    truss_plan,          ///< {0} letters of the spaces outside: the forces from outside in their order, clockwise, close
-    truss_pin,           ///< {0} pin, {1} bars found, {2} those in tension, {3} in compression, {4} with no force (or absent)
-    truss_support,       ///< {0} pin, {1} reaction: all its bars are known
+    truss_plan,  ///< {0} letters of the spaces outside: the forces from outside in their order, clockwise, close
+    truss_pin,   ///< {0} pin, {1} bars found, {2} those in tension, {3} in compression, {4} with no force (or absent)
+    truss_support,          ///< {0} pin, {1} reaction: all its bars are known
     truss_bar_and_support,  ///< {0} pin, {1} bar, {2} reaction
     truss_closes,           ///< {0} pins: all known, the polygon closes
-    residual_couple,        ///< {0} body, {1} F_R, {2} about where its joints let it turn, {3} M: what is given turns it
-    residual_force,  ///< {0} body, {1} F_R, {2} F: its joints let it go along the line of {2}, and what is given drives it there
+    residual_couple,  ///< {0} body, {1} F_R, {2} about where its joints let it turn, {3} M: what is given turns it
+    residual_force,  ///< {0} body, {1} F_R, {2} F: its joints let it go along the line of {2}, and what is given drives
+                     ///< it there
     moments_alone,   ///< {0} bodies, {1} centre, {2} symbol: the only unknown with a moment about {1}
     components_alone,    ///< {0} bodies, {1} symbol: the only unknown with a component along its line
     virtual_work_alone,  ///< {0} symbol, {1} bodies that turn, {2} their centres, {3} bodies that translate, {4} ratios
     no_force,            ///< {0} body, {1} symbol: nothing else acts on it, so this vanishes
-    no_force_along,   ///< {0} body, {1} symbol: the rest asks nothing of it, so it vanishes; {2} takes all; {3} its couple, which
-                      ///< vanishes too (or absent)
-    act_given,        ///< {0} v_A or a_A: given, set off from the pole
-    act_projections,  ///< {0} segment AB, {1} v_A, {2} v_B: equal on the join, as a rigid body asks
+    no_force_along,      ///< {0} body, {1} symbol: the rest asks nothing of it, so it vanishes; {2} takes all; {3} its
+                         ///< couple, which vanishes too (or absent)
+    act_given,           ///< {0} v_A or a_A: given, set off from the pole
+    act_projections,     ///< {0} segment AB, {1} v_A, {2} v_B: equal on the join, as a rigid body asks
     act_projections_acceleration,  ///< {0} segment AB, {1} a_A, {2} a_B, {3} omega: on the join they differ by ω²·AB
-    act_direction,                 ///< {0} image of B, {1} v_B, {2} segment AB, {3} v_A: projections are equal, so the lines meet
-    act_direction_acceleration,    ///< {0} image of B, {1} a_B, {2} segment AB, {3} a_A
-    act_unequal_projections,       ///< {0} segment AB, {1} v_A, {2} v_B, {3} {4} their measures on AB
+    act_direction,  ///< {0} image of B, {1} v_B, {2} segment AB, {3} v_A: projections are equal, so the lines meet
+    act_direction_acceleration,            ///< {0} image of B, {1} a_B, {2} segment AB, {3} a_A
+    act_unequal_projections,               ///< {0} segment AB, {1} v_A, {2} v_B, {3} {4} their measures on AB
     act_unequal_projections_acceleration,  ///< {0} segment AB, {1} a_A, {2} a_B: do not differ by ω²·AB
     act_misses,                            ///< {0} v_D: is given otherwise than the motion of the others has it
     act_agrees,                            ///< {0} v_D: was given too, and fits
     act_perpendiculars,                    ///< {0} centre, {1} {2} points: the perpendiculars to their velocities meet
-    act_tips,                 ///< {0} centre, {1} {2} parallel velocities, {3} segment AB: the join of the tips meets AB
-    act_point_at_rest,        ///< {0} centre, {1} point
-    act_translation,          ///< {0} body, {1} {2} equal velocities: ω = 0
-    act_parallels,            ///< {0} body, {1} {2} points: directions alone, parallel perpendiculars: ω = 0
-    act_rest,                 ///< {0} body: nothing moves
-    act_rest_by_lines,        ///< {0} body, {1} point: its perpendicular misses the centre that the others want, so nothing moves
-    act_velocity,             ///< {0} v_D, {1} D, {2} centre, {3} omega: normal to the ray, ω·CD; the image too
+    act_tips,           ///< {0} centre, {1} {2} parallel velocities, {3} segment AB: the join of the tips meets AB
+    act_point_at_rest,  ///< {0} centre, {1} point
+    act_translation,    ///< {0} body, {1} {2} equal velocities: ω = 0
+    act_parallels,      ///< {0} body, {1} {2} points: directions alone, parallel perpendiculars: ω = 0
+    act_rest,           ///< {0} body: nothing moves
+    act_rest_by_lines,  ///< {0} body, {1} point: its perpendicular misses the centre that the others want, so nothing
+                        ///< moves
+    act_velocity,       ///< {0} v_D, {1} D, {2} centre, {3} omega: normal to the ray, ω·CD; the image too
     act_acceleration_centre,  ///< {0} the place K with no acceleration, {1} point
     curvature_turning,        ///< {0} body, {1} point at rest: it is the centre of all paths
     curvature_translation,    ///< {0} body: the pole lies at infinity
     curvature_rest,           ///< {0} body: nothing moves
     curvature_rays,           ///< {0} pole, {1} {2} rays from a point to the centre of curvature of its path
     curvature_pole,           ///< {0} pole, {1} point: on the normal to its velocity, at {2} v over {3} ω
-    curvature_bobillier,      ///< {0} pole, {1} join of two points, {2} that of their centres, {3} {4} their rays, {5} the meet
+    curvature_bobillier,  ///< {0} pole, {1} join of two points, {2} that of their centres, {3} {4} their rays, {5} the
+                          ///< meet
     curvature_bobillier_at_infinity,  ///< {0} pole, {1} join of two points, {2} {3} rays: the same, centres at infinity
     curvature_inflection,             ///< {0} pole, {1} point, {2} its centre, {3} the inflection pole: Euler–Savary
     curvature_inflection_straight,    ///< {0} pole, {1} point whose path is straight, {2} the inflection pole
-    curvature_by_acceleration,        ///< {0} pole, {1} the inflection pole, {2} ω: the acceleration of the pole over ω²
-    curvature_bresse,                 ///< {0} acceleration pole, {1} pole, {2} {3} the ends of both diameters
-    curvature_bresse_uniform,         ///< {0} acceleration pole, {1} body: α = 0, it is the inflection pole
-    curvature_hartmann,               ///< {0} point, {1} its centre of curvature, {2} pole
-    curvature_straight,               ///< {0} point: lies on the inflection circle
-    curvature_at_pole,                ///< {0} point: lies in the pole
-    curvature_by_normal,              ///< {0} point, {1} its centre of curvature: v²/a_n, of a body that translates
-    curvature_by_normal_straight,     ///< {0} point: its acceleration has no normal part
-    curvature_envelope,               ///< {0} joint of the straight line, {1} centre of its envelope, {2} pole
+    curvature_by_acceleration,  ///< {0} pole, {1} the inflection pole, {2} ω: the acceleration of the pole over ω²
+    curvature_bresse,           ///< {0} acceleration pole, {1} pole, {2} {3} the ends of both diameters
+    curvature_bresse_uniform,   ///< {0} acceleration pole, {1} body: α = 0, it is the inflection pole
+    curvature_hartmann,         ///< {0} point, {1} its centre of curvature, {2} pole
+    curvature_straight,         ///< {0} point: lies on the inflection circle
+    curvature_at_pole,          ///< {0} point: lies in the pole
+    curvature_by_normal,        ///< {0} point, {1} its centre of curvature: v²/a_n, of a body that translates
+    curvature_by_normal_straight,  ///< {0} point: its acceleration has no normal part
+    curvature_envelope,            ///< {0} joint of the straight line, {1} centre of its envelope, {2} pole
     // Remarks.
-    off_its_circle,          ///< {0} point, {1} distance, {2} body: a contact beside the circle that its body has
-    off_its_foot,            ///< {0} point, {1} distance, {2} centre: several joints claim a contact, so it stays beside its line
+    off_its_circle,  ///< {0} point, {1} distance, {2} body: a contact beside the circle that its body has
+    off_its_foot,  ///< {0} point, {1} distance, {2} centre: several joints claim a contact, so it stays beside its line
     off_its_centres,         ///< {0} point, {1} distance, {2} {3} centres: the same between two circles
     moved_to_foot,           ///< {0} point, {1} distance, {2} centre: a contact moved onto its line
     moved_to_centres,        ///< {0} point, {1} distance, {2} {3} centres: a contact moved onto the line of the centres
@@ -209,14 +241,17 @@ enum class Sentence {
     unturning_bodies,        ///< {0} bodies that turn in none
     body_without_joint,      ///< {0} body, {1} the joint that may be meant, as a file writes it (or absent)
     body_of_one_joint,       ///< {0} body, {1} its joint, {2} the joint that may be missing (or absent)
-    unjoined_pin,    ///< {0} {1} bodies, {2} point, {3} another point at its place (or absent), {4} the joint that may be missing
-    off_the_frame,   ///< {0} bodies that no joint connects with {1}, the frame, {2} the joint that may be missing (or absent)
+    unjoined_pin,  ///< {0} {1} bodies, {2} point, {3} another point at its place (or absent), {4} the joint that may be
+                   ///< missing
+    off_the_frame,   ///< {0} bodies that no joint connects with {1}, the frame, {2} the joint that may be missing (or
+                     ///< absent)
     rounded_givens,  ///< {0} most digits of a number in the file, {1} digits to which points are taken
-    check_differs,   ///< {0} name, {1} amount by the construction, {2} amount it misses the check by, {3} count of others
+    check_differs,   ///< {0} name, {1} amount by the construction, {2} amount it misses the check by, {3} count of
+                     ///< others
     check_stands_still,   ///< {0} body: moves by the construction, is not determined by the check
     check_moves,          ///< {0} body: moves by the check, is not determined by the construction
-    truss_without_order,  ///< {0} count of bars: no order of pins and no cut resolves the truss: bodies cut free, and trial
-                          ///< values
+    truss_without_order,  ///< {0} count of bars: no order of pins and no cut resolves the truss: bodies cut free, and
+                          ///< trial values
     truss_without_plan,   ///< {0} count of bars: bars cross, or a force acts inside: there is no plan in one figure
     // From here on phrases, without a capital and a full stop. What is not determined:
     motion_of_body,        ///< {0} body
@@ -259,7 +294,8 @@ enum class Sentence {
     nothing_drives,         ///< {0} count of freedoms
     stays_free,
     dead_point_at,  ///< {0} point
-    lacks_drivers,  ///< {0} count of freedoms, {1} of those driven, {2} of drivers that lack (or absent), {3} the same above one
+    lacks_drivers,  ///< {0} count of freedoms, {1} of those driven, {2} of drivers that lack (or absent), {3} the same
+                    ///< above one
     stands_still,   ///< it can only stand still, and no driver moves it
     beyond_groups,  ///< no group of bodies that is drawn leads to it
     one_line_undetermined,     ///< Kennedy gives one line at most, and the motion is not determined
@@ -285,12 +321,14 @@ struct PointName {
     std::string name;
 };
 struct BodyName {
-    /// Truss: all of it, cut free whole, or a bar by which it hangs. Pin: of a hinge, a node of its own, named by its point.
+    /// Truss: all of it, cut free whole, or a bar by which it hangs. Pin: of a hinge, a node of its own, named by its
+    /// point.
     enum class As { body, truss, pin };
     std::string name;
     As as = As::body;
 };
-/// A joint as readers are told of it: by its point, which stands in the drawing, or by a name of its own, which does not.
+/// A joint as readers are told of it: by its point, which stands in the drawing, or by a name of its own, which does
+/// not.
 struct JointName {
     std::string name;
     bool own = false;
@@ -312,7 +350,8 @@ struct LineReason {
         parallel_to_tangent,  ///< common tangent of a contact
         parallel_to_normal    ///< common normal of a contact, of pitch curves
     } kind = Kind::known;
-    std::string from, to;   ///< the segment's ends, or `from` the guide's joint or the point at which a direction is given
+    std::string from,
+        to;  ///< the segment's ends, or `from` the guide's joint or the point at which a direction is given
     bool own_name = false;  ///< `from` is the name of a joint and of no point
     friend bool operator==(const LineReason&, const LineReason&) = default;
 };
@@ -336,8 +375,8 @@ using Ratios = std::vector<Ratio>;
 /// Of points, joints or bodies, in a row.
 using Names = std::vector<std::string>;
 using Symbols = std::vector<Symbol>;
-using Argument = std::variant<PointName, BodyName, JointName, Segment, LineReason, Symbol, RollingLever, Amount, Count, Ratios,
-                              Names, Symbols, std::string>;
+using Argument = std::variant<PointName, BodyName, JointName, Segment, LineReason, Symbol, RollingLever, Amount, Count,
+                              Ratios, Names, Symbols, std::string>;
 
 /// Its point; its own name where another joint that slides stands at the same point.
 JointName reader_name(const Mechanism& mechanism, const Joint& joint);

@@ -131,7 +131,8 @@ std::optional<double> work_by_ratios(const Equations& equations, const VirtualWo
     return work;
 }
 
-std::optional<double> work_by_ratios(const Equations& equations, const Mechanism& mechanism, const Pose& pose, int effort) {
+std::optional<double> work_by_ratios(const Equations& equations, const Mechanism& mechanism, const Pose& pose,
+                                     int effort) {
     const Effort& given = mechanism.efforts[at_index(effort)];
     if (const auto* couple = std::get_if<CoupleEffort>(&given)) {
         const auto on = omega_of(equations, couple->body), from = omega_of(equations, couple->from);

@@ -1,9 +1,10 @@
-// Displacements: what a mechanism's virtual displacements say of its efforts. Each freedom is displaced by itself, the rest of
-// the drivers held still; ideal pairs do no work, so for every freedom the work of loads, weights, inertia and efforts vanishes.
-// Holds what was found; the displacements are the velocities of a solution of their own, whose driver moves at the rate one.
+// Displacements: what a mechanism's virtual displacements say of its efforts. Each freedom is displaced by itself, the
+// rest of the drivers held still; ideal pairs do no work, so for every freedom the work of loads, weights, inertia and
+// efforts vanishes. Holds what was found; the displacements are the velocities of a solution of their own, whose driver
+// moves at the rate one.
 //
-// Source: the principle of virtual work as courses on machines have it, e.g. Funaioli, Maggiore, Meneghetti, Lezioni di meccanica
-// applicata alle macchine, vol. 1; with inertia, d’Alembert.
+// Source: the principle of virtual work as courses on machines have it, e.g. Funaioli, Maggiore, Meneghetti, Lezioni di
+// meccanica applicata alle macchine, vol. 1; with inertia, d’Alembert.
 #pragma once
 
 #include <memory>
@@ -42,7 +43,7 @@ struct Displacements {
 /// The works, one equation for each freedom, linear in the efforts.
 struct WorkEquations {
     std::vector<std::vector<Exact>>
-        rows;                     ///< of each freedom: the work of one unit of each effort, then minus that of what is given
+        rows;  ///< of each freedom: the work of one unit of each effort, then minus that of what is given
     std::vector<double> largest;  ///< by freedom: the largest work that what is given could do
 
     struct Found {
@@ -56,12 +57,14 @@ struct WorkEquations {
 std::string coordinate_name(const Mechanism& mechanism, const Driver& driver);
 /// Whether it is an angle.
 bool is_turn(const Driver& driver);
-/// Work for each unit of δq by velocity ratios: of an entry, of one unit of an effort; none where the equations do not say.
+/// Work for each unit of δq by velocity ratios: of an entry, of one unit of an effort; none where the equations do not
+/// say.
 std::optional<double> work_by_ratios(const Equations& equations, const VirtualWork::Entry& entry);
-std::optional<double> work_by_ratios(const Equations& equations, const Mechanism& mechanism, const Pose& pose, int effort);
+std::optional<double> work_by_ratios(const Equations& equations, const Mechanism& mechanism, const Pose& pose,
+                                     int effort);
 
-/// The efforts of a solution, those of the mechanism's in order: by its reactions, else by virtual work; without a value where
-/// neither finds it. Empty where neither was asked for.
+/// The efforts of a solution, those of the mechanism's in order: by its reactions, else by virtual work; without a
+/// value where neither finds it. Empty where neither was asked for.
 std::vector<EffortValue> efforts_found(const Solution& solution);
 
 /// The value of "virtual work" in the results file (docs/format.md).

@@ -10,13 +10,15 @@ std::string number_of(Index index) {
     return index == none ? "" : std::to_string(index.number());
 }
 std::string under(const std::string& load) { return load.empty() ? "" : load + "|"; }
-std::string name_of(const FreeBody& body) { return body.body != none ? number_of(body.body) : "p" + number_of(body.pin); }
+std::string name_of(const FreeBody& body) {
+    return body.body != none ? number_of(body.body) : "p" + number_of(body.pin);
+}
 
 }  // namespace
 
 std::string held_force(const std::string& load, const FreeBody& body, const AppliedForce& applied) {
-    return under(load) + "F" + name_of(body) + "." + number_of(static_cast<int>(applied.kind)) + "." + number_of(applied.joint) +
-           "." + number_of(applied.from) + "." + number_of(applied.given);
+    return under(load) + "F" + name_of(body) + "." + number_of(static_cast<int>(applied.kind)) + "." +
+           number_of(applied.joint) + "." + number_of(applied.from) + "." + number_of(applied.given);
 }
 std::string held_sum(const std::string& load, const FreeBody& body, const AppliedForce& sum) {
     return under(load) + "R" + name_of(body) + "." + kinegraph::name_of(sum.symbol);

@@ -1,6 +1,6 @@
-// Held: the names by which marks of figures of forces, curvature and Joukowsky's lever say what they hang on, and by which each
-// plan of a moving mechanism tells the elements that are it there. A name says of what it is (a load on a body, the reaction of a
-// joint, a point of concurrency), never where it lies. Knows no figure and no plan.
+// Held: the names by which marks of figures of forces, curvature and Joukowsky's lever say what they hang on, and by
+// which each plan of a moving mechanism tells the elements that are it there. A name says of what it is (a load on a
+// body, the reaction of a joint, a point of concurrency), never where it lies. Knows no figure and no plan.
 #pragma once
 
 #include <string>
@@ -22,7 +22,8 @@ std::string held_meet(const std::string& load, const std::string& name);
 std::string held_arm(const std::string& load, const FreeBody& body, std::size_t arm, bool is_foot);
 /// Force and couple of a joint at its own point.
 std::string held_pair(const JointForce& pair);
-/// A vertex of a funicular polygon, by the reactions that it finds; the one past the last is where the outer strings meet.
+/// A vertex of a funicular polygon, by the reactions that it finds; the one past the last is where the outer strings
+/// meet.
 std::string held_string(const std::string& load, const FreeBody::Funicular& funicular, std::size_t vertex);
 /// A place of a body's curvature: "pole", "axis", "J", …
 std::string held_curvature(BodyIndex body, const std::string& what);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/number/assert.hpp"
 #include "engine/drawing/spring_force.hpp"
+#include "engine/number/assert.hpp"
 
 namespace kinegraph {
 namespace {
@@ -57,28 +57,20 @@ Magnitudes::Magnitudes(const Solution& solution, const std::vector<std::optional
 void Magnitudes::take(const Quantity& quantity, double value) {
     switch (quantity.kind) {
         case Kind::velocity:
-        case Kind::sliding_velocity:
-            return raise(velocity_, value);
+        case Kind::sliding_velocity: return raise(velocity_, value);
         case Kind::acceleration:
         case Kind::sliding_acceleration:
-        case Kind::sliding_coriolis:
-            return raise(acceleration_, value);
-        case Kind::omega:
-            return raise(omega_, value);
-        case Kind::alpha:
-            return raise(alpha_, value);
+        case Kind::sliding_coriolis: return raise(acceleration_, value);
+        case Kind::omega: return raise(omega_, value);
+        case Kind::alpha: return raise(alpha_, value);
         case Kind::centre:
         case Kind::acceleration_pole:
         case Kind::radius:
-        case Kind::inflection_diameter:
-            return raise(place_, value);
+        case Kind::inflection_diameter: return raise(place_, value);
         case Kind::force:
-        case Kind::force_component:
-            return raise(force_, value);
-        case Kind::couple:
-            return raise(couple_, value);
-        default:
-            return;
+        case Kind::force_component: return raise(force_, value);
+        case Kind::couple: return raise(couple_, value);
+        default: return;
     }
 }
 
@@ -121,46 +113,37 @@ void Magnitudes::tie_together(double size) {
 
 double Magnitudes::of(const Quantity& quantity) const {
     switch (quantity.kind) {
-        case Kind::unnamed:
-            return 0;
+        case Kind::unnamed: return 0;
         case Kind::velocity:
-        case Kind::sliding_velocity:
-            return velocity_;
+        case Kind::sliding_velocity: return velocity_;
         case Kind::acceleration:
         case Kind::sliding_acceleration:
-        case Kind::sliding_coriolis:
-            return acceleration_;
-        case Kind::omega:
-            return omega_;
-        case Kind::alpha:
-            return alpha_;
+        case Kind::sliding_coriolis: return acceleration_;
+        case Kind::omega: return omega_;
+        case Kind::alpha: return alpha_;
         case Kind::centre:
         case Kind::acceleration_pole:
         case Kind::radius:
-        case Kind::inflection_diameter:
-            return place_;
+        case Kind::inflection_diameter: return place_;
         case Kind::force:
         case Kind::force_component:
         case Kind::weight:
         case Kind::resultant:
-        case Kind::bar:
-            return force_;
+        case Kind::bar: return force_;
         case Kind::couple:
-        case Kind::resultant_couple:
-            return couple_;
-        case Kind::load:
-            return acts_as_couple(mechanism_.loads[at(quantity.given)]) ? couple_ : force_;
-        case Kind::inertia:
-            return force_;
+        case Kind::resultant_couple: return couple_;
+        case Kind::load: return acts_as_couple(mechanism_.loads[at(quantity.given)]) ? couple_ : force_;
+        case Kind::inertia: return force_;
         case Kind::effort:
         case Kind::virtual_effort:
             return std::holds_alternative<CoupleEffort>(mechanism_.efforts[at(quantity.given)]) ? couple_ : force_;
-        case Kind::virtual_power:
-            return power_;
+        case Kind::virtual_power: return power_;
     }
     KG_ASSERT(false, "a quantity has a kind");
 }
 
-bool Magnitudes::is_noise(const Quantity& quantity, double value) const { return std::abs(value) <= noise * of(quantity); }
+bool Magnitudes::is_noise(const Quantity& quantity, double value) const {
+    return std::abs(value) <= noise * of(quantity);
+}
 
 }  // namespace kinegraph

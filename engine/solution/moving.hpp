@@ -1,6 +1,6 @@
-// Moving: what it takes to move a mechanism and its construction elsewhere than here, as data: the closure of the joints with a
-// start for Newton's method all along each driver's travel, and for each stretch of it the program whose guards hold there.
-// Knows no figure and no page. Made by constructions/moving/moving.hpp.
+// Moving: what it takes to move a mechanism and its construction elsewhere than here, as data: the closure of the
+// joints with a start for Newton's method all along each driver's travel, and for each stretch of it the program whose
+// guards hold there. Knows no figure and no page. Made by constructions/moving/moving.hpp.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/sentences/column.hpp"
-#include "engine/motion/positions.hpp"
 #include "engine/board/program.hpp"
+#include "engine/motion/positions.hpp"
+#include "engine/sentences/column.hpp"
 #include "engine/sentences/statement.hpp"
 
 namespace kinegraph {
@@ -38,8 +38,8 @@ struct MovingGiven {
     double factor = 1, offset = 0;
 };
 
-/// A construction that holds for a stretch: its program, and which elements are drawn, under names that are the same in all
-/// plans.
+/// A construction that holds for a stretch: its program, and which elements are drawn, under names that are the same in
+/// all plans.
 struct MovingPlan {
     Program program;
     std::vector<ValueOf<double>> givens;  ///< in the position where it was planned
@@ -91,14 +91,15 @@ struct MovingCourse {
         std::vector<double> q;          ///< by column of the closure; a start for Newton's method
         int plan = -1;                  ///< index in Moving::plans; −1: no construction holds here
         double rate = 0, acceleration = 0;
-        /// Where a verdict drowns in doubles (a body all but at rest): by column what the exact construction found; else empty.
+        /// Where a verdict drowns in doubles (a body all but at rest): by column what the exact construction found;
+        /// else empty.
         std::vector<std::optional<double>> values;
     };
     std::vector<Sample> samples;  ///< in the order of the way
 };
 
-/// Something given that may be changed while all else stays: a driver's rate, the size of a load, the length of a bar, how far
-/// apart the frame's two hinges are, a parameter of the file. Never zero: verdicts hang on that.
+/// Something given that may be changed while all else stays: a driver's rate, the size of a load, the length of a bar,
+/// how far apart the frame's two hinges are, a parameter of the file. Never zero: verdicts hang on that.
 struct MovingSetting {
     enum class Kind {
         velocity,
@@ -119,7 +120,8 @@ struct MovingSetting {
 
 /// A number of the closure, of a plan or of the settings that follows from parameters of the file:
 ///   number = (what the file gives) + Σ by · Δ_first · Δ_second,
-/// where Δ_2i of setting i is its value less what the file gives; of an angle Δ_2i is that of its cosine, Δ_2i+1 of its sine.
+/// where Δ_2i of setting i is its value less what the file gives; of an angle Δ_2i is that of its cosine, Δ_2i+1 of its
+/// sine.
 struct MovingEffect {
     enum class List {
         row,    ///< `item` of Moving::rows; `part` 0 … 9 as they stand in ClosureRowOf, from p.x to share_j

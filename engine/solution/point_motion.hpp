@@ -1,5 +1,6 @@
-// What was found of the motion of a point, and of motions in the large, between positions of a body. Values in SI units, angles in
-// radians. Methods: constructions/problems/point_motion.hpp and finite_displacements.hpp; numeric checks: engine/check/check_point_motion.hpp.
+// What was found of the motion of a point, and of motions in the large, between positions of a body. Values in SI
+// units, angles in radians. Methods: constructions/problems/point_motion.hpp and finite_displacements.hpp; numeric
+// checks: engine/check/check_point_motion.hpp.
 #pragma once
 
 #include <array>
@@ -31,8 +32,8 @@ struct PointMotionSolution {
     bool straight = false;                 ///< a_n = 0: the centre of curvature at infinity
     bool at_pole = false;                  ///< of coordinates: r = 0, no direction of the radius
     /// By the construction; none where `rests`.
-    std::optional<Vector> tangential, normal;                                      ///< components of the acceleration
-    std::optional<Vector> centre;                                                  ///< of curvature; none where `straight`
+    std::optional<Vector> tangential, normal;  ///< components of the acceleration
+    std::optional<Vector> centre;              ///< of curvature; none where `straight`
     double speed = 0, acceleration_length = 0, along = 0, across = 0, radius = 0;  ///< v, |a|, a_t, a_n, ρ
     double r = 0, theta = 0;
     std::array<double, 2> polar_velocity{}, polar_acceleration{};  ///< radial, transverse
@@ -43,7 +44,8 @@ struct PointMotionSolution {
     };
     std::vector<At> course;  ///< from `from` to `to`
     Protocol record;         ///< the board of the components and of the centre of curvature
-    /// Elements of the record: points of the drawing in which a metre per second and a metre per second² are a metre each.
+    /// Elements of the record: points of the drawing in which a metre per second and a metre per second² are a metre
+    /// each.
     struct Elements {
         ElementIndex tip_of_velocity = none, tip_of_acceleration = none, foot = none, reversed = none, centre = none;
     } elements;
@@ -66,13 +68,19 @@ struct Displacement {
     std::optional<Vector> pole;  ///< none of a translation or of rest
     Vector way;                  ///< of a translation
     double angle = 0;            ///< −π … π, counter-clockwise positive
-    /// How the pole was found: the bisectors' meet; where they coincide, the meet of both joins, or the common middle; a point
-    /// that stays.
+    /// How the pole was found: the bisectors' meet; where they coincide, the meet of both joins, or the common middle;
+    /// a point that stays.
     enum class By { bisectors, joins, middle, point } by = By::bisectors;
 };
-/// The fixed pivot of a crank that carries one of the points through three positions: centre of the circle through them.
+/// The fixed pivot of a crank that carries one of the points through three positions: centre of the circle through
+/// them.
 struct FixedPivot {
-    enum class Kind { pivot, straight, free, fixed } kind = Kind::pivot;  ///< free: two places coincide; fixed: all three do
+    enum class Kind {
+        pivot,
+        straight,
+        free,
+        fixed
+    } kind = Kind::pivot;  ///< free: two places coincide; fixed: all three do
     std::optional<Vector> centre;
     Vector direction;   ///< of the straight line
     double radius = 0;  ///< length of the crank

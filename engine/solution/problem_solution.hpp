@@ -1,5 +1,6 @@
-// What was found of a problem that a file states in place of joints (engine/mechanism/problem.hpp), as values in SI units. Knows no method:
-// those are constructions/problems/hertz.hpp and its like, the numeric checks engine/check/check_hertz.hpp and its like.
+// What was found of a problem that a file states in place of joints (engine/mechanism/problem.hpp), as values in SI
+// units. Knows no method: those are constructions/problems/hertz.hpp and its like, the numeric checks
+// engine/check/check_hertz.hpp and its like.
 #pragma once
 
 #include <array>
@@ -9,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "engine/solution/point_motion.hpp"
-#include "engine/mechanism/problem.hpp"
 #include "engine/file/units.hpp"
+#include "engine/mechanism/problem.hpp"
+#include "engine/solution/point_motion.hpp"
 
 namespace kinegraph {
 
@@ -24,20 +25,22 @@ struct ProblemValue {
     std::optional<double> numeric;  ///< by the check
     bool in_file = true;            ///< false: the results file has it in a form of its own
     std::string unit{};             ///< SI, of what has no kind: "N s", "J"
-    Words spoken{};                 ///< on sheets and in tables, where that is not the name: with a body's label for its key
+    Words spoken{};  ///< on sheets and in tables, where that is not the name: with a body's label for its key
 };
 
-/// What was found of a Hertzian contact. Axes: x along the longer axis of the ellipse of contact (of a line: along the common
-/// tangent, across the line), z into the bodies.
+/// What was found of a Hertzian contact. Axes: x along the longer axis of the ellipse of contact (of a line: along the
+/// common tangent, across the line), z into the bodies.
 struct HertzSolution {
-    Exact curvature_sum;    ///< 1/R of a line or a round point contact: the sum of both bodies' curvatures; of an ellipse A + B,
-                            ///< twice
-    double radius = 0;      ///< effective: R, of an ellipse (R′R″)^½
-    double modulus = 0;     ///< effective: E*, Pa
-    bool elliptic = false;  ///< a point contact with different principal curvatures
+    Exact curvature_sum;  ///< 1/R of a line or a round point contact: the sum of both bodies' curvatures; of an ellipse
+                          ///< A + B, twice
+    double radius = 0;    ///< effective: R, of an ellipse (R′R″)^½
+    double modulus = 0;   ///< effective: E*, Pa
+    bool elliptic = false;       ///< a point contact with different principal curvatures
     double long_curvature = 0;   ///< A of the gap A x² + B y², 1/m: that of the longer axis
     double short_curvature = 0;  ///< B
-    double a = 0, b = 0;  ///< half axes, a ≥ b, m; a round contact has two equal ones, of a line b is the half width and a is 0
+    double
+        a = 0,
+        b = 0;  ///< half axes, a ≥ b, m; a round contact has two equal ones, of a line b is the half width and a is 0
     double mean = 0, greatest = 0;  ///< pressure, Pa
     double approach = 0;            ///< of points far from the contact, m
     double shear = 0, depth = 0;    ///< the greatest shear on the axis, Pa, and its depth, m
@@ -49,8 +52,8 @@ struct HertzSolution {
     std::vector<Stress> stresses;  ///< of the body `sheared`, from the surface down
 };
 
-/// What was found of an impact, exactly. The normal n is no unit vector (it is rational), the tangent t is n turned a quarter;
-/// impulses and velocities along them are counted in |n|, so that friction's limit stays |J_t| ≤ f J_n.
+/// What was found of an impact, exactly. The normal n is no unit vector (it is rational), the tangent t is n turned a
+/// quarter; impulses and velocities along them are counted in |n|, so that friction's limit stays |J_t| ≤ f J_n.
 struct ImpactSolution {
     Vector at;               ///< the point of impact, m
     Vector normal, tangent;  ///< from the second body into the first
@@ -67,8 +70,8 @@ struct ImpactSolution {
         std::optional<Vector> percussion;      ///< the centre of percussion of a pivoted body, m
     };
     std::array<Body, 2> bodies;
-    /// Relative velocity of the points in contact, of the first body seen from the second, along n and t; and how an impulse
-    /// changes it: Δu_n = a J_n + b J_t,  Δu_t = b J_n + c J_t.
+    /// Relative velocity of the points in contact, of the first body seen from the second, along n and t; and how an
+    /// impulse changes it: Δu_n = a J_n + b J_t,  Δu_t = b J_n + c J_t.
     Exact approach, slip, a, b, c;
     Exact friction, restitution;
     /// One phase of the impact: the impulses at its end and what the contact did in it.
@@ -88,8 +91,8 @@ struct ImpactSolution {
     Exact kinematic_restitution;  ///< −u_n′/u_n (Newton)
 };
 
-/// What was found of a rubbing contact. The coordinate of pressures is x from the pad's end (m), the radius of a disc (m), or the
-/// angle of a shoe (rad).
+/// What was found of a rubbing contact. The coordinate of pressures is x from the pad's end (m), the radius of a disc
+/// (m), or the angle of a shoe (rad).
 struct ReyeSolution {
     double begin = 0, end = 0;     ///< where contact is
     double first = 0, second = 0;  ///< pressures at both ends of the face, Pa; 0 where it lifts
@@ -100,9 +103,9 @@ struct ReyeSolution {
     std::optional<double> friction_force;                    ///< pad, block
     std::optional<double> torque;                            ///< disc, shoe; N m
     std::optional<double> uniform_pressure, uniform_torque;  ///< disc: new, before it has worn in
-    std::optional<double> locking_friction;                  ///< leading shoe: from this coefficient on it needs no force
-    VectorOf<double> normal_force;              ///< shoe: resultant of the pressures on the shoe, N; x towards the pivot
-    double pressure_radius = 0;                 ///< shoe: of the centre of pressure, m
+    std::optional<double> locking_friction;  ///< leading shoe: from this coefficient on it needs no force
+    VectorOf<double> normal_force;           ///< shoe: resultant of the pressures on the shoe, N; x towards the pivot
+    double pressure_radius = 0;              ///< shoe: of the centre of pressure, m
     std::optional<std::array<double, 2>> worn;  ///< depth at both ends of the face, m
     struct At {
         double place = 0, pressure = 0;
@@ -121,7 +124,8 @@ using SolvedContacts = std::vector<SolvedContact>;
 
 struct ProblemSolution {
     Words subject;  ///< what the sheet is, for its title block
-    std::variant<HertzSolution, ImpactSolution, ReyeSolution, SolvedContacts, PointMotionSolution, PositionsSolution> of;
+    std::variant<HertzSolution, ImpactSolution, ReyeSolution, SolvedContacts, PointMotionSolution, PositionsSolution>
+        of;
     std::vector<ProblemValue> values;
     std::vector<Words> remarks;
 };

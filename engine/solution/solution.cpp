@@ -36,7 +36,9 @@ Quantity velocity_of(const PointMotion& motion) {
 Quantity acceleration_of(const PointMotion& motion) {
     return {.kind = Kind::acceleration, .body = motion.bodies.front(), .point = motion.point};
 }
-Quantity quantity_of(const InstantCentre& centre) { return {.kind = Kind::centre, .body = centre.first, .other = centre.second}; }
+Quantity quantity_of(const InstantCentre& centre) {
+    return {.kind = Kind::centre, .body = centre.first, .other = centre.second};
+}
 Quantity quantity_of(const JointForce& action) {
     return {.kind = Kind::force, .body = action.on, .other = action.from, .joint = action.joint};
 }
@@ -60,19 +62,13 @@ Quantity quantity_of(const FreeBody& body, const AppliedForce& applied) {
         case AppliedForce::Kind::reaction:
             return {.kind = Kind::force, .body = body.body, .other = applied.from, .joint = applied.joint};
         case AppliedForce::Kind::load:
-        case AppliedForce::Kind::spring:
-            return {.kind = Kind::load, .given = applied.given};
-        case AppliedForce::Kind::weight:
-            return {.kind = Kind::weight, .given = applied.given};
-        case AppliedForce::Kind::inertia:
-            return {.kind = Kind::inertia, .given = applied.given};
-        case AppliedForce::Kind::effort:
-            return {.kind = Kind::effort, .given = applied.given};
-        case AppliedForce::Kind::resultant:
-            return {.kind = Kind::resultant, .body = body.body};
+        case AppliedForce::Kind::spring: return {.kind = Kind::load, .given = applied.given};
+        case AppliedForce::Kind::weight: return {.kind = Kind::weight, .given = applied.given};
+        case AppliedForce::Kind::inertia: return {.kind = Kind::inertia, .given = applied.given};
+        case AppliedForce::Kind::effort: return {.kind = Kind::effort, .given = applied.given};
+        case AppliedForce::Kind::resultant: return {.kind = Kind::resultant, .body = body.body};
     }
     KG_ASSERT(false, "what acts is of one kind");
 }
-
 
 }  // namespace kinegraph

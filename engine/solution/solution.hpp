@@ -1,5 +1,5 @@
-// Solution: everything that was found, as values in SI units, with the protocol that found it and the numbers of the check
-// beside it. What the results file, the tables and the drawing are made of. Computes nothing.
+// Solution: everything that was found, as values in SI units, with the protocol that found it and the numbers of the
+// check beside it. What the results file, the tables and the drawing are made of. Computes nothing.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "engine/board/board.hpp"
-#include "engine/motion/branches.hpp"
-#include "engine/mechanism/mechanism.hpp"
-#include "engine/motion/mobility.hpp"
 #include "engine/drawing/pose.hpp"
-#include "engine/sentences/quantity.hpp"
+#include "engine/mechanism/mechanism.hpp"
+#include "engine/motion/branches.hpp"
+#include "engine/motion/mobility.hpp"
 #include "engine/number/recorded.hpp"
+#include "engine/sentences/quantity.hpp"
 #include "engine/sentences/statement.hpp"
 #include "engine/solution/truss.hpp"
 
@@ -37,8 +37,8 @@ struct Sliding {
     JointIndex joint = none;
     Recorded<Vector> velocity, acceleration, coriolis;
 };
-/// What stands for a contact of round or straight profiles up to accelerations: a link between the centres of curvature, or the
-/// one centre as a pin in a straight slot parallel to the other's line (a tip is its own centre).
+/// What stands for a contact of round or straight profiles up to accelerations: a link between the centres of
+/// curvature, or the one centre as a pin in a straight slot parallel to the other's line (a tip is its own centre).
 struct EquivalentLinkage {
     enum class Kind { link, slot } kind = Kind::link;
     JointIndex joint = none;
@@ -63,8 +63,8 @@ struct RelativeMotion {
     RelativeMotionQuery query;
     Recorded<Vector> velocity, transport_velocity, relative_velocity;
     Recorded<Vector> acceleration, transport_acceleration, relative_acceleration, coriolis;
-    /// The transport parted about the origin O′ of the moving axes, a place of the observer's body: a_tr = a_O′ + α ∧ O′P − ω²
-    /// O′P.
+    /// The transport parted about the origin O′ of the moving axes, a place of the observer's body: a_tr = a_O′ + α ∧
+    /// O′P − ω² O′P.
     struct Apart {
         PointIndex origin = none, towards = none;  ///< the axis x′ points from the one to the other; no other: along x
         Recorded<Exact> omega, alpha;
@@ -73,7 +73,11 @@ struct RelativeMotion {
         /// The relative velocity and acceleration, parted along x′ and y′.
         Recorded<Vector> velocity_along, velocity_across, acceleration_along, acceleration_across;
         /// Why there is no Coriolis term.
-        enum class NoCoriolis { there_is, observer_does_not_turn, rests_for_observer } no_coriolis = NoCoriolis::there_is;
+        enum class NoCoriolis {
+            there_is,
+            observer_does_not_turn,
+            rests_for_observer
+        } no_coriolis = NoCoriolis::there_is;
     };
     std::optional<Apart> apart;  ///< of observers on bodies, where accelerations are known
 };
@@ -83,15 +87,15 @@ struct SecondWay {
     Recorded<Exact> omega;
     bool agrees = false;  ///< with the polygon, by exact predicate
 };
-/// The action of one body on another at a joint, reduced to the joint's point. At a hinge of three bodies or more the pin acts on
-/// each: `from` is none then.
+/// The action of one body on another at a joint, reduced to the joint's point. At a hinge of three bodies or more the
+/// pin acts on each: `from` is none then.
 struct JointForce {
     JointIndex joint = none;
     BodyIndex on = none, from = none;
     Recorded<Vector> force;  ///< N
     Recorded<Exact> couple;  ///< N m about the joint's point, counter-clockwise positive
-    /// Where equilibrium does not determine the force: the one component that every equilibrium has alike (N, as a vector) and
-    /// the direction along which it is taken.
+    /// Where equilibrium does not determine the force: the one component that every equilibrium has alike (N, as a
+    /// vector) and the direction along which it is taken.
     Recorded<Vector> component, along;
 };
 /// The unit vector along which a component is counted: dx > 0, or (0, 1). Rounded where it is no fraction.
@@ -124,7 +128,7 @@ struct AppliedForce {
         ElementIndex force, couple, at;
     } elements;                         ///< of the record, none where it vanishes
     bool line_by_construction = false;  ///< its line of action was deduced, not given
-    bool is_component = false;          ///< of a reaction that equilibrium does not determine: what every equilibrium has alike
+    bool is_component = false;  ///< of a reaction that equilibrium does not determine: what every equilibrium has alike
     /// Index in Mechanism::loads (load, spring), masses (weight, inertia) or efforts (effort); −1: a reaction.
     int given = -1;
     /// The statement after which its line is known, or that first needs the line of what is given; none: no one does.
@@ -146,7 +150,8 @@ struct FreeBody {
         ElementIndex element = none;      ///< of the record
     };
     std::vector<Meet> meets;
-    /// An arm by which a moment was taken: from the place about which to the foot of the perpendicular on a line of action.
+    /// An arm by which a moment was taken: from the place about which to the foot of the perpendicular on a line of
+    /// action.
     struct Arm {
         std::string name;  ///< of the place about which; a point of the file, or a letter of its own
         Vector about, foot;
@@ -158,24 +163,26 @@ struct FreeBody {
         } elements;  ///< of the record
     };
     std::vector<Arm> arms;
-    /// What was added up on the way, of the kind resultant: known forces to one, a force and a couple to the force moved aside,
-    /// what is on Culmann's line. Lines and sides of the construction; they act on nothing.
+    /// What was added up on the way, of the kind resultant: known forces to one, a force and a couple to the force
+    /// moved aside, what is on Culmann's line. Lines and sides of the construction; they act on nothing.
     std::vector<AppliedForce> sums;
-    /// The funicular polygon by which two reactions balance what is known: one along a line, one at a place or on a line too.
+    /// The funicular polygon by which two reactions balance what is known: one along a line, one at a place or on a
+    /// line too.
     struct Funicular {
         StatementIndex statement = none;
-        Symbol first, second;                    ///< the reactions: of the line, of the place
-        std::vector<Symbol> known;               ///< in the order of the corners
-        std::vector<Recorded<Vector>> corners;   ///< of the known forces, tip to tail, N
-        Recorded<Vector> pole, dividing;         ///< of the rays, N; where the reactions meet
-        std::vector<Recorded<Vector>> vertices;  ///< of the strings, m: at the place, on each known line, on the first one's line
-        Recorded<Vector> resultant;              ///< where the outer strings meet, m: the resultant passes there; none: nowhere
+        Symbol first, second;                   ///< the reactions: of the line, of the place
+        std::vector<Symbol> known;              ///< in the order of the corners
+        std::vector<Recorded<Vector>> corners;  ///< of the known forces, tip to tail, N
+        Recorded<Vector> pole, dividing;        ///< of the rays, N; where the reactions meet
+        std::vector<Recorded<Vector>>
+            vertices;                ///< of the strings, m: at the place, on each known line, on the first one's line
+        Recorded<Vector> resultant;  ///< where the outer strings meet, m: the resultant passes there; none: nowhere
     };
     std::optional<Funicular> funicular;
     std::vector<Symbol> open;         ///< forces and couples on it that equilibrium does not determine
     int polygon = -1;                 ///< index in Protocol::polygons; −1 where all forces vanish
     StatementIndex statement = none;  ///< after which all its forces are known
-    bool in_parts = false;            ///< its forces are sums of parts or trials: its polygon was closed by no one statement
+    bool in_parts = false;  ///< its forces are sums of parts or trials: its polygon was closed by no one statement
 };
 /// Bodies that were balanced as one: their polygon of what acts on them from outside.
 struct TakenTogether {
@@ -191,8 +198,9 @@ struct Superposition {
     struct Part {
         BodyIndex body = none;  ///< whose loads act alone; none: of the pin
         PointIndex pin = none;
-        StatementIndex first = none, end = none;  ///< its sentences: from the one that opens it to the one past its last
-        std::vector<FreeBody> bodies;             ///< cut free under these loads; those that carry nothing are left out
+        StatementIndex first = none,
+                       end = none;     ///< its sentences: from the one that opens it to the one past its last
+        std::vector<FreeBody> bodies;  ///< cut free under these loads; those that carry nothing are left out
         std::vector<TakenTogether> together;
     };
     std::vector<Part> parts;
@@ -211,8 +219,8 @@ struct Superposition {
     std::vector<CoupleSum> couples;
     StatementIndex statement = none;  ///< that adds them
 };
-/// The powers of all that acts from outside (loads, weights, inertia, efforts) in the motion found: they add up to nothing. It is
-/// Joukowsky's lever too: forces at the tips of the velocities turned a quarter, moments about the pole.
+/// The powers of all that acts from outside (loads, weights, inertia, efforts) in the motion found: they add up to
+/// nothing. It is Joukowsky's lever too: forces at the tips of the velocities turned a quarter, moments about the pole.
 struct VirtualWork {
     struct Entry {
         Symbol symbol;
@@ -237,7 +245,8 @@ struct VirtualWork {
         bool rests = false;  ///< the power is zero, by exact predicate
     };
     std::vector<Entry> entries;
-    std::vector<Share> shares;  ///< of virtual displacements alone (engine/solution/displacements.hpp); else efforts are among the entries
+    std::vector<Share> shares;  ///< of virtual displacements alone (engine/solution/displacements.hpp); else efforts
+                                ///< are among the entries
     Exact total;                ///< of the entries; exactly zero on an exact pose where efforts are among them
     ElementIndex total_element = none;
 };
@@ -247,11 +256,11 @@ struct ActFigure {
     enum class Found {
         nothing,         ///< neither centre nor translation is known
         perpendiculars,  ///< the perpendiculars at `points` meet in the centre
-        tips,            ///< parallel velocities at `points`: the join of their tips meets that of the points in the centre
-        point_at_rest,   ///< the one of `points` is the centre
-        translation,     ///< the perpendiculars at `points` are parallel
-        rest,            ///< the body does not move
-        contradiction    ///< no rigid motion has what is given at `points`
+        tips,  ///< parallel velocities at `points`: the join of their tips meets that of the points in the centre
+        point_at_rest,  ///< the one of `points` is the centre
+        translation,    ///< the perpendiculars at `points` are parallel
+        rest,           ///< the body does not move
+        contradiction   ///< no rigid motion has what is given at `points`
     } found = Found::nothing;
     std::vector<PointIndex> points;
     /// Where two velocities project differently on the join of their points (first → second): the projections, m/s.
@@ -269,11 +278,13 @@ struct ActFigure {
 /// Of a body's point: where the path that it describes has its centre of curvature.
 struct PathCentre {
     PointIndex point = none;
-    std::string label;                 ///< of the point
-    std::string name;                  ///< of the centre: no point of the file has it
-    Recorded<ProjectivePoint> centre;  ///< at infinity where the path is straight to the second order; none where the point rests
-    Recorded<ProjectivePoint> foot;    ///< of the inflection pole on the ray: there the path is straight; none in a translation
-    bool is_pin = false;               ///< its path is known from a body that shares it: nothing new is found there
+    std::string label;  ///< of the point
+    std::string name;   ///< of the centre: no point of the file has it
+    Recorded<ProjectivePoint>
+        centre;  ///< at infinity where the path is straight to the second order; none where the point rests
+    Recorded<ProjectivePoint>
+        foot;             ///< of the inflection pole on the ray: there the path is straight; none in a translation
+    bool is_pin = false;  ///< its path is known from a body that shares it: nothing new is found there
     StatementIndex statement = none;
 };
 /// Of a straight line that a body carries (guide, slot, profile): where its envelope has its centre of curvature.
@@ -284,8 +295,8 @@ struct EnvelopeCentre {
     Recorded<Vector> centre;
     StatementIndex statement = none;
 };
-/// The geometry of one body's motion to the second order at this position: how its pole moves, and how the paths of its points
-/// are curved (docs/notation.md).
+/// The geometry of one body's motion to the second order at this position: how its pole moves, and how the paths of its
+/// points are curved (docs/notation.md).
 struct Curvature {
     BodyIndex body = none;
     enum class Kind {
@@ -309,27 +320,31 @@ struct Curvature {
     Recorded<Vector> inflection_centre;
     Recorded<Vector> tangential_pole;  ///< the same of Bresse's second circle; none where α = 0: it is the pole normal
     Recorded<Vector> acceleration_pole;
-    std::string inflection_name, tangential_name, acceleration_name;  ///< "J", "H", "K", or with a number: no point's of the file
-    StatementIndex pole_statement = none, tangent_statement = none, inflection_statement = none, bresse_statement = none;
+    std::string inflection_name, tangential_name,
+        acceleration_name;  ///< "J", "H", "K", or with a number: no point's of the file
+    StatementIndex pole_statement = none, tangent_statement = none, inflection_statement = none,
+                   bresse_statement = none;
     std::vector<PathCentre> points;
     std::vector<EnvelopeCentre> envelopes;
 };
-/// All that is given on bodies that hang together and that no effort balances, as one force along a line, one couple, or nothing.
+/// All that is given on bodies that hang together and that no effort balances, as one force along a line, one couple,
+/// or nothing.
 struct Resultant {
     std::vector<BodyIndex> bodies;  ///< in the file's order
     Recorded<Vector> force;         ///< N
     Recorded<Exact> couple;         ///< N m about the frame's origin
-    Recorded<Vector> through;       ///< the foot of the perpendicular from the origin on its line, m; none: there is no force
-    /// Of a body whose joints leave it one freedom: the place about which it turns, and the moment of what is given about that;
-    /// or the part of the force along which it goes.
+    Recorded<Vector>
+        through;  ///< the foot of the perpendicular from the origin on its line, m; none: there is no force
+    /// Of a body whose joints leave it one freedom: the place about which it turns, and the moment of what is given
+    /// about that; or the part of the force along which it goes.
     Recorded<Vector> about, residual_force;
     Recorded<Exact> residual_couple;
     bool vanishes = false;  ///< the bodies are in equilibrium under what is given
     int polygon = -1;       ///< index in Protocol::polygons: the given forces, with the gap; −1: all vanish
     StatementIndex statement = none;
 };
-/// A motion that every constraint allows but the one whose force is sought: of what is unknown only that does work in it, so
-/// virtual work gives it, whatever redundant constraints bear.
+/// A motion that every constraint allows but the one whose force is sought: of what is unknown only that does work in
+/// it, so virtual work gives it, whatever redundant constraints bear.
 struct VirtualMotion {
     StatementIndex statement = none;
     Symbol sought;
@@ -379,18 +394,20 @@ struct Solution {
     std::vector<EffortValue> efforts;
     std::vector<FreeBody> free_bodies;
     std::vector<TakenTogether> taken_together;
-    std::optional<Superposition> superposition;          ///< by which the forces were found, where they were
-    std::vector<Resultant> resultants;                   ///< where the file asks whether bodies are in equilibrium
-    std::optional<Truss> truss;                          ///< where the mechanism is one
-    std::vector<VirtualMotion> virtual_motions;          ///< by which forces were found that redundant constraints leave alone
-    std::vector<Curvature> curvature;                    ///< where it is asked for: of the moving bodies in the file's order
-    std::optional<VirtualWork> virtual_work;             ///< where forces and velocities are known
-    std::optional<ActFigure> act_of_motion;              ///< where the file gives one body's act of motion
-    std::shared_ptr<const ProblemSolution> problem;      ///< where the file states one; in place of joints it is all there is
-    std::shared_ptr<const Equations> equations;          ///< where they are asked for
+    std::optional<Superposition> superposition;  ///< by which the forces were found, where they were
+    std::vector<Resultant> resultants;           ///< where the file asks whether bodies are in equilibrium
+    std::optional<Truss> truss;                  ///< where the mechanism is one
+    std::vector<VirtualMotion> virtual_motions;  ///< by which forces were found that redundant constraints leave alone
+    std::vector<Curvature> curvature;            ///< where it is asked for: of the moving bodies in the file's order
+    std::optional<VirtualWork> virtual_work;     ///< where forces and velocities are known
+    std::optional<ActFigure> act_of_motion;      ///< where the file gives one body's act of motion
+    std::shared_ptr<const ProblemSolution>
+        problem;                                 ///< where the file states one; in place of joints it is all there is
+    std::shared_ptr<const Equations> equations;  ///< where they are asked for
     std::shared_ptr<const Displacements> displacements;  ///< the same
     std::vector<CheckRow> checks;
-    /// By Protocol::vectors: the modulus of a velocity or an acceleration by the check, SI; none where it does not determine it.
+    /// By Protocol::vectors: the modulus of a velocity or an acceleration by the check, SI; none where it does not
+    /// determine it.
     std::vector<std::optional<double>> numeric_moduli;
     std::vector<Unsolved> unsolved;  ///< not empty: exit 3
     std::vector<Message> remarks;    ///< redundant constraints, points moved onto curves …
@@ -404,8 +421,8 @@ struct Solution {
     ~Solution();
 };
 
-/// Every element that the results name, with its value (Vector, Exact or ProjectivePoint): `see(ElementIndex& element, auto&
-/// value)`.
+/// Every element that the results name, with its value (Vector, Exact or ProjectivePoint): `see(ElementIndex& element,
+/// auto& value)`.
 template <class See>
 void for_each_found(Solution& solution, See see) {
     const auto held = [&](ElementIndex& element, auto& value) {
@@ -419,8 +436,8 @@ void for_each_found(Solution& solution, See see) {
         for (auto* found : {&sliding.velocity, &sliding.acceleration, &sliding.coriolis}) found->visit(see);
     for (InstantCentre& centre : solution.centres) centre.at.visit(see);
     for (RelativeMotion& m : solution.relative_motion)
-        for (auto* found : {&m.velocity, &m.transport_velocity, &m.relative_velocity, &m.acceleration, &m.transport_acceleration,
-                            &m.relative_acceleration, &m.coriolis})
+        for (auto* found : {&m.velocity, &m.transport_velocity, &m.relative_velocity, &m.acceleration,
+                            &m.transport_acceleration, &m.relative_acceleration, &m.coriolis})
             found->visit(see);
     for (RelativeMotion& m : solution.relative_motion) {
         if (!m.apart) continue;
@@ -543,7 +560,8 @@ void for_each_found(Solution& solution, See see) {
         }
     }
 }
-/// Reads the value of every element that the results name from the elements of a record: the drawn pose's, or a replay's.
+/// Reads the value of every element that the results name from the elements of a record: the drawn pose's, or a
+/// replay's.
 void read_values(Solution& solution, const std::vector<Value>& values);
 /// What these are values of.
 Quantity velocity_of(const PointMotion& motion);

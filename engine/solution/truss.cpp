@@ -19,7 +19,8 @@ public:
     explicit TrussReader(const Mechanism& mechanism) : mechanism_(mechanism), ends_(mechanism.bodies.size()) {}
 
     std::optional<TrussStructure> read() {
-        if (!has_nothing_else() || !read_joints() || !read_bars() || !bears_at_pins() || !is_determinate()) return std::nullopt;
+        if (!has_nothing_else() || !read_joints() || !read_bars() || !bears_at_pins() || !is_determinate())
+            return std::nullopt;
         name_bars();
         return std::move(truss_);
     }
@@ -35,8 +36,8 @@ private:
     bool read_joints() {
         for (const Joint& joint : mechanism_.joints) {
             const bool is_hinge = joint.pair().is_hinge();
-            const bool is_support =
-                joint.connects(frame) && joint.bodies.size() == 2 && joint.pair().holds_normal && !joint.pair().holds_tangent;
+            const bool is_support = joint.connects(frame) && joint.bodies.size() == 2 && joint.pair().holds_normal &&
+                                    !joint.pair().holds_tangent;
             if (!is_hinge && !is_support) return false;
             if (joint.pair().holds_rotation) rollers_.insert(joint.other_than(frame));
             if (is_hinge)
@@ -100,8 +101,8 @@ private:
         });
     }
 
-    /// As many unknowns as equations; and at each pin as many joints as hold its bodies together, so that the force at each is
-    /// determined, too.
+    /// As many unknowns as equations; and at each pin as many joints as hold its bodies together, so that the force at
+    /// each is determined, too.
     bool is_determinate() const {
         std::size_t unknown = truss_.bars.size();
         for (const TrussStructure::Pin& pin : truss_.pins) {
@@ -185,7 +186,8 @@ std::vector<std::vector<int>> sides_of_cut(const TrussStructure& truss, const st
             return sum + 2 * held.hinges.size() + held.supports.size();
         });
     };
-    std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) { return reactions(a) < reactions(b); });
+    std::stable_sort(sides.begin(), sides.end(),
+                     [&](const auto& a, const auto& b) { return reactions(a) < reactions(b); });
     return sides;
 }
 
@@ -201,7 +203,8 @@ std::array<Vector, 2> ends_of(const TrussStructure& truss, int bar, const std::v
 Truss::CutNumbers Truss::numbers_of(const Cut& cut, const std::vector<Vector>& places) const {
     const auto [first, second] = ends_of(structure, cut.found, places);
     const Vector along = second - first;
-    if (cut.pivot) return {cut.moment->to_double(), std::abs(cross(first - *cut.pivot, along).to_double()) / length(along)};
+    if (cut.pivot)
+        return {cut.moment->to_double(), std::abs(cross(first - *cut.pivot, along).to_double()) / length(along)};
     const int other = *std::find_if(cut.bars.begin(), cut.bars.end(), [&](int bar) { return bar != cut.found; });
     const auto [from, to] = ends_of(structure, other, places);
     const Vector parallel = to - from;

@@ -1,6 +1,6 @@
-// Trusses: bars pinned at both ends, loaded at their pins alone, held on the frame by hinges, by supports along a line and by
-// rollers (a body hinged to the bars at the point where a guide holds it). Which mechanisms are such, what their bars are called,
-// and what was found of one. Knows no construction; computes no force.
+// Trusses: bars pinned at both ends, loaded at their pins alone, held on the frame by hinges, by supports along a line
+// and by rollers (a body hinged to the bars at the point where a guide holds it). Which mechanisms are such, what their
+// bars are called, and what was found of one. Knows no construction; computes no force.
 #pragma once
 
 #include <array>
@@ -43,12 +43,12 @@ struct TrussStructure {
     }
 };
 
-/// The truss that a mechanism is; nothing where it is none: three bars or more, as many bars and reactions as twice the pins, no
-/// effort, no driver, no load beside a pin.
+/// The truss that a mechanism is; nothing where it is none: three bars or more, as many bars and reactions as twice the
+/// pins, no effort, no driver, no load beside a pin.
 std::optional<TrussStructure> truss_of(const Mechanism& mechanism);
 
-/// The sides of a cut: pins that hang together, with one end of each of its bars. Empty where the cut does not part the truss. Of
-/// two sides the first has the fewer reactions. `passed`: bars that it may cut, too, since they are known.
+/// The sides of a cut: pins that hang together, with one end of each of its bars. Empty where the cut does not part the
+/// truss. Of two sides the first has the fewer reactions. `passed`: bars that it may cut, too, since they are known.
 std::vector<std::vector<int>> sides_of_cut(const TrussStructure& truss, const std::vector<int>& bars,
                                            const std::vector<int>& passed = {});
 
@@ -56,8 +56,8 @@ std::vector<std::vector<int>> sides_of_cut(const TrussStructure& truss, const st
 struct Truss {
     TrussStructure structure;
     struct Bar {
-        /// N: the pull of the bar on the first of its pins. Along the bar from there it is tension. None where it carries
-        /// nothing.
+        /// N: the pull of the bar on the first of its pins. Along the bar from there it is tension. None where it
+        /// carries nothing.
         Recorded<Vector> force;
         StatementIndex statement = none;  ///< that finds it
         bool idle_by_rule = false;        ///< it carries nothing, as is seen without drawing
@@ -91,13 +91,14 @@ struct Truss {
         int found = -1;          ///< the bar whose force it gives
         Recorded<Vector> pivot;  ///< where the other two meet, m; none: they are parallel
         std::string pivot_name;  ///< of a pin, or a letter of its own
-        Recorded<Exact> moment;  ///< of all that is known on the part about the pivot, N m; across the parallel bars: N m, too
+        Recorded<Exact>
+            moment;  ///< of all that is known on the part about the pivot, N m; across the parallel bars: N m, too
         StatementIndex statement = none;
         bool asked = false;  ///< by the file
     };
     std::vector<Cut> cuts;
-    /// The truss cut free whole: all that is given as one force, and the points where lines of action meet. None where the pins
-    /// gave the reactions.
+    /// The truss cut free whole: all that is given as one force, and the points where lines of action meet. None where
+    /// the pins gave the reactions.
     struct Whole {
         Recorded<Vector> force, through;  ///< N; m, on its line
         struct Meet {
@@ -110,8 +111,9 @@ struct Truss {
     };
     std::optional<Whole> whole;
 
-    /// known + N arm = 0, signs apart: the moment of what is known about the pivot (N m) and the arm of the bar (m); where the
-    /// other bars are parallel the component of what is known across them (N) and the sine of the angle with them.
+    /// known + N arm = 0, signs apart: the moment of what is known about the pivot (N m) and the arm of the bar (m);
+    /// where the other bars are parallel the component of what is known across them (N) and the sine of the angle with
+    /// them.
     struct CutNumbers {
         double known = 0, arm = 0;
     };

@@ -14,8 +14,8 @@
 
 namespace kinegraph::render {
 
-/// Path data of the glyphs of one set of fonts, by face, index and size: what one SVG has written out another need not. Kept by
-/// who makes many.
+/// Path data of the glyphs of one set of fonts, by face, index and size: what one SVG has written out another need not.
+/// Kept by who makes many.
 class GlyphPaths {
 public:
     /// Where there are very many, all are forgotten: to be called between pages.
@@ -34,8 +34,8 @@ std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts)
 /// The same, beginning with the outlines that are `known` of these fonts.
 std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts, GlyphPaths& known);
 
-/// The same with text that can be selected, searched and read aloud: <text> where the outlines stand, with the parts of the font
-/// that it needs in the file. What a reader reads is plain(as_set(text)) of each line.
+/// The same with text that can be selected, searched and read aloud: <text> where the outlines stand, with the parts of
+/// the font that it needs in the file. What a reader reads is plain(as_set(text)) of each line.
 std::vector<std::string> to_live_svg(std::span<const Page> pages, const Glyphs& glyphs, const Subsetter& subset);
 
 /// PNG (RGB, or grey where the page has no colour) at `dpi` dots per inch.
@@ -43,11 +43,12 @@ std::string to_png(const Page& page, const Glyphs& glyphs, double dpi);
 
 /// PDF with all pages in order; the glyphs used are embedded as parts of their font, no creation date of the day.
 std::string to_pdf(const std::vector<Page>& pages, const Glyphs& glyphs);
-/// The same for programs that read: tagged (paragraphs, figures), with its language, and every line says plain(as_set(text)).
+/// The same for programs that read: tagged (paragraphs, figures), with its language, and every line says
+/// plain(as_set(text)).
 std::string to_live_pdf(const std::vector<Page>& pages, const Glyphs& glyphs);
 
-/// LaTeX: a whole document for pdflatex with TikZ, a picture on a page of its own for each page; or, read by \input in another
-/// document, the pictures alone. Colours, kinds of line and named points stand on top; words are set by TeX.
+/// LaTeX: a whole document for pdflatex with TikZ, a picture on a page of its own for each page; or, read by \input in
+/// another document, the pictures alone. Colours, kinds of line and named points stand on top; words are set by TeX.
 std::string to_tex(const std::vector<Page>& pages, const Glyphs& glyphs);
 
 }  // namespace kinegraph::render

@@ -1,5 +1,5 @@
-// A Page as PNG or PDF, drawn by cairo: the only file that knows cairo and libpng. Type is filled outlines in the PNG; the PDF
-// carries the glyphs it uses as parts of their font, once for all sizes. Decides nothing about the drawing.
+// A Page as PNG or PDF, drawn by cairo: the only file that knows cairo and libpng. Type is filled outlines in the PNG;
+// the PDF carries the glyphs it uses as parts of their font, once for all sizes. Decides nothing about the drawing.
 #include <cairo-ft.h>
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -133,8 +133,9 @@ bool grey(const Page& page) {
     return grey(page.paper) && std::all_of(page.marks.begin(), page.marks.end(), [](const Mark& mark) {
                if (const auto* path = std::get_if<Path>(&mark)) return grey(*path);
                const auto* text = std::get_if<TextMark>(&mark);
-               return text == nullptr || (grey(text->colour) && std::all_of(text->extras.begin(), text->extras.end(),
-                                                                            [](const Path& extra) { return grey(extra); }));
+               return text == nullptr ||
+                      (grey(text->colour) && std::all_of(text->extras.begin(), text->extras.end(),
+                                                         [](const Path& extra) { return grey(extra); }));
            });
 }
 
@@ -168,8 +169,8 @@ void put_row(const std::uint32_t* from, const Rows& rows, std::vector<unsigned c
     }
 }
 
-/// Sheets are mostly blank: filters make the file larger, and zlib's higher levels take twice the time for 3 % of the size.
-/// `is_last`: the stream ends with it.
+/// Sheets are mostly blank: filters make the file larger, and zlib's higher levels take twice the time for 3 % of the
+/// size. `is_last`: the stream ends with it.
 Compressed compressed(const Rows& rows, bool is_last) {
     constexpr int level = 1, without_header = -15, usual_memory = 8;
     z_stream stream{};
@@ -206,7 +207,8 @@ Compressed compressed(const Rows& rows, bool is_last) {
 std::string png_of(int width, int height, bool in_grey, double dpi, std::span<const Compressed> stretches) {
     std::string out;
     const auto fail = [](png_structp, png_const_charp message) { throw Fault(std::string("libpng: ") + message); };
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, [](png_structp, png_const_charp) {});
+    png_structp png =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, [](png_structp, png_const_charp) {});
     KG_ASSERT(png != nullptr, "libpng starts");
     png_infop info = png_create_info_struct(png);
     png_set_write_fn(
@@ -240,7 +242,8 @@ std::string png_of(int width, int height, bool in_grey, double dpi, std::span<co
     return out;
 }
 
-/// What FreeType holds open for a font of cairo's. cairo keeps fonts it has used for a while, so this is theirs to free.
+/// What FreeType holds open for a font of cairo's. cairo keeps fonts it has used for a while, so this is theirs to
+/// free.
 struct OpenFace {
     FT_Library library = nullptr;
     FT_Face face = nullptr;
@@ -261,12 +264,14 @@ EmbeddedFace embedded_face(const Glyphs& glyphs, std::uint8_t face) {
     auto own = std::make_unique<OpenFace>();
     const std::string_view file = glyphs.file(face);
     KG_ASSERT(FT_Init_FreeType(&own->library) == 0, "FreeType starts");
-    KG_ASSERT(FT_New_Memory_Face(own->library, reinterpret_cast<const FT_Byte*>(file.data()), static_cast<FT_Long>(file.size()),
-                                 0, &own->face) == 0,
+    KG_ASSERT(FT_New_Memory_Face(own->library, reinterpret_cast<const FT_Byte*>(file.data()),
+                                 static_cast<FT_Long>(file.size()), 0, &own->face) == 0,
               "a face that HarfBuzz reads is read by FreeType");
-    Owned<cairo_font_face_t> font{cairo_ft_font_face_create_for_ft_face(own->face, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP)};
+    Owned<cairo_font_face_t> font{
+        cairo_ft_font_face_create_for_ft_face(own->face, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP)};
     const unsigned long blank = FT_Get_Char_Index(own->face, U' ');
-    cairo_font_face_set_user_data(font.get(), &open_face, own.release(), [](void* p) { delete static_cast<OpenFace*>(p); });
+    cairo_font_face_set_user_data(font.get(), &open_face, own.release(),
+                                  [](void* p) { delete static_cast<OpenFace*>(p); });
     return {std::move(font), blank};
 }
 
@@ -275,8 +280,8 @@ struct Free {
 };
 using Pixels = std::unique_ptr<unsigned char, Free>;
 
-/// Memory for pictures, kept for the next page: in pages as large as the machine has them, since a thousand small ones take
-/// longer to get than to draw on. What it holds is the last picture, to be painted over.
+/// Memory for pictures, kept for the next page: in pages as large as the machine has them, since a thousand small ones
+/// take longer to get than to draw on. What it holds is the last picture, to be painted over.
 class Canvas {
 public:
     unsigned char* pixels(std::size_t bytes) {
@@ -306,8 +311,10 @@ struct Strip {
     int first, end;
 };
 
-/// What a page shows in a strip of its picture, `pixels` from its first row on. Type that the strip does not touch is left out.
-void draw_strip(const Page& page, const Glyphs& glyphs, double scale, const Strip& strip, unsigned char* pixels, int width) {
+/// What a page shows in a strip of its picture, `pixels` from its first row on. Type that the strip does not touch is
+/// left out.
+void draw_strip(const Page& page, const Glyphs& glyphs, double scale, const Strip& strip, unsigned char* pixels,
+                int width) {
     const int stride = 4 * width;
     const Owned<cairo_surface_t> surface{
         cairo_image_surface_create_for_data(pixels, CAIRO_FORMAT_RGB24, width, strip.end - strip.first, stride)};
@@ -351,8 +358,8 @@ PictureSize size_at(const Page& page, double dpi) {
     return size;
 }
 
-/// A page drawn by two threads, so many rows at a time: into what place(thread, strip) gives. done(number, strip, pixels) when a
-/// strip is drawn, on the thread that drew it.
+/// A page drawn by two threads, so many rows at a time: into what place(thread, strip) gives. done(number, strip,
+/// pixels) when a strip is drawn, on the thread that drew it.
 template <class Place, class Done>
 void draw_in_strips(const Page& page, const Glyphs& glyphs, const PictureSize& size, int rows, Place place, Done done) {
     // An outline is made when it is first asked for, which is no matter for two at once.
@@ -409,10 +416,11 @@ Picture to_picture(const Page& page, const Glyphs& glyphs, double dpi) {
     Picture picture{size.width, size.height, std::vector<Colour>(width * static_cast<std::size_t>(size.height)), dpi};
     for (int y = 0; y < size.height; ++y) {
         const auto* row = reinterpret_cast<const std::uint32_t*>(memory + size.bytes(y));
-        std::transform(row, row + width, picture.pixels.data() + width * static_cast<std::size_t>(y), [](std::uint32_t pixel) {
-            return Colour{static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
-                          static_cast<std::uint8_t>(pixel)};
-        });
+        std::transform(row, row + width, picture.pixels.data() + width * static_cast<std::size_t>(y),
+                       [](std::uint32_t pixel) {
+                           return Colour{static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
+                                         static_cast<std::uint8_t>(pixel)};
+                       });
     }
     return picture;
 }
@@ -425,9 +433,11 @@ public:
     PdfDocument(const std::vector<Page>& pages, const Glyphs& glyphs)
         : surface_{cairo_pdf_surface_create_for_stream(append, &bytes_, pages.front().width * points_of_mm,
                                                        pages.front().height * points_of_mm)},
-          faces_{embedded_face(glyphs, 0), embedded_face(glyphs, 1), embedded_face(glyphs, 2), embedded_face(glyphs, 3)} {
+          faces_{embedded_face(glyphs, 0), embedded_face(glyphs, 1), embedded_face(glyphs, 2),
+                 embedded_face(glyphs, 3)} {
         cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
-        cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_TITLE, well_formed(pages.front().title).c_str());
+        cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_TITLE,
+                                       well_formed(pages.front().title).c_str());
         cr_.reset(cairo_create(surface_.get()));
         const Owned<cairo_font_options_t> unhinted{cairo_font_options_create()};
         cairo_font_options_set_hint_style(unhinted.get(), CAIRO_HINT_STYLE_NONE);

@@ -20,7 +20,8 @@ std::string base64(std::string_view bytes) {
         std::uint32_t group = 0;
         for (std::size_t i = 0; i < 3; ++i)
             group = (group << 8) | (at + i < bytes.size() ? static_cast<std::uint8_t>(bytes[at + i]) : 0U);
-        for (std::size_t i = 0; i < 4; ++i) text += at + i <= bytes.size() ? digits[(group >> (18 - 6 * i)) & 63U] : '=';
+        for (std::size_t i = 0; i < 4; ++i)
+            text += at + i <= bytes.size() ? digits[(group >> (18 - 6 * i)) & 63U] : '=';
     }
     return text;
 }

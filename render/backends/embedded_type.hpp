@@ -16,8 +16,9 @@ using Subsetter = std::function<std::string(std::string_view file, const WantedT
 
 /// Faces to be named in a file.
 struct EmbeddedType {
-    std::string family;  ///< of its own for each set of faces, so that sheets put into one HTML page do not mix theirs up
-    std::string rules;   ///< CSS: @font-face for each face that is used, its subset in a data URI
+    std::string
+        family;  ///< of its own for each set of faces, so that sheets put into one HTML page do not mix theirs up
+    std::string rules;  ///< CSS: @font-face for each face that is used, its subset in a data URI
 };
 
 /// The faces that the words of a page need.

@@ -9,14 +9,15 @@ namespace kinegraph::render {
 namespace {
 
 bool is_blank(char32_t c) {
-    return c <= 0x20 || (c >= 0x7F && c <= 0xA0) || (c >= 0x2000 && c <= 0x200A) || c == 0x2028 || c == 0x2029 || c == 0x202F ||
-           c == 0x205F || c == 0x3000;
+    return c <= 0x20 || (c >= 0x7F && c <= 0xA0) || (c >= 0x2000 && c <= 0x200A) || c == 0x2028 || c == 0x2029 ||
+           c == 0x202F || c == 0x205F || c == 0x3000;
 }
 
 /// Without width: joiners, marks of direction, variants.
 bool is_without_width(char32_t c) {
-    return c == 0xAD || c == 0x34F || c == 0x61C || c == 0xFEFF || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) ||
-           (c >= 0x2060 && c <= 0x206F) || (c >= 0xFE00 && c <= 0xFE0F) || (c >= 0xE0000 && c <= 0xE0FFF);
+    return c == 0xAD || c == 0x34F || c == 0x61C || c == 0xFEFF || (c >= 0x200B && c <= 0x200F) ||
+           (c >= 0x202A && c <= 0x202E) || (c >= 0x2060 && c <= 0x206F) || (c >= 0xFE00 && c <= 0xFE0F) ||
+           (c >= 0xE0000 && c <= 0xE0FFF);
 }
 
 /// A white space as files may hold it.
@@ -88,7 +89,8 @@ private:
 
     void blank(char32_t c) {
         is_open_ = false;
-        if (runs_.empty() || runs_.back().kind != LiveRun::Kind::blank) runs_.push_back({LiveRun::Kind::blank, {}, {}, {}});
+        if (runs_.empty() || runs_.back().kind != LiveRun::Kind::blank)
+            runs_.push_back({LiveRun::Kind::blank, {}, {}, {}});
         append_utf8(runs_.back().text, c);
     }
 
@@ -131,7 +133,8 @@ LiveLine live_line(std::span<const Mark> marks) {
         for (const Glyph& glyph : text->glyphs) glyphs.push_back({glyph, text->colour});
     }
     if (line.first == nullptr) return line;
-    std::stable_sort(glyphs.begin(), glyphs.end(), [](const Coloured& a, const Coloured& b) { return a.glyph.at < b.glyph.at; });
+    std::stable_sort(glyphs.begin(), glyphs.end(),
+                     [](const Coloured& a, const Coloured& b) { return a.glyph.at < b.glyph.at; });
     const RichText text = text_of(*line.first);
     const std::string words = plain(text);
     Reader(words, std::move(glyphs), line.runs).read(text);

@@ -38,7 +38,8 @@ struct LiveLine {
     std::vector<LiveRun> runs;           ///< in the order of reading
 };
 
-/// The line that begins with the text at marks.front(); the marks it has taken stand one behind the other. Of another mark: none.
+/// The line that begins with the text at marks.front(); the marks it has taken stand one behind the other. Of another
+/// mark: none.
 LiveLine live_line(std::span<const Mark> marks);
 
 /// The rich text of a line as it is set; where a mark has none, its words.

@@ -16,7 +16,8 @@ struct Pair {
 /// The two digits of a number below a hundred: half as many divisions.
 constexpr auto pairs = [] {
     std::array<Pair, 100> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) all.at(i) = {static_cast<char>('0' + i / 10), static_cast<char>('0' + i % 10)};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all.at(i) = {static_cast<char>('0' + i / 10), static_cast<char>('0' + i % 10)};
     return all;
 }();
 
@@ -147,12 +148,8 @@ void Markup::escaped(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         std::string_view escape;
         switch (text[i]) {
-            case '&':
-                escape = "&amp;";
-                break;
-            case '<':
-                escape = "&lt;";
-                break;
+            case '&': escape = "&amp;"; break;
+            case '<': escape = "&lt;"; break;
             case '>':
                 if (!in_attribute) escape = "&gt;";
                 break;
@@ -168,8 +165,7 @@ void Markup::escaped(std::string_view text) {
             case '\r':
                 if (in_attribute) escape = "&#13;";
                 break;
-            default:
-                break;
+            default: break;
         }
         if (escape.empty()) continue;
         bytes_.put(text.substr(plain, i - plain));

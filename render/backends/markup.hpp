@@ -1,5 +1,6 @@
-// Markup: XML as it is written, from its first byte to its last, one element a line. Owns escaping, indentation and how a number
-// looks; keeps no tree, so an element is said in the order of its bytes: name, attributes, what stands in it, end.
+// Markup: XML as it is written, from its first byte to its last, one element a line. Owns escaping, indentation and how
+// a number looks; keeps no tree, so an element is said in the order of its bytes: name, attributes, what stands in it,
+// end.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,8 @@
 
 namespace kinegraph::render {
 
-/// Bytes that grow at their end. A page is a hundred thousand short pieces: each costs a comparison and a copy, not a call.
+/// Bytes that grow at their end. A page is a hundred thousand short pieces: each costs a comparison and a copy, not a
+/// call.
 class Bytes {
 public:
     std::size_t size() const { return size_; }
@@ -49,7 +51,8 @@ private:
     std::size_t capacity_ = 0, size_ = 0;
 };
 
-/// Names of elements and attributes must outlive it: they are the format's own words. (Attributes' names are only read.)
+/// Names of elements and attributes must outlive it: they are the format's own words. (Attributes' names are only
+/// read.)
 class Markup {
 public:
     /// With the declaration, or as a part that stands within so many open elements.

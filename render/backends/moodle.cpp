@@ -1,5 +1,5 @@
-// Moodle XML: see quiz_files.hpp. A question of type cloze: {1:NUMERICAL:=value:tolerance} stands where a number is wanted;
-// braces of the text are character references, so that nothing else is read as a field.
+// Moodle XML: see quiz_files.hpp. A question of type cloze: {1:NUMERICAL:=value:tolerance} stands where a number is
+// wanted; braces of the text are character references, so that nothing else is read as a field.
 #include <algorithm>
 
 #include "render/backends/quiz_files.hpp"
@@ -33,7 +33,8 @@ std::string base64(std::string_view bytes) {
 std::string moodle_head(std::string_view category) {
     std::string name;
     for (const char c : category) name += c == '/' ? std::string("//") : std::string(1, c);  // one would part it
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n<question type=\"category\">\n<category><text>$course$/top/" +
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n<question "
+           "type=\"category\">\n<category><text>$course$/top/" +
            xml_text(name) + "</text></category>\n<info format=\"html\"><text></text></info>\n</question>\n";
 }
 
@@ -42,8 +43,9 @@ std::string moodle_question(const QuizItem& item, std::string_view png) {
     body += "<h3>" + xml_text(item.blanks_heading) + "</h3>\n<ul>\n";
     for (const QuizBlank& each : item.blanks) body += blank_html(each, field_of(each));
     body += "</ul>\n" + notes_html(item);
-    return "<question type=\"cloze\">\n<name><text>" + name_html(item) + "</text></name>\n<questiontext format=\"html\">\n" +
-           cdata(body) + "<file name=\"" + figure_file(item) + "\" path=\"/\" encoding=\"base64\">" + base64(png) +
+    return "<question type=\"cloze\">\n<name><text>" + name_html(item) +
+           "</text></name>\n<questiontext format=\"html\">\n" + cdata(body) + "<file name=\"" + figure_file(item) +
+           "\" path=\"/\" encoding=\"base64\">" + base64(png) +
            "</file>\n</questiontext>\n<generalfeedback format=\"html\">\n" + cdata(html_of(item.solution, true)) +
            "</generalfeedback>\n<penalty>0.3333333</penalty>\n<hidden>0</hidden>\n<idnumber></idnumber>\n</question>\n";
 }

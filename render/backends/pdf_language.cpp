@@ -46,8 +46,8 @@ std::string with_language(std::string pdf, std::string_view language) {
     const std::size_t second = pdf.size();
     pdf += "xref\n" + std::to_string(root) + " 1\n" + ten_digits(at) + " 00000 n \n";
     pdf += "trailer\n<< /Size " + std::to_string(size) + "\n   /Root " + std::to_string(root) + " 0 R\n   /Info " +
-           std::to_string(info) + " 0 R\n   /Prev " + std::to_string(table) + "\n>>\nstartxref\n" + std::to_string(second) +
-           "\n%%EOF\n";
+           std::to_string(info) + " 0 R\n   /Prev " + std::to_string(table) + "\n>>\nstartxref\n" +
+           std::to_string(second) + "\n%%EOF\n";
     return pdf;
 }
 

@@ -1,5 +1,5 @@
-// What cairo has no call for: the language of a tagged PDF, and that its title is to be shown. Knows of PDF as much as that
-// takes.
+// What cairo has no call for: the language of a tagged PDF, and that its title is to be shown. Knows of PDF as much as
+// that takes.
 #pragma once
 
 #include <string>

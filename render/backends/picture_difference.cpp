@@ -1,5 +1,5 @@
-// The comparison of pictures: colours apart in YIQ, slopes of brightness, the range of a neighbourhood. PNG by libpng, whose
-// simplified interface survives hostile files without a long jump of ours.
+// The comparison of pictures: colours apart in YIQ, slopes of brightness, the range of a neighbourhood. PNG by libpng,
+// whose simplified interface survives hostile files without a long jump of ours.
 #include "render/backends/picture_difference.hpp"
 
 #include <png.h>
@@ -21,8 +21,8 @@ std::uint32_t big_endian(std::string_view bytes) {
     return value;
 }
 
-/// Dots per inch from the chunk pHYs: length, type, dots a metre across and down, 1 for the metre. Files state whole dots a
-/// metre, sheets are made at whole dots an inch: the nearest of these is meant.
+/// Dots per inch from the chunk pHYs: length, type, dots a metre across and down, 1 for the metre. Files state whole
+/// dots a metre, sheets are made at whole dots an inch: the nearest of these is meant.
 std::optional<double> resolution(std::string_view bytes) {
     std::size_t at = signature.size();
     while (at + 12 <= bytes.size()) {
@@ -91,8 +91,8 @@ struct Surroundings {
 
 bool by_antialiasing(const Picture& expected, const Picture& actual, int x, int y, double distance) {
     const Surroundings here(expected, x, y), there(actual, x, y);
-    const bool edge =
-        (here.slope() || there.slope()) && here.hold(actual.at(x, y), distance) && there.hold(expected.at(x, y), distance);
+    const bool edge = (here.slope() || there.slope()) && here.hold(actual.at(x, y), distance) &&
+                      there.hold(expected.at(x, y), distance);
     // A quarter of the squared contrast is half of the contrast.
     const bool ink = apart(here.blurred, there.blurred) <= distance && here.contrast() >= there.contrast() / 4 &&
                      there.contrast() >= here.contrast() / 4;
@@ -141,7 +141,8 @@ std::string encode_png(const Picture& picture) {
     image.flags = PNG_IMAGE_FLAG_FAST;
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
     std::string bytes(size, '\0');
-    const bool written = png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.pixels.data(), 0, nullptr) != 0;
+    const bool written =
+        png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.pixels.data(), 0, nullptr) != 0;
     KG_ASSERT(written, image.message);
     bytes.resize(size);
     return bytes;
@@ -155,7 +156,8 @@ PictureDifference compare(const Picture& expected, const Picture& actual, double
     difference.height = std::max(expected.height, actual.height);
     difference.left = difference.width;
     difference.top = difference.height;
-    difference.verdicts.reserve(static_cast<std::size_t>(difference.width) * static_cast<std::size_t>(difference.height));
+    difference.verdicts.reserve(static_cast<std::size_t>(difference.width) *
+                                static_cast<std::size_t>(difference.height));
     const auto verdict = [&](int x, int y) {
         if (!reaches(expected, x, y) || !reaches(actual, x, y)) return Verdict::differs;
         const Colour a = expected.at(x, y), b = actual.at(x, y);
@@ -186,12 +188,9 @@ Picture side_by_side(const Picture& expected, const Picture& actual, const Pictu
     const auto marked = [&](int x, int y) {
         const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(difference.width);
         switch (difference.verdicts[row + static_cast<std::size_t>(x)]) {
-            case PictureDifference::Verdict::differs:
-                return red;
-            case PictureDifference::Verdict::forgiven:
-                return amber;
-            case PictureDifference::Verdict::same:
-                break;
+            case PictureDifference::Verdict::differs: return red;
+            case PictureDifference::Verdict::forgiven: return amber;
+            case PictureDifference::Verdict::same: break;
         }
         const auto pale = static_cast<std::uint8_t>(std::lround(204 + 0.2 * brightness(expected.at(x, y))));
         return Colour{pale, pale, pale};

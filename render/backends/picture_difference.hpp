@@ -1,5 +1,5 @@
-// Pictures as pixels, and how two of them differ to the eye: what only antialiasing moves is forgiven, a line that is gone is
-// not. Owns PNG in and out and the comparison; knows nothing of sheets, files or the command line.
+// Pictures as pixels, and how two of them differ to the eye: what only antialiasing moves is forgiven, a line that is
+// gone is not. Owns PNG in and out and the comparison; knows nothing of sheets, files or the command line.
 #pragma once
 
 #include <cstddef>
@@ -53,20 +53,21 @@ struct PictureDifference {
     double share() const { return static_cast<double>(differing) / static_cast<double>(verdicts.size()); }
 };
 
-/// Compares pixel by pixel. `tolerance` (0 to 1) is how far two colours may be apart, the farthest two colours being 1 apart, by
-/// the distance in YIQ (Kotsarenko & Ramos, "Measuring perceived color difference using YIQ NTSC transmission color space in
-/// mobile applications", 2010). A pixel farther off is forgiven where it is
-///  - an edge: on a slope of brightness, darker on one side and brighter on another (Vyšniauskas, "Anti-aliased pixel and
-///  intensity
-///    slope detector", 2009), in one picture at least, each picture having its colour within the range of the other's 3 × 3
-///    pixels around; or
-///  - the same ink in other pixels, as of a thin line between two rows: blurred over 3 × 3 pixels the two agree within the
+/// Compares pixel by pixel. `tolerance` (0 to 1) is how far two colours may be apart, the farthest two colours being 1
+/// apart, by the distance in YIQ (Kotsarenko & Ramos, "Measuring perceived color difference using YIQ NTSC transmission
+/// color space in mobile applications", 2010). A pixel farther off is forgiven where it is
+///  - an edge: on a slope of brightness, darker on one side and brighter on another (Vyšniauskas, "Anti-aliased pixel
+///  and intensity
+///    slope detector", 2009), in one picture at least, each picture having its colour within the range of the other's 3
+///    × 3 pixels around; or
+///  - the same ink in other pixels, as of a thin line between two rows: blurred over 3 × 3 pixels the two agree within
+///  the
 ///    tolerance, and neither is flat there beside the other.
 /// Where only one of them reaches, pictures of different size differ.
 PictureDifference compare(const Picture& expected, const Picture& actual, double tolerance);
 
-/// Expected, difference and actual side by side: in the middle the expected picture in pale grey, what differs red, what is
-/// forgiven amber.
+/// Expected, difference and actual side by side: in the middle the expected picture in pale grey, what differs red,
+/// what is forgiven amber.
 Picture side_by_side(const Picture& expected, const Picture& actual, const PictureDifference& difference);
 
 }  // namespace kinegraph::render

@@ -1,5 +1,5 @@
-// QTI 2.1: see quiz_files.hpp. An item has a text entry for each number; a response within the tolerance of the correct one, its
-// ends included, scores one point. The solution is shown once it is answered.
+// QTI 2.1: see quiz_files.hpp. An item has a text entry for each number; a response within the tolerance of the correct
+// one, its ends included, scores one point. The solution is shown once it is answered.
 #include "render/backends/quiz_files.hpp"
 #include "render/backends/quiz_html.hpp"
 #include "render/text/html.hpp"
@@ -46,7 +46,8 @@ std::string processing_of(const QuizItem& item) {
     for (std::size_t i = 0; i < item.blanks.size(); ++i) {
         const std::string& off = item.blanks[i].tolerance;
         xml += "<responseCondition><responseIf>\n<equal toleranceMode=\"absolute\" tolerance=\"";
-        xml += off + " " + off + "\"><variable identifier=\"" + response(i) + "\"/><correct identifier=\"" + response(i) +
+        xml += off + " " + off + "\"><variable identifier=\"" + response(i) + "\"/><correct identifier=\"" +
+               response(i) +
                "\"/></equal>\n<setOutcomeValue identifier=\"SCORE\"><sum><variable identifier=\"SCORE\"/>" +
                base_value("float", "1") + "</sum></setOutcomeValue>\n</responseIf></responseCondition>\n";
     }
@@ -75,13 +76,16 @@ std::string qti_item(const QuizItem& item) {
 std::string qti_manifest(const std::vector<QuizItem>& items) {
     std::string xml(xml_declaration);
     xml +=
-        "<manifest xmlns=\"http://www.imsglobal.org/xsd/imscp_v1p1\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
+        "<manifest xmlns=\"http://www.imsglobal.org/xsd/imscp_v1p1\" "
+        "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
         "xsi:schemaLocation=\"http://www.imsglobal.org/xsd/imscp_v1p1 "
         "http://www.imsglobal.org/xsd/qti/qtiv2p1/qtiv2p1_imscpv1p2_v1p0.xsd\" identifier=\"kinegraph-variants\">\n"
-        "<metadata><schema>QTIv2.1 Package</schema><schemaversion>1.0.0</schemaversion></metadata>\n<organizations/>\n<resources>\n";
+        "<metadata><schema>QTIv2.1 "
+        "Package</schema><schemaversion>1.0.0</schemaversion></metadata>\n<organizations/>\n<resources>\n";
     for (const QuizItem& item : items)
-        xml += "<resource identifier=\"" + identifier_of(item) + "\" type=\"imsqti_item_xmlv2p1\" href=\"" + qti_file(item) +
-               "\"><file href=\"" + qti_file(item) + "\"/><file href=\"" + figure_file(item) + "\"/></resource>\n";
+        xml += "<resource identifier=\"" + identifier_of(item) + "\" type=\"imsqti_item_xmlv2p1\" href=\"" +
+               qti_file(item) + "\"><file href=\"" + qti_file(item) + "\"/><file href=\"" + figure_file(item) +
+               "\"/></resource>\n";
     return xml + "</resources>\n</manifest>\n";
 }
 

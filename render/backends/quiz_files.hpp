@@ -1,6 +1,7 @@
-// Quiz items as files of learning platforms: Moodle XML with cloze questions, and items of QTI 2.1 with the manifest of their
-// package. What these files promise:
-//  - every text of a user is escaped: nothing in a name is read as markup, as a field to be filled in, or as a place of one;
+// Quiz items as files of learning platforms: Moodle XML with cloze questions, and items of QTI 2.1 with the manifest of
+// their package. What these files promise:
+//  - every text of a user is escaped: nothing in a name is read as markup, as a field to be filled in, or as a place of
+//  one;
 //  - numbers stand as the item has them, with a decimal point;
 //  - the same items are the same bytes: no date, no identifier made up.
 #pragma once
@@ -13,8 +14,8 @@
 
 namespace kinegraph::render {
 
-/// A file is its head, a question for each item (`png`: its figure) and its tail. `category`: where the questions go, below the
-/// top of the course's bank.
+/// A file is its head, a question for each item (`png`: its figure) and its tail. `category`: where the questions go,
+/// below the top of the course's bank.
 std::string moodle_head(std::string_view category);
 std::string moodle_question(const QuizItem& item, std::string_view png);
 std::string moodle_tail();

@@ -25,8 +25,8 @@ std::string html_of(const std::vector<QuizSection>& sections, bool numbered) {
 }
 
 std::string figure_html(const QuizItem& item, const std::string& source) {
-    return "<p><img src=\"" + source + "\" alt=\"" + xml_text(item.figure.title) + "\" width=\"" + pixels(item.figure.width) +
-           "\" height=\"" + pixels(item.figure.height) + "\"/></p>\n";
+    return "<p><img src=\"" + source + "\" alt=\"" + xml_text(item.figure.title) + "\" width=\"" +
+           pixels(item.figure.width) + "\" height=\"" + pixels(item.figure.height) + "\"/></p>\n";
 }
 
 std::string blank_html(const QuizBlank& blank, const std::string& field) {

@@ -7,7 +7,8 @@
 
 namespace kinegraph::render {
 
-/// Sections with their headings, paragraphs as a list; of a solution the steps are numbered, and the last section is its answers.
+/// Sections with their headings, paragraphs as a list; of a solution the steps are numbered, and the last section is
+/// its answers.
 std::string html_of(const std::vector<QuizSection>& sections, bool numbered);
 /// The figure at its true size, taken from `source`.
 std::string figure_html(const QuizItem& item, const std::string& source);

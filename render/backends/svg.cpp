@@ -1,6 +1,6 @@
-// A Page as SVG 1.1, one item a line. Each outline stands once, in <defs>, under an id that names face, glyph and size, so that
-// sheets put into one HTML page do not mix theirs up; live text stands in <text>, with the faces it needs in a style sheet.
-// Decides nothing about the drawing.
+// A Page as SVG 1.1, one item a line. Each outline stands once, in <defs>, under an id that names face, glyph and size,
+// so that sheets put into one HTML page do not mix theirs up; live text stands in <text>, with the faces it needs in a
+// style sheet. Decides nothing about the drawing.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/number/assert.hpp"
 #include "engine/file/json_text.hpp"
+#include "engine/number/assert.hpp"
 #include "render/backends/backends.hpp"
 #include "render/backends/live_text.hpp"
 #include "render/backends/markup.hpp"
@@ -35,8 +35,8 @@ std::int64_t whole_units(double units) {
     return towards_zero + (rest >= 0.5 ? 1 : rest <= -0.5 ? -1 : 0);
 }
 
-/// The d of a glyph's outline at a size, y downwards: relative commands, a third shorter. The pen stands on whole units, so
-/// nothing adds up.
+/// The d of a glyph's outline at a size, y downwards: relative commands, a third shorter. The pen stands on whole
+/// units, so nothing adds up.
 class GlyphPath {
 public:
     /// Written to `text`, whose memory serves many.
@@ -68,7 +68,9 @@ private:
     struct Units {
         std::int64_t x = 0, y = 0;
     };
-    Units at(Spot em) const { return {whole_units(em.x * size_ * outline_units), whole_units(-em.y * size_ * outline_units)}; }
+    Units at(Spot em) const {
+        return {whole_units(em.x * size_ * outline_units), whole_units(-em.y * size_ * outline_units)};
+    }
     void put(std::int64_t units) { text_.put_decimal<outline_digits>(units); }
     void line_to(Units to) {
         if (to.y == pen_.y) {
@@ -200,8 +202,13 @@ private:
     }
     void colour(std::string_view name, Colour c) {
         static constexpr char hex[] = "0123456789abcdef";
-        const char text[] = {
-            '#', hex[c.red >> 4], hex[c.red & 15], hex[c.green >> 4], hex[c.green & 15], hex[c.blue >> 4], hex[c.blue & 15]};
+        const char text[] = {'#',
+                             hex[c.red >> 4],
+                             hex[c.red & 15],
+                             hex[c.green >> 4],
+                             hex[c.green & 15],
+                             hex[c.blue >> 4],
+                             hex[c.blue & 15]};
         out_.open_value(name).put(std::string_view(text, sizeof text));
         out_.close_value();
     }
@@ -373,8 +380,8 @@ private:
         begin_group_of(*line.first);
         out_.begin("text");
         out_.attribute("xml:space", "preserve");
-        const auto first =
-            std::find_if(line.runs.begin(), line.runs.end(), [](const LiveRun& run) { return run.kind == LiveRun::Kind::set; });
+        const auto first = std::find_if(line.runs.begin(), line.runs.end(),
+                                        [](const LiveRun& run) { return run.kind == LiveRun::Kind::set; });
         if (first != line.runs.end()) {
             base_size_ = first->letters.front().glyph.size;
             length<font_digits>("font-size", base_size_);
@@ -478,7 +485,8 @@ private:
     Bytes scratch_;
     std::vector<StatementIndex> statements_;  // of the open groups, their own or that round them
     std::unordered_map<std::uint64_t, std::string> references_;
-    std::vector<std::pair<const std::string*, const std::string*>> defined_;  // references and their outlines, as they came
+    std::vector<std::pair<const std::string*, const std::string*>>
+        defined_;  // references and their outlines, as they came
 };
 
 }  // namespace

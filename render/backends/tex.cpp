@@ -1,5 +1,6 @@
-// A Page as TikZ, for pdflatex: colours and kinds of line as styles on top, each picture's named points before its strokes, words
-// set by TeX in its own fonts, each line within the width that it has on our page. Decides nothing about the drawing.
+// A Page as TikZ, for pdflatex: colours and kinds of line as styles on top, each picture's named points before its
+// strokes, words set by TeX in its own fonts, each line within the width that it has on our page. Decides nothing about
+// the drawing.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -55,7 +56,8 @@ std::string comment(std::string_view words) {
 /// "A", "B", … "Z", "AA" …
 std::string letters_for(std::size_t index) {
     std::string name;
-    for (++index; index > 0; index = (index - 1) / 26) name.insert(name.begin(), static_cast<char>('A' + (index - 1) % 26));
+    for (++index; index > 0; index = (index - 1) / 26)
+        name.insert(name.begin(), static_cast<char>('A' + (index - 1) % 26));
     return name;
 }
 
@@ -67,8 +69,8 @@ public:
         const auto [entry, is_new] = colours_.try_emplace(key);
         if (is_new) {
             entry->second = "kg" + letters_for(colours_.size() - 1);
-            definitions_ += "\\definecolor{" + entry->second + "}{RGB}{" + std::to_string(c.red) + "," + std::to_string(c.green) +
-                            "," + std::to_string(c.blue) + "}\n";
+            definitions_ += "\\definecolor{" + entry->second + "}{RGB}{" + std::to_string(c.red) + "," +
+                            std::to_string(c.green) + "," + std::to_string(c.blue) + "}\n";
         }
         return entry->second;
     }
@@ -119,7 +121,8 @@ public:
                 add(axis->tip, groups.back()->id + "-tip");
             } else if (const auto* path = std::get_if<Path>(&mark)) {
                 const bool marked = groups.back()->cls == "joint" || groups.back()->cls == "centre";
-                if (const ArcTo* circle = marked ? whole_circle(*path) : nullptr) add(circle->centre, groups.back()->id);
+                if (const ArcTo* circle = marked ? whole_circle(*path) : nullptr)
+                    add(circle->centre, groups.back()->id);
             }
         }
     }
@@ -150,7 +153,8 @@ public:
         std::string text;
         for (const auto& [where, spot] : order_) {
             const Named& named = names_.at(where);
-            if (named.is_used) text += "\\coordinate (" + named.name + ") at (" + number(spot.x) + "," + number(spot.y) + ");\n";
+            if (named.is_used)
+                text += "\\coordinate (" + named.name + ") at (" + number(spot.x) + "," + number(spot.y) + ");\n";
         }
         return text;
     }
@@ -195,8 +199,8 @@ double width_of(const Outline& outline) {
     return left > right ? 0 : right + std::max(left, least_white);
 }
 
-/// How wide the letters of a document are, by their faces. Neighbours are drawn together where their shapes want it, hardly ever
-/// apart: the longest step to a next letter is the width.
+/// How wide the letters of a document are, by their faces. Neighbours are drawn together where their shapes want it,
+/// hardly ever apart: the longest step to a next letter is the width.
 class LetterWidths {
 public:
     void take(const LiveRun& run, const Glyphs& glyphs) {
@@ -285,7 +289,8 @@ private:
         std::string options;
         if (path.filled) options = "fill=" + styles_.colour(path.fill);
         if (path.stroked)
-            options += (path.filled ? ", draw=" : "draw=") + styles_.colour(path.pen.colour) + ", " + styles_.line(path);
+            options +=
+                (path.filled ? ", draw=" : "draw=") + styles_.colour(path.pen.colour) + ", " + styles_.line(path);
         text_ += "\\path[" + options + "] " + course + ";\n";
     }
 
@@ -331,8 +336,8 @@ private:
         const double sweep = std::clamp(a.to - a.from, -whole, whole);
         if (a.radius < largest_arc) {
             const double degrees = 180 / std::numbers::pi;
-            course += " arc[start angle=" + number(a.from * degrees) + ", end angle=" + number((a.from + sweep) * degrees) +
-                      ", radius=" + number(a.radius) + "]";
+            course += " arc[start angle=" + number(a.from * degrees) +
+                      ", end angle=" + number((a.from + sweep) * degrees) + ", radius=" + number(a.radius) + "]";
             return;
         }
         const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 0.5)));
@@ -346,8 +351,8 @@ private:
     }
 
     void write(const LiveLine& line) {
-        const bool coded =
-            std::any_of(line.runs.begin(), line.runs.end(), [](const LiveRun& run) { return run.kind == LiveRun::Kind::coded; });
+        const bool coded = std::any_of(line.runs.begin(), line.runs.end(),
+                                       [](const LiveRun& run) { return run.kind == LiveRun::Kind::coded; });
         const auto words = tex_words_of(text_of(*line.first), [this](Colour c) { return styles_.colour(c); });
         if (coded || !words) {
             outline(line);
@@ -371,8 +376,8 @@ private:
         const Spot at = turned(*line.first, {spans.front().begin, base.origin.y});
         std::string options = "kg text, text=" + styles_.colour(line.first->colour);
         if (line.first->angle != 0) options += ", rotate=" + number(-line.first->angle * 180 / std::numbers::pi);
-        text_ += "\\node[" + options + "] at (" + number(within_reach(at.x)) + "," + number(within_reach(at.y)) + ") {\\kgline{" +
-                 number(base.size * 72 / 25.4, 2) + "}{" + widths + "}{" + line_of(*words) + "}};\n";
+        text_ += "\\node[" + options + "] at (" + number(within_reach(at.x)) + "," + number(within_reach(at.y)) +
+                 ") {\\kgline{" + number(base.size * 72 / 25.4, 2) + "}{" + widths + "}{" + line_of(*words) + "}};\n";
     }
 
     /// From where to where a word reaches along its line, mm.
@@ -382,8 +387,10 @@ private:
 
     /// More than TeX's lengths can hold, as the name of a joint may be that has a thousand letters.
     static bool is_too_long(const LiveLine& line, const std::vector<Span>& spans, double y) {
-        const Spot from = turned(*line.first, {spans.front().begin, y}), to = turned(*line.first, {spans.back().end, y});
-        return std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y), length(to - from)}) > longest_text;
+        const Spot from = turned(*line.first, {spans.front().begin, y}),
+                   to = turned(*line.first, {spans.back().end, y});
+        return std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y), length(to - from)}) >
+               longest_text;
     }
     /// Whether ink this near to a spot can be seen.
     bool is_on_the_page(Spot spot, double near) const {
@@ -391,7 +398,8 @@ private:
     }
 
     /// Of each word; a blank is between each two.
-    std::vector<Span> spans_of(const std::vector<TexWord>& words, const std::vector<const Glyph*>& glyphs, double size) const {
+    std::vector<Span> spans_of(const std::vector<TexWord>& words, const std::vector<const Glyph*>& glyphs,
+                               double size) const {
         const double space = blank * size;
         std::vector<Span> spans(words.size());
         double last = glyphs.front()->origin.x;
@@ -423,7 +431,9 @@ private:
                 Path path;
                 path.filled = true;
                 path.fill = run.colour;
-                const auto at = [&](Spot em) { return turned(*line.first, glyph.origin + glyph.size * Spot{em.x, -em.y}); };
+                const auto at = [&](Spot em) {
+                    return turned(*line.first, glyph.origin + glyph.size * Spot{em.x, -em.y});
+                };
                 for (const Segment& segment : glyphs_.outline(glyph.face, glyph.index).segments) {
                     if (const auto* m = std::get_if<MoveTo>(&segment)) path.segments.emplace_back(MoveTo{at(m->to)});
                     if (const auto* l = std::get_if<LineTo>(&segment)) path.segments.emplace_back(LineTo{at(l->to)});
@@ -491,20 +501,24 @@ constexpr std::string_view document_head =
     \knbccode\font`#1=\dimen2 \knaccode\font`#1=\dimen2 \futurelet\kgtoken\kgnext}
   \def\kgnext{\ifx\kgtoken\kgstop\expandafter\kgdone\else\expandafter\kgletter\fi}
   % How far indices stand below and exponents above the line.
-  \def\kgscripts{\scriptspace=.03\kgem \setbox1=\hbox{$ $}\fontdimen16\textfont2=.22\kgem \fontdimen17\textfont2=.22\kgem
+  \def\kgscripts{\scriptspace=.03\kgem \setbox1=\hbox{$ $}\fontdimen16\textfont2=.22\kgem )"
+    R"(\fontdimen17\textfont2=.22\kgem
     \fontdimen13\textfont2=.4\kgem \fontdimen14\textfont2=.4\kgem \fontdimen15\textfont2=.4\kgem}
   \begin{document}
 \fi
-% Lengths are mm, y downwards. \kgline{SIZE}{WIDTHS}{WORDS} sets each word as wide as the list says, what is short by more than a
+% Lengths are mm, y downwards. \kgline{SIZE}{WIDTHS}{WORDS} sets each word as wide as the list says, what is )"
+    R"(short by more than a
 % quarter in the middle of its width; where the list ends, as wide as it is. A blank is a quarter of the size.
 \tikzset{kg/.style={x=1mm,y=-1mm,line cap=butt,line join=miter,miter limit=4},
   kg text/.style={anchor=base west,inner sep=0pt,outer sep=0pt}}
 \ifx\kgem\undefined\newdimen\kgem\fi
-\def\kgsize#1{\kgem=#1bp \fontsize{\kgem}{\kgem}\selectfont\kgletters\kgroman\kgscripts\spaceskip=.25\kgem\relax \mathcode`\*=42
+\def\kgsize#1{\kgem=#1bp \fontsize{\kgem}{\kgem}\selectfont\kgletters\kgroman\kgscripts\spaceskip=.25\kgem)"
+    R"(\relax \mathcode`\*=42
   \def\textbf{\kgface\bfseries\kgbolds}\def\textit{\kgface\itshape\kgitalics}}
 \def\kgface#1#2#3{{#1\kgletters#2#3}}
 \def\kgline#1#2#3{\hbox{\kgsize{#1}\def\kgwidths{#2 }\kgword\relax#3 \kgstop}}
-\def\kgword#1 {\setbox1=\hbox{#1}\ifx\kgwidths\empty\else\expandafter\kgfit\kgwidths\kgstop\fi\box1 \futurelet\kgtoken\kgmore}
+\def\kgword#1 {\setbox1=\hbox{#1}\ifx\kgwidths\empty\else\expandafter\kgfit\kgwidths\kgstop\fi\box1 )"
+    R"(\futurelet\kgtoken\kgmore}
 \def\kgmore{\ifx\kgtoken\kgstop\expandafter\kgdone\else\kern.25\kgem\expandafter\kgagain\fi}
 \def\kgagain{\kgword\relax}
 \def\kgdone\kgstop{}
@@ -513,7 +527,8 @@ constexpr std::string_view document_head =
   \ifdim\dimen0>1.33\wd1 \else\ifdim\dimen0>0pt \setbox1=\hbox{\resizebox{\dimen0}{\height}{\box1}}\fi\fi
   \setbox1=\hbox to\dimen0{\hss\box1\hss}}
 \def\kgbold#1{\mbox{\boldmath$#1$}}
-\def\kgcircled#1{{\dimen0=\csname f@size\endcsname pt\ooalign{\hfil\raise.14\dimen0\hbox{\fontsize{.62\dimen0}{0pt}\selectfont#1}\hfil
+\def\kgcircled#1{{\dimen0=\csname f@size\endcsname )"
+    R"(pt\ooalign{\hfil\raise.14\dimen0\hbox{\fontsize{.62\dimen0}{0pt}\selectfont#1}\hfil
   \crcr\raise.09\dimen0\hbox{\fontsize{.8\dimen0}{0pt}\selectfont$\bigcirc$}}}}
 \def\kgscript{\dimen0=\csname f@size\endcsname pt\fontsize{.7\dimen0}{.7\dimen0}\selectfont}
 )";

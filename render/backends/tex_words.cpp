@@ -292,8 +292,8 @@ std::optional<std::string> prose_at(const std::u32string& text, std::size_t& at)
     if (parts_words(c)) return " ";
     if (is_unseen(c)) return "";
     if (is_letter(c) && at < text.size()) {
-        const auto apart =
-            std::find_if(accents_apart.begin(), accents_apart.end(), [&](const auto& each) { return each.first == text[at]; });
+        const auto apart = std::find_if(accents_apart.begin(), accents_apart.end(),
+                                        [&](const auto& each) { return each.first == text[at]; });
         if (apart != accents_apart.end()) {
             ++at;
             return accent(apart->second, std::string(1, static_cast<char>(c)));
@@ -301,8 +301,8 @@ std::optional<std::string> prose_at(const std::u32string& text, std::size_t& at)
     }
     if (const Sign* sign = sign_in(signs_of_prose, c)) return std::string(sign->tex);
     if (const Sign* sign = sign_in(signs_of_mathematics, c)) return "$" + std::string(sign->tex) + "$";
-    const auto whole =
-        std::find_if(accented_letters.begin(), accented_letters.end(), [c](const Accented& each) { return each.whole == c; });
+    const auto whole = std::find_if(accented_letters.begin(), accented_letters.end(),
+                                    [c](const Accented& each) { return each.whole == c; });
     if (whole != accented_letters.end()) return accent(whole->accent, std::string(1, whole->letter));
     if (c < 0x7F) return std::string(1, static_cast<char>(c));
     return std::nullopt;
@@ -325,14 +325,10 @@ std::optional<std::string> prose(std::string_view words, Face face) {
     auto set = prose(words);
     if (!set || set->empty()) return set;
     switch (face) {
-        case Face::regular:
-            return set;
-        case Face::italic:
-            return "\\textit{" + *set + "}";
-        case Face::bold:
-            return "\\textbf{" + *set + "}";
-        case Face::bold_italic:
-            return "\\textbf{\\textit{" + *set + "}}";
+        case Face::regular: return set;
+        case Face::italic: return "\\textit{" + *set + "}";
+        case Face::bold: return "\\textbf{" + *set + "}";
+        case Face::bold_italic: return "\\textbf{\\textit{" + *set + "}}";
     }
     return set;
 }
@@ -447,7 +443,8 @@ public:
     /// Whether TeX has letters for the piece; `said`: where it begins in what the line says.
     bool take(const Piece& piece, std::size_t said) {
         // Within braces TeX sees no blank that could part two words.
-        const auto [stretches, blanks_behind] = stretches_of(piece.text, piece.face == Face::regular && !piece.coloured);
+        const auto [stretches, blanks_behind] =
+            stretches_of(piece.text, piece.face == Face::regular && !piece.coloured);
         for (const Stretch& stretch : stretches) {
             Piece part = piece;
             part.text = piece.text.substr(stretch.begin, stretch.end - stretch.begin);
@@ -460,7 +457,8 @@ public:
             if (!set) return false;
             blanks_ += stretch.blanks;
             if (!set->empty())
-                put(piece.coloured ? "{\\color{" + name_of_(piece.colour) + "}" + *set + "}" : *set, said + stretch.begin);
+                put(piece.coloured ? "{\\color{" + name_of_(piece.colour) + "}" + *set + "}" : *set,
+                    said + stretch.begin);
         }
         blanks_ += blanks_behind;
         return true;

@@ -1,5 +1,5 @@
-// Rich text as TeX: letters of quantities as mathematics, prose as text, whatever a file may name escaped. Knows no place and no
-// size; the fonts are those that plain LaTeX brings along (Computer Modern in its OT1 encoding).
+// Rich text as TeX: letters of quantities as mathematics, prose as text, whatever a file may name escaped. Knows no
+// place and no size; the fonts are those that plain LaTeX brings along (Computer Modern in its OT1 encoding).
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ struct TexWord {
 
 using NameOfColour = std::function<std::string(Colour)>;
 
-/// The text for TeX's horizontal mode, word by word, without blanks at its ends; pieces in another colour as {\color{NAME}…}.
-/// Nothing where TeX has no letter for one of its characters: then it is drawn as its outlines.
+/// The text for TeX's horizontal mode, word by word, without blanks at its ends; pieces in another colour as
+/// {\color{NAME}…}. Nothing where TeX has no letter for one of its characters: then it is drawn as its outlines.
 std::optional<std::vector<TexWord>> tex_words_of(const RichText& text, const NameOfColour& name_of);
 
 /// The words with a blank between each two.

@@ -1,5 +1,5 @@
-// The bands of a solution: given and centres, polygons of motion, lines of action, a row for each body, the closed polygon; and
-// their text, row by row.
+// The bands of a solution: given and centres, polygons of motion, lines of action, a row for each body, the closed
+// polygon; and their text, row by row.
 #include "render/content/bands.hpp"
 
 #include <algorithm>
@@ -9,15 +9,15 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "render/equations/apart_text.hpp"
+#include "render/equations/prose.hpp"
+#include "render/equations/work_text.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/loads_alone.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/tables/answers.hpp"
-#include "render/equations/apart_text.hpp"
 #include "render/tables/force_tables.hpp"
-#include "render/equations/prose.hpp"
 #include "render/tables/truss_table.hpp"
-#include "render/equations/work_text.hpp"
 #include "render/text/formula.hpp"
 #include "render/text/numbered_lines.hpp"
 
@@ -30,9 +30,10 @@ using Kind = Band::Part::Kind;
 class BandText {
 public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
-    BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
-             const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations,
-             const std::vector<LineNumbers>& lines, MadeOnce& made, const WantedFigures& wanted, const std::string& figures_stand)
+    BandText(const DrawingContext& context, double measure, bool equations_apart,
+             const std::map<std::size_t, int>& steps, const Likewise& likewise, bool with_centres,
+             const std::vector<EquationItem>& equations, const std::vector<LineNumbers>& lines, MadeOnce& made,
+             const WantedFigures& wanted, const std::string& figures_stand)
         : context_(context),
           solution_(context.solution),
           measure_(measure),
@@ -63,22 +64,14 @@ public:
                 const Topic section = solution_.protocol.statements[part.which.front()].section;
                 return under("steps " + std::string(name_of(section)), steps(part.which));
             }
-            case Kind::reactions:
-                return table_under("forces", reaction_lines(context_, measure_));
-            case Kind::bars:
-                return table_under("bars", bar_lines(context_, measure_));
-            case Kind::lever:
-                return under("lever", std::vector<Block>{joukowsky_block(context_, measure_)});
-            case Kind::equations:
-                return equations(part.which);
-            case Kind::answers:
-                return answers();
-            case Kind::unsolved:
-                return under("unsolved", unsolved());
-            case Kind::remarks:
-                return under("remarks", remarks(on_figures));
-            case Kind::results:
-                break;
+            case Kind::reactions: return table_under("forces", reaction_lines(context_, measure_));
+            case Kind::bars: return table_under("bars", bar_lines(context_, measure_));
+            case Kind::lever: return under("lever", std::vector<Block>{joukowsky_block(context_, measure_)});
+            case Kind::equations: return equations(part.which);
+            case Kind::answers: return answers();
+            case Kind::unsolved: return under("unsolved", unsolved());
+            case Kind::remarks: return under("remarks", remarks(on_figures));
+            case Kind::results: break;
         }
         KG_ASSERT(false, "a part has words of its own");
     }
@@ -101,11 +94,12 @@ private:
     }
     /// The heading again where a passage goes on, which few do, and where the figures are that it speaks of.
     SharedBlock continued(const std::string& words, const RichText& note = {}) const {
-        return {measure_, heading_height, [&context = context_, &stand = figures_stand_, measure = measure_, words, note] {
-                    RichText all = note;
-                    if (!stand.empty()) append(all, one_piece((note.empty() ? "" : "  ") + stand));
-                    return heading_block(context, measure, words + ", " + word("continued", context.language), all).marks;
-                }};
+        return {
+            measure_, heading_height, [&context = context_, &stand = figures_stand_, measure = measure_, words, note] {
+                RichText all = note;
+                if (!stand.empty()) append(all, one_piece((note.empty() ? "" : "  ") + stand));
+                return heading_block(context, measure, words + ", " + word("continued", context.language), all).marks;
+            }};
     }
     Block paragraph(const RichText& text) const { return paragraph_block(context_, measure_, text); }
 
@@ -115,13 +109,15 @@ private:
             const Statement& statement = solution_.protocol.statements[i];
             auto known = made_.said.find(i);
             if (known == made_.said.end())
-                known = made_.said.emplace(i, Said{Paragraph(context_, said(i), indent, std::to_string(steps_.at(i)))}).first;
+                known = made_.said.emplace(i, Said{Paragraph(context_, said(i), indent, std::to_string(steps_.at(i)))})
+                            .first;
             std::vector<SharedBlock> equations;
             if (statement.equation && !equations_apart_)
                 equations.push_back(equation(known->second, *statement.equation, measure_ - indent));
             const DrawingContext& context = wanted_.context_at(StatementIndex(i));
             for (const FreeBody* body : closed_by(context.solution, StatementIndex(i)))
-                if (Block block = force_equation_block(context, *body, true); block.width > 0 && block.width <= measure_ - indent)
+                if (Block block = force_equation_block(context, *body, true);
+                    block.width > 0 && block.width <= measure_ - indent)
                     equations.emplace_back(std::move(block));
             const Paragraph& sentence = known->second.sentence;
             double height = sentence.height(measure_);
@@ -206,7 +202,8 @@ private:
         for (const auto& [figure, text] : on_figures) rows.push_back(paragraph(text));
         for (const Message& each : solution_.remarks) rows.push_back(paragraph(say(each, context_.language)));
         if (solution_.problem)
-            for (const Words& each : solution_.problem->remarks) rows.push_back(paragraph(formula(in(each, context_.language))));
+            for (const Words& each : solution_.problem->remarks)
+                rows.push_back(paragraph(formula(in(each, context_.language))));
         return rows;
     }
 
@@ -261,12 +258,12 @@ private:
         append(text, one_piece(" = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2) +
                                (m.welds > 0 ? " − 3·" + n(m.welds) : "") + " = " + signed_number(m.gruebler) + " " +
                                word("by Grübler", context_.language)));
-        append(text,
-               one_piece("; " +
-                         (m.effective != m.gruebler
-                              ? n(m.effective) + " " + word(m.effective == 1 ? "effective one" : "effective", context_.language)
-                              : word("at this pose", context_.language)) +
-                         ": " + verdict_words(m, context_.language) + "."));
+        append(text, one_piece("; " +
+                               (m.effective != m.gruebler
+                                    ? n(m.effective) + " " +
+                                          word(m.effective == 1 ? "effective one" : "effective", context_.language)
+                                    : word("at this pose", context_.language)) +
+                               ": " + verdict_words(m, context_.language) + "."));
         return text;
     }
     RichText axes_words() const {
@@ -280,7 +277,8 @@ private:
             if (omega || alpha) {
                 append(text, one_piece(plain_part));
                 plain_part.clear();
-                append(text, typeset(Symbol{omega ? Symbol::Letter::omega : Symbol::Letter::alpha, "", ""}, context_.language));
+                append(text, typeset(Symbol{omega ? Symbol::Letter::omega : Symbol::Letter::alpha, "", ""},
+                                     context_.language));
                 i += 2;
             } else {
                 plain_part += words[i++];
@@ -315,14 +313,11 @@ bool may_be_merged(const Message& message) {
             return !message.workings.empty() && message.arguments.size() <= 4;  // else it draws a vector first
         case Sentence::inertia_force:
         case Sentence::inertia_couple:
-        case Sentence::second_way:
-            return !message.workings.empty();
+        case Sentence::second_way: return !message.workings.empty();
         case Sentence::two_force_body:
         case Sentence::two_force_guide:
-        case Sentence::zero_forces:
-            return true;
-        default:
-            return false;
+        case Sentence::zero_forces: return true;
+        default: return false;
     }
 }
 
@@ -331,8 +326,9 @@ bool leads_to_polygon(const Solution& solution, const FreeBody& body) {
     if (body.statement == none || body.in_parts) return false;
     return std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& other) {
         const bool reads = body.statement < other.statement &&
-                           std::any_of(other.forces.begin(), other.forces.end(),
-                                       [&](const AppliedForce& applied) { return applied.force_statement == body.statement; });
+                           std::any_of(other.forces.begin(), other.forces.end(), [&](const AppliedForce& applied) {
+                               return applied.force_statement == body.statement;
+                           });
         return reads && (has_force_polygon(solution, other) || leads_to_polygon(solution, other));
     });
 }
@@ -396,10 +392,11 @@ std::optional<std::size_t> Bands::same_before(const Band& band, const Statement&
         const std::vector<DrawnVector>& vectors = solution_.protocol.vectors;
         return std::any_of(vectors.begin(), vectors.end(), [&](const DrawnVector& vector) {
             return vector.statement == StatementIndex(drawn_by) &&
-                   std::any_of(added.message.arguments.begin(), added.message.arguments.end(), [&](const Argument& argument) {
-                       const auto* symbol = std::get_if<Symbol>(&argument);
-                       return symbol != nullptr && *symbol == vector.symbol;
-                   });
+                   std::any_of(added.message.arguments.begin(), added.message.arguments.end(),
+                               [&](const Argument& argument) {
+                                   const auto* symbol = std::get_if<Symbol>(&argument);
+                                   return symbol != nullptr && *symbol == vector.symbol;
+                               });
         });
     };
     std::vector<std::size_t> told;
@@ -491,7 +488,8 @@ void Bands::collect_curvature() {
 }
 
 void Bands::collect_forces() {
-    // In brief the mechanism is drawn once, and the bodies cut free have their lines of action, as far as these are their own.
+    // In brief the mechanism is drawn once, and the bodies cut free have their lines of action, as far as these are
+    // their own.
     const bool has_strings = std::any_of(solution_.taken_together.begin(), solution_.taken_together.end(),
                                          [](const TakenTogether& together) { return together.funicular.has_value(); });
     const bool drawn_already = detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty() &&
@@ -522,8 +520,8 @@ void Bands::collect_forces() {
     if (wanted_.named("joukowsky")) add("joukowsky", {"joukowsky"}).parts.push_back({Kind::lever});
 }
 
-/// A sentence that closes a body's polygon stands beside it, and what adds forces on it up; all else, with the lines of action:
-/// there the resultant stands, too, of bodies that are taken together.
+/// A sentence that closes a body's polygon stands beside it, and what adds forces on it up; all else, with the lines of
+/// action: there the resultant stands, too, of bodies that are taken together.
 std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines) const {
     const auto adds = [&](const FreeBody& body) {
         return std::any_of(body.sums.begin(), body.sums.end(),
@@ -566,7 +564,8 @@ std::vector<std::size_t> Bands::collect_superposition() {
 /// The truss, its plan and what is said of both in one; then the bars.
 void Bands::collect_truss() {
     std::vector<std::string> figures{"truss"};
-    for (const TakenTogether& together : solution_.taken_together) figures.push_back(render::name_of(solution_, together));
+    for (const TakenTogether& together : solution_.taken_together)
+        figures.push_back(render::name_of(solution_, together));
     figures.emplace_back("cremona");
     add("truss", figures);
     const std::size_t home = list.size() - 1;
@@ -628,7 +627,8 @@ void Bands::collect_bodies() {
         };
         return rank(*a) < rank(*b);
     });
-    // Bars in one row, once it is known what they carry; one whose sentence finds what a polygon needs stands before that.
+    // Bars in one row, once it is known what they carry; one whose sentence finds what a polygon needs stands before
+    // that.
     if (detail_ == SolutionDetail::brief)
         std::stable_partition(order.begin(), order.end(), [&](const FreeBody* body) {
             return has_force_polygon(solution_, *body) || leads_to_polygon(solution_, *body);
@@ -649,7 +649,8 @@ void Bands::number_steps() {
     for (const Band& band : list)
         for (const Band::Part& part : band.parts)
             if (part.kind == Kind::steps)
-                for (const std::size_t statement : part.which) step_.emplace(statement, static_cast<int>(step_.size()) + 1);
+                for (const std::size_t statement : part.which)
+                    step_.emplace(statement, static_cast<int>(step_.size()) + 1);
 }
 
 std::vector<ResultRow> Bands::results_on(const std::vector<Figure>& drawn) const {
@@ -662,7 +663,8 @@ std::vector<ResultRow> Bands::results_on(const std::vector<Figure>& drawn) const
 void Bands::deal_out_results() {
     const std::vector<ResultRow>& rows = results_ = results_on({});
     const auto draws = [&](const Band& band, const std::string& name) {
-        return std::any_of(band.figures.begin(), band.figures.end(), [&](std::size_t f) { return wanted_.list[f].name == name; });
+        return std::any_of(band.figures.begin(), band.figures.end(),
+                           [&](std::size_t f) { return wanted_.list[f].name == name; });
     };
     const auto home_of = [&](const ResultRow& row) {
         std::size_t home = list.size() - 1;
@@ -672,13 +674,15 @@ void Bands::deal_out_results() {
                 if (polygon.plane == Plane::force || !draws(band, polygon.id)) continue;
                 const bool acceleration = polygon.plane == Plane::acceleration;
                 const auto index = static_cast<int>(&polygon - solution_.protocol.polygons.data());
-                if (row.group.polygon >= 0 ? row.group.polygon == index
-                                           : polygon.kind == Polygon::Kind::motion &&
-                                                 row.group.section == (acceleration ? Topic::acceleration : Topic::velocity))
+                if (row.group.polygon >= 0
+                        ? row.group.polygon == index
+                        : polygon.kind == Polygon::Kind::motion &&
+                              row.group.section == (acceleration ? Topic::acceleration : Topic::velocity))
                     return b;
             }
             if (row.group.section == Topic::curvature && band.question.starts_with("curvature")) {
-                if (home == list.size() - 1 || draws(band, "curvature-" + solution_.mechanism.body(row.quantity.body).name))
+                if (home == list.size() - 1 ||
+                    draws(band, "curvature-" + solution_.mechanism.body(row.quantity.body).name))
                     home = b;
                 continue;
             }
@@ -741,15 +745,17 @@ const std::string& Bands::question_of(const Band::Part& part) const {
     return found->question;
 }
 
-Passage Bands::text(const Band::Part& part, double measure, bool equations_apart, const std::vector<ResultRow>& results) const {
+Passage Bands::text(const Band::Part& part, double measure, bool equations_apart,
+                    const std::vector<ResultRow>& results) const {
     if (part.kind == Kind::results) return table(part.which, results, measure);
-    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, lines_,
-                          made_, wanted_, figures_stand_[question_of(part)]);
+    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_,
+                          lines_, made_, wanted_, figures_stand_[question_of(part)]);
     return writer.passage_of(part, remarks_);
 }
 
 /// Their columns are as wide at every width.
-Passage Bands::table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results, double measure) const {
+Passage Bands::table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results,
+                     double measure) const {
     const auto made = [&] {
         std::vector<ResultRow> rows;
         for (const std::size_t i : which) rows.push_back(results[i]);

@@ -1,5 +1,5 @@
-// Bands: a solution as a sequence of questions, each with its figures and the text that belongs to them. Owns what belongs
-// together and in which order it is read; chooses no place and no size.
+// Bands: a solution as a sequence of questions, each with its figures and the text that belongs to them. Owns what
+// belongs together and in which order it is read; chooses no place and no size.
 #pragma once
 
 #include <limits>
@@ -8,17 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "render/page/block.hpp"
-#include "render/scene/line_numbers.hpp"
 #include "render/content/wanted_figures.hpp"
 #include "render/equations/equation_block.hpp"
 #include "render/equations/equation_text.hpp"
 #include "render/equations/prose.hpp"
+#include "render/page/block.hpp"
+#include "render/scene/line_numbers.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
 
-/// Rows under a heading. Where they go on in a further column a table sets its head again; on a further page the heading too.
+/// Rows under a heading. Where they go on in a further column a table sets its head again; on a further page the
+/// heading too.
 struct Passage {
     SharedBlock heading, heading_again;  ///< no height: none
     SharedBlock head;
@@ -72,13 +73,15 @@ struct MadeOnce {
     std::vector<Paragraph> conventions{};
 };
 
-/// Of the text of a band and of those that it goes on in, its own rows; what goes on from a page before begins in the middle.
+/// Of the text of a band and of those that it goes on in, its own rows; what goes on from a page before begins in the
+/// middle.
 std::vector<Passage> own_rows(const std::vector<Passage>& text, const Band& band);
 
 /// The bands of a solution, and their text once a width is chosen.
 class Bands {
 public:
-    /// Sentences that repeat each other stand in one. Brief: the decisive sentences, and the answers in the place of all results.
+    /// Sentences that repeat each other stand in one. Brief: the decisive sentences, and the answers in the place of
+    /// all results.
     Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail = SolutionDetail::full);
 
     std::vector<Band> list;
@@ -94,9 +97,10 @@ public:
     /// The same with no length measured: as wide and as high as they will be.
     const std::vector<ResultRow>& results() const { return results_; }
     /// Set to a width of `measure` mm; `equations_apart`: the equations of its steps stand in the figure.
-    Passage text(const Band::Part& part, double measure, bool equations_apart, const std::vector<ResultRow>& results) const;
-    /// The equations of motion of a band, one under the other, not wider than `most` mm where they can; no width: it has none, or
-    /// so many that no figure has room for them.
+    Passage text(const Band::Part& part, double measure, bool equations_apart,
+                 const std::vector<ResultRow>& results) const;
+    /// The equations of motion of a band, one under the other, not wider than `most` mm where they can; no width: it
+    /// has none, or so many that no figure has room for them.
     Block equations(const Band& band, double most) const;
 
 private:

@@ -10,14 +10,14 @@
 
 #include "engine/mechanism/compound_units.hpp"
 #include "engine/mechanism/exercise.hpp"
-#include "engine/solution/problem_solution.hpp"
 #include "engine/results/result_names.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "engine/solution/sliding.hpp"
+#include "render/content/wanted_figures.hpp"
 #include "render/figures/caption.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/scene/bars.hpp"
-#include "render/content/wanted_figures.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -28,7 +28,10 @@ const Unit per_second_squared{"rad/s²", 1};
 class ExerciseText {
 public:
     explicit ExerciseText(const DrawingContext& context)
-        : context_(context), solution_(context.solution), mechanism_(context.solution.mechanism), units_(mechanism_.units) {}
+        : context_(context),
+          solution_(context.solution),
+          mechanism_(context.solution.mechanism),
+          units_(mechanism_.units) {}
 
     std::vector<RichText> data() && {
         add_coordinates();
@@ -43,8 +46,8 @@ public:
         for (const Driver& driver : mechanism_.drivers) std::visit([&](const auto& each) { add_driver(each); }, driver);
         if (mechanism_.motion) add_motion(*mechanism_.motion);
         for (const Mass& mass : mechanism_.masses)
-            say("data mass", {plain_words(mechanism_.body(mass.body).name), amount(mass.mass, units_.mass), name(mass.centre),
-                              amount(mass.inertia, units_.inertia)});
+            say("data mass", {plain_words(mechanism_.body(mass.body).name), amount(mass.mass, units_.mass),
+                              name(mass.centre), amount(mass.inertia, units_.inertia)});
         if (mechanism_.gravity) say("data gravity", {vector(*mechanism_.gravity, units_.acceleration)});
         if (!mechanism_.masses.empty()) say(mechanism_.inertia_forces ? "data inertia" : "data no inertia", {});
         for (const Load& load : mechanism_.loads) std::visit([&](const auto& each) { add_load(each); }, load);
@@ -87,13 +90,15 @@ public:
         if (find.equations) say("sought equations", {});
         if (find.virtual_work && !find.forces) {
             say("sought work", {});
-            for (const Effort& effort : mechanism_.efforts) std::visit([&](const auto& each) { add_effort(each); }, effort);
+            for (const Effort& effort : mechanism_.efforts)
+                std::visit([&](const auto& each) { add_effort(each); }, effort);
         }
         if (find.forces || (all && has_forces(solution_))) {
             say("sought forces", {});
             if (solution_.truss) say("sought bars", {});
             for (const CutQuery& cut : find.cuts) say("sought cut", {plain_words(names_of(cut))});
-            for (const Effort& effort : mechanism_.efforts) std::visit([&](const auto& each) { add_effort(each); }, effort);
+            for (const Effort& effort : mechanism_.efforts)
+                std::visit([&](const auto& each) { add_effort(each); }, effort);
         }
         return std::move(rows_);
     }
@@ -122,7 +127,8 @@ private:
                            [&](const Polygon& polygon) { return polygon.plane == plane; });
     }
 
-    // --- pieces ---------------------------------------------------------------------------------------------------------------
+    // --- pieces
+    // ---------------------------------------------------------------------------------------------------------------
 
     static RichText plain_words(const std::string& words) { return one_piece(words); }
     std::string names_of(const CutQuery& cut) const {
@@ -146,8 +152,10 @@ private:
             while (rest % 5 == 0) rest /= 5;
             const double above = value.to_double() * below;
             const bool is_lowest = std::gcd(std::lround(above), static_cast<long>(below)) == 1;
-            if (rest == 1 || !is_lowest || std::abs(above) > 100 || !(value == Exact::ratio(std::lround(above), below))) continue;
-            return one_piece((above < 0 ? "−" : "") + std::to_string(std::lround(std::abs(above))) + "/" + std::to_string(below));
+            if (rest == 1 || !is_lowest || std::abs(above) > 100 || !(value == Exact::ratio(std::lround(above), below)))
+                continue;
+            return one_piece((above < 0 ? "−" : "") + std::to_string(std::lround(std::abs(above))) + "/" +
+                             std::to_string(below));
         }
         return number_of(value.to_double());
     }
@@ -192,7 +200,8 @@ private:
         return left;
     }
 
-    // --- data -----------------------------------------------------------------------------------------------------------------
+    // --- data
+    // -----------------------------------------------------------------------------------------------------------------
 
     void add_coordinates() {
         RichText list;
@@ -211,8 +220,8 @@ private:
         if (const auto* polar = std::get_if<Polar>(&point.placement)) {
             const RichText distance = amount(polar->distance, units_.length), turn = angle(polar->angle);
             if (polar->relative_to)
-                say("data polar relative", {name(polar->from), name(index), distance, turn, name(polar->relative_to->from),
-                                            name(polar->relative_to->to)});
+                say("data polar relative", {name(polar->from), name(index), distance, turn,
+                                            name(polar->relative_to->from), name(polar->relative_to->to)});
             else
                 say("data polar", {name(polar->from), name(index), distance, turn});
         } else if (const auto* on = std::get_if<Along>(&point.placement)) {
@@ -241,23 +250,22 @@ private:
         }
         const auto& line = std::get<LineCurve>(curve);
         switch (line.by) {
-            case LineCurve::By::angle:
-                return filled("data line angle", {place(line.through), angle(line.angle)});
-            case LineCurve::By::to:
-                return filled("data line to", {place(line.through), name(line.to)});
+            case LineCurve::By::angle: return filled("data line angle", {place(line.through), angle(line.angle)});
+            case LineCurve::By::to: return filled("data line to", {place(line.through), name(line.to)});
             case LineCurve::By::parallel:
                 return filled("data line parallel", {place(line.through), direction(line.bearing)});
-            case LineCurve::By::perpendicular:
-                break;
+            case LineCurve::By::perpendicular: break;
         }
         return filled("data line perpendicular", {place(line.through), direction(line.bearing)});
     }
     /// A bearing where its bare numbers would be taken for a place.
     RichText direction(const Bearing& of) const {
-        return std::holds_alternative<Bearing::Between>(of.form) ? bearing(of) : filled("data the direction", {bearing(of)});
+        return std::holds_alternative<Bearing::Between>(of.form) ? bearing(of)
+                                                                 : filled("data the direction", {bearing(of)});
     }
 
-    // --- joints ---------------------------------------------------------------------------------------------------------------
+    // --- joints
+    // ---------------------------------------------------------------------------------------------------------------
 
     /// In a list of the bodies of a hinge.
     std::string listed(BodyIndex body) const {
@@ -266,7 +274,8 @@ private:
     }
     /// "body 2", "bar AB", "the frame"; "of body 2", "of bar AB", "of the frame".
     RichText subject(BodyIndex body) const {
-        if (const std::string* bar = name_of_bar(solution_, body)) return filled("data the bar", {one_piece(*bar, Face::italic)});
+        if (const std::string* bar = name_of_bar(solution_, body))
+            return filled("data the bar", {one_piece(*bar, Face::italic)});
         return called(body, "data the frame", "data the body");
     }
     RichText owner(BodyIndex body) const {
@@ -294,16 +303,20 @@ private:
         const PlanePair& pair = joint.pair();
         if (pair.touches()) add_contact(joint);
         if (pair.is_sleeve())
-            say("data guide", {name(joint.point), subject(joint.bodies[0]), owner(joint.bodies[1]), course(*joint.along)});
+            say("data guide",
+                {name(joint.point), subject(joint.bodies[0]), owner(joint.bodies[1]), course(*joint.along)});
         if (pair.is_slot())
             say(joint.arc != none ? "data curved slot" : "data slot",
                 {name(joint.point), owner(joint.bodies[0]), owner(joint.bodies[1]),
                  joint.arc != none ? name(joint.arc) : course(*joint.along)});
         if (joint.pressure_angle) say("data pressure angle", {name(joint.point), angle(*joint.pressure_angle)});
-        if (joint.pushes) say("data pushes", {name(joint.point), subject(joint.bodies[0]), way(Bearing{*joint.pushes})});
+        if (joint.pushes)
+            say("data pushes", {name(joint.point), subject(joint.bodies[0]), way(Bearing{*joint.pushes})});
     }
     /// A bearing, components told from a place by their words.
-    RichText way(const Bearing& of) const { return std::holds_alternative<Vector>(of.form) ? direction(of) : bearing(of); }
+    RichText way(const Bearing& of) const {
+        return std::holds_alternative<Vector>(of.form) ? direction(of) : bearing(of);
+    }
     /// "along AB", "along 0°".
     RichText course(const Bearing& of) const {
         return filled(std::holds_alternative<Angle>(of.form) ? "along an angle" : "along a line", {way(of)});
@@ -357,7 +370,8 @@ private:
         const std::string& body = mechanism_.body(spin.body).name;
         const std::string about = spin.relative_to == frame ? body : body + mechanism_.body(spin.relative_to).name;
         say(spin.relative_to == frame ? "data spin" : "data spin relative",
-            {plain_words(body), equation(letter(Symbol::Letter::omega, about), amount(spin.omega, units_.angular_velocity)),
+            {plain_words(body),
+             equation(letter(Symbol::Letter::omega, about), amount(spin.omega, units_.angular_velocity)),
              equation(letter(Symbol::Letter::alpha, about), amount(spin.alpha, per_second_squared)),
              plain_words(mechanism_.body(spin.relative_to).name)});
     }
@@ -366,10 +380,11 @@ private:
         const Joint& joint = mechanism_.joint(slide.joint);
         const RichText speed = scalar(name_of_sliding(solution_, slide.joint, false)),
                        acceleration = scalar(name_of_sliding(solution_, slide.joint, true));
-        say("data slide", {name(joint.point), subject(joint.bodies[0]),
-                           called(joint.bodies[1], "relative to the frame", "relative to the body"),
-                           equation(speed, amount(slide.speed, units_.velocity)),
-                           equation(acceleration, amount(slide.acceleration, units_.acceleration)), positive_sense(slide.joint)});
+        say("data slide",
+            {name(joint.point), subject(joint.bodies[0]),
+             called(joint.bodies[1], "relative to the frame", "relative to the body"),
+             equation(speed, amount(slide.speed, units_.velocity)),
+             equation(acceleration, amount(slide.acceleration, units_.acceleration)), positive_sense(slide.joint)});
     }
     /// What drives is the component along the line, not the velocity: that is found.
     void add_driver(const PointDriver& point) {
@@ -384,7 +399,8 @@ private:
         for (const bool second : {false, true})
             for (const GivenMotion& given : second ? motion.accelerations : motion.velocities) {
                 const RichText symbol = typeset(
-                    Symbol{second ? Symbol::Letter::a : Symbol::Letter::v, mechanism_.point(given.point).name, ""}, language());
+                    Symbol{second ? Symbol::Letter::a : Symbol::Letter::v, mechanism_.point(given.point).name, ""},
+                    language());
                 if (const auto* value = std::get_if<Vector>(&given.value))
                     say("data given vector", {symbol, vector(*value, second ? units_.acceleration : units_.velocity)});
                 else
@@ -398,28 +414,30 @@ private:
         const RichText symbol = symbol_of_force(force.name, Symbol::Letter::F);
         if (force.pin != none) return add_pin_load(force);
         const std::string* bar = name_of_bar(solution_, force.body);
-        const RichText body = bar != nullptr ? one_piece(*bar, Face::italic) : plain_words(mechanism_.body(force.body).name);
+        const RichText body =
+            bar != nullptr ? one_piece(*bar, Face::italic) : plain_words(mechanism_.body(force.body).name);
         if (force.value)
             say(bar != nullptr ? "data force on bar" : "data force",
                 {symbol, body, name(force.at), vector(*force.value, units_.force)});
         else
             say(bar != nullptr ? "data force on bar along" : "data force along",
-                {symbol, body, name(force.at), amount(force.magnitude->first, units_.force), bearing(force.magnitude->second)});
+                {symbol, body, name(force.at), amount(force.magnitude->first, units_.force),
+                 bearing(force.magnitude->second)});
     }
     void add_pin_load(const ForceLoad& force) {
         const RichText symbol = symbol_of_force(force.name, Symbol::Letter::F);
         if (force.value)
             say("data pin load", {symbol, name(force.at), vector(*force.value, units_.force)});
         else
-            say("data pin load along",
-                {symbol, name(force.at), amount(force.magnitude->first, units_.force), bearing(force.magnitude->second)});
+            say("data pin load along", {symbol, name(force.at), amount(force.magnitude->first, units_.force),
+                                        bearing(force.magnitude->second)});
     }
     void add_load(const DistributedLoad& load) {
         const Unit unit = unit_of_force_per_length(units_);
         if (load.intensity[0] == load.intensity[1])
             return say("data evenly distributed",
-                       {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from), name(load.to),
-                        amount(load.intensity[0], unit), bearing(load.along)});
+                       {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from),
+                        name(load.to), amount(load.intensity[0], unit), bearing(load.along)});
         say("data distributed",
             {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from), name(load.to),
              amount(load.intensity[0], unit), amount(load.intensity[1], unit), bearing(load.along)});
@@ -428,11 +446,12 @@ private:
         say("data torsion",
             {symbol_of_force(torsion.name, Symbol::Letter::M), plain_words(mechanism_.body(torsion.bodies[0]).name),
              plain_words(mechanism_.body(torsion.bodies[1]).name), name(torsion.at),
-             amount(torsion.stiffness, unit_of_torsional_stiffness(units_)), angle(Angle{torsion.turned / pi() * 180, true})});
+             amount(torsion.stiffness, unit_of_torsional_stiffness(units_)),
+             angle(Angle{torsion.turned / pi() * 180, true})});
     }
     void add_load(const CoupleLoad& couple) {
-        say("data couple", {symbol_of_force(couple.name, Symbol::Letter::M), plain_words(mechanism_.body(couple.body).name),
-                            amount(couple.value, units_.moment)});
+        say("data couple", {symbol_of_force(couple.name, Symbol::Letter::M),
+                            plain_words(mechanism_.body(couple.body).name), amount(couple.value, units_.moment)});
     }
     void add_load(const SpringLoad& spring) {
         const RichText symbol = symbol_of_force(spring.name, Symbol::Letter::F),
@@ -459,7 +478,8 @@ private:
                             second});
     }
 
-    // --- what is asked for by name --------------------------------------------------------------------------------------------
+    // --- what is asked for by name
+    // --------------------------------------------------------------------------------------------
 
     /// Of `found` what only the results tell: at which joint the transmission angle is least.
     void add_asked(const std::vector<AskedValue>& found) {
@@ -500,13 +520,15 @@ private:
     }
     std::vector<RichText> sliding(JointIndex index, const RichText& symbol) const {
         const Joint& joint = mechanism_.joint(index);
-        return {symbol, owner(joint.bodies[0]), called(joint.bodies[1], "relative to the frame", "relative to the body"),
-                name(joint.point), positive_sense(index)};
+        return {symbol, owner(joint.bodies[0]),
+                called(joint.bodies[1], "relative to the frame", "relative to the body"), name(joint.point),
+                positive_sense(index)};
     }
     /// Between points that the file names, else by its angle in the drawn position.
     RichText positive_sense(JointIndex index) const {
         const Joint& joint = mechanism_.joint(index);
-        if (joint.along && std::holds_alternative<Bearing::Between>(joint.along->form)) return positive_sense(*joint.along);
+        if (joint.along && std::holds_alternative<Bearing::Between>(joint.along->form))
+            return positive_sense(*joint.along);
         const VectorOf<double> way = direction_of_sliding(solution_.pose, index);
         const double degrees = std::round(std::atan2(way.y, way.x) * 1800 / std::numbers::pi) / 10;
         RichText angle = number_of(degrees == 0 ? 0 : degrees);
@@ -521,26 +543,24 @@ private:
     void say_asked(const Column& column, const RichText& symbol) {
         const Quantity& q = column.quantity;
         switch (column.kind) {
-            case Column::Kind::angle:
-                return say_asked_angle(q.body, symbol);
+            case Column::Kind::angle: return say_asked_angle(q.body, symbol);
             case Column::Kind::place_x:
-            case Column::Kind::place_y:
-                return say("asked place", {symbol, carried(column)});
+            case Column::Kind::place_y: return say("asked place", {symbol, carried(column)});
             case Column::Kind::along:
-                return say(q.kind == Quantity::Kind::sliding_velocity ? "asked sliding velocity" : "asked sliding acceleration",
+                return say(q.kind == Quantity::Kind::sliding_velocity ? "asked sliding velocity"
+                                                                      : "asked sliding acceleration",
                            sliding(q.joint, symbol));
-            case Column::Kind::result:
-                return say_asked_result(column, symbol);
+            case Column::Kind::result: return say_asked_result(column, symbol);
             case Column::Kind::turn:
             case Column::Kind::time:
             case Column::Kind::slid:
-            case Column::Kind::named:
-                break;
+            case Column::Kind::named: break;
         }
         if (column.name != transmission_angle_name) return say("asked by name", {symbol, plain_words(column.name)});
         if (q.joint == none) return say("asked transmission", {symbol});
-        say("asked transmission at", {symbol, name(mechanism_.joint(q.joint).point), plain_words(mechanism_.body(q.other).name),
-                                      plain_words(mechanism_.body(q.body).name)});
+        say("asked transmission at",
+            {symbol, name(mechanism_.joint(q.joint).point), plain_words(mechanism_.body(q.other).name),
+             plain_words(mechanism_.body(q.body).name)});
     }
     void say_asked_angle(BodyIndex index, const RichText& symbol) {
         const Body& body = mechanism_.body(index);
@@ -552,10 +572,8 @@ private:
         const Quantity& q = column.quantity;
         const bool whole = q.component == Quantity::Component::whole;
         switch (q.kind) {
-            case Quantity::Kind::omega:
-                return say("asked omega", {symbol, plain_words(mechanism_.body(q.body).name)});
-            case Quantity::Kind::alpha:
-                return say("asked alpha", {symbol, plain_words(mechanism_.body(q.body).name)});
+            case Quantity::Kind::omega: return say("asked omega", {symbol, plain_words(mechanism_.body(q.body).name)});
+            case Quantity::Kind::alpha: return say("asked alpha", {symbol, plain_words(mechanism_.body(q.body).name)});
             case Quantity::Kind::velocity:
                 return say(whole ? "asked velocity" : "asked part of velocity", {symbol, carried(column)});
             case Quantity::Kind::acceleration:
@@ -567,12 +585,12 @@ private:
             case Quantity::Kind::couple:
                 return say(q.other == none ? "asked couple of pin" : "asked couple", action(q, symbol));
             case Quantity::Kind::effort:
-                return std::visit([&](const auto& effort) { add_effort(effort); }, mechanism_.efforts[at_index(q.given)]);
+                return std::visit([&](const auto& effort) { add_effort(effort); },
+                                  mechanism_.efforts[at_index(q.given)]);
             case Quantity::Kind::bar:
                 return say(name_of_bar(solution_, q.body) != nullptr ? "asked bar" : "asked numbered bar",
                            {symbol, plain_words(bar(q.body)), plain_words(mechanism_.body(q.body).name)});
-            default:
-                return say("asked by name", {symbol, plain_words(column.name)});
+            default: return say("asked by name", {symbol, plain_words(column.name)});
         }
     }
     /// A point, and where several bodies carry it apart, of which.
@@ -594,28 +612,30 @@ private:
         say("sought couple between", {symbol, on, plain_words(mechanism_.body(effort.from).name)});
     }
     void add_effort(const ForceEffort& effort) {
-        say("sought force", {symbol_of_force(effort.name, Symbol::Letter::F), plain_words(mechanism_.body(effort.body).name),
-                             name(effort.at), positive_sense(effort.along)});
+        say("sought force",
+            {symbol_of_force(effort.name, Symbol::Letter::F), plain_words(mechanism_.body(effort.body).name),
+             name(effort.at), positive_sense(effort.along)});
     }
     void add_effort(const ActuatorEffort& effort) {
         const Joint& joint = mechanism_.joint(effort.joint);
-        say("sought actuator",
-            {symbol_of_force(effort.name, Symbol::Letter::F), name(joint.point), subject_of_action(joint.bodies[0], "on"),
-             subject_of_action(joint.bodies[1], "from"), positive_sense(effort.joint)});
+        say("sought actuator", {symbol_of_force(effort.name, Symbol::Letter::F), name(joint.point),
+                                subject_of_action(joint.bodies[0], "on"), subject_of_action(joint.bodies[1], "from"),
+                                positive_sense(effort.joint)});
     }
-    /// Of an effort that is a force, or a couple between two bodies: those from the frame have their sense in common with all
-    /// that turns.
+    /// Of an effort that is a force, or a couple between two bodies: those from the frame have their sense in common
+    /// with all that turns.
     void add_sense(const Effort& effort) {
         if (const auto* couple = std::get_if<CoupleEffort>(&effort); couple != nullptr && couple->from != frame)
-            say("sense of couple between", {symbol_of_force(couple->name, Symbol::Letter::M),
-                                            subject_of_action(couple->body, "on"), subject_of_action(couple->from, "from")});
+            say("sense of couple between",
+                {symbol_of_force(couple->name, Symbol::Letter::M), subject_of_action(couple->body, "on"),
+                 subject_of_action(couple->from, "from")});
         if (const auto* force = std::get_if<ForceEffort>(&effort))
-            say("sense of effort", {symbol_of_force(force->name, Symbol::Letter::F), subject_of_action(force->body, "on"),
-                                    positive_sense(force->along)});
+            say("sense of effort", {symbol_of_force(force->name, Symbol::Letter::F),
+                                    subject_of_action(force->body, "on"), positive_sense(force->along)});
         if (const auto* actuator = std::get_if<ActuatorEffort>(&effort))
-            say("sense of effort",
-                {symbol_of_force(actuator->name, Symbol::Letter::F),
-                 subject_of_action(mechanism_.joint(actuator->joint).bodies[0], "on"), positive_sense(actuator->joint)});
+            say("sense of effort", {symbol_of_force(actuator->name, Symbol::Letter::F),
+                                    subject_of_action(mechanism_.joint(actuator->joint).bodies[0], "on"),
+                                    positive_sense(actuator->joint)});
     }
     /// "on body 3", "from the frame".
     RichText subject_of_action(BodyIndex body, std::string_view preposition) const {
@@ -647,27 +667,24 @@ bool has_turning_sense(const Mechanism& mechanism) {
     if (columns.empty()) return !find.stated || find.velocity || find.acceleration || find.forces || find.virtual_work;
     return std::any_of(columns.begin(), columns.end(), [](const Column& column) {
         const QuantityKind kind = column.unit;
-        return column.kind != Column::Kind::named && (kind == QuantityKind::angle || kind == QuantityKind::angular_velocity ||
-                                                      kind == QuantityKind::angular_acceleration || kind == QuantityKind::moment);
+        return column.kind != Column::Kind::named &&
+               (kind == QuantityKind::angle || kind == QuantityKind::angular_velocity ||
+                kind == QuantityKind::angular_acceleration || kind == QuantityKind::moment);
     });
 }
-AskedText asked_text(const DrawingContext& context, const Column& column) { return ExerciseText(context).asked(column); }
+AskedText asked_text(const DrawingContext& context, const Column& column) {
+    return ExerciseText(context).asked(column);
+}
 
 std::string heading_of(Topic section, Language language) {
     switch (section) {
-        case Topic::centres:
-            return word("instant centres", language);
-        case Topic::velocity:
-            return word("velocities", language);
-        case Topic::acceleration:
-            return word("accelerations", language);
-        case Topic::relative_motion:
-            return word("relative motion", language);
-        case Topic::curvature:
-            return word("curvature", language);
+        case Topic::centres: return word("instant centres", language);
+        case Topic::velocity: return word("velocities", language);
+        case Topic::acceleration: return word("accelerations", language);
+        case Topic::relative_motion: return word("relative motion", language);
+        case Topic::curvature: return word("curvature", language);
         case Topic::forces:
-        case Topic::unnamed:
-            break;
+        case Topic::unnamed: break;
     }
     return word("forces", language);
 }
@@ -684,7 +701,8 @@ bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure) {
             is_result && (kind == Kind::force || kind == Kind::couple || kind == Kind::effort || kind == Kind::bar);
         const bool accelerations =
             is_result && (kind == Kind::alpha || kind == Kind::acceleration || kind == Kind::sliding_acceleration);
-        const bool velocities = is_result && (kind == Kind::omega || kind == Kind::velocity || kind == Kind::sliding_velocity);
+        const bool velocities =
+            is_result && (kind == Kind::omega || kind == Kind::velocity || kind == Kind::sliding_velocity);
         // Accelerations begin with ω²r, forces of inertia with accelerations.
         if (figure.kind == "velocity") return velocities || accelerations || (forces && inertia);
         if (figure.kind == "acceleration") return accelerations || (forces && inertia);
@@ -757,7 +775,8 @@ std::vector<RichText> scales_of(const DrawingContext& context, const std::vector
     std::vector<std::string> said;
     bool mechanism = false;
     for (const Figure& figure : figures) {
-        if (!figure.has_scale || figure.kind == "body" || !is_drawn_for_sought(context.solution.mechanism, figure)) continue;
+        if (!figure.has_scale || figure.kind == "body" || !is_drawn_for_sought(context.solution.mechanism, figure))
+            continue;
         // Of the mechanism the first: the question shows no other.
         if (figure.kind == "mechanism" && std::exchange(mechanism, true)) continue;
         const RichText name = name_of_scale(context, figure, figures);

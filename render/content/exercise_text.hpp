@@ -1,4 +1,5 @@
-// Exercise text: the data of a file, what it seeks and the scales to draw at, in words. Says nothing that a solution finds.
+// Exercise text: the data of a file, what it seeks and the scales to draw at, in words. Says nothing that a solution
+// finds.
 #pragma once
 
 #include <optional>
@@ -31,7 +32,8 @@ AskedText asked_text(const DrawingContext& context, const Column& column);
 RichText name_of_scale(const DrawingContext& context, const Figure& figure, const std::vector<Figure>& figures);
 /// Whether the solution needs the figure for what is sought: all, unless the file asks for results by name.
 bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure);
-/// The scales of the figures that a solution is drawn at for what is sought, and those of the details in which that is read.
+/// The scales of the figures that a solution is drawn at for what is sought, and those of the details in which that is
+/// read.
 std::vector<RichText> scales_of(const DrawingContext& context, const std::vector<Figure>& figures,
                                 const std::vector<Answer>& sought);
 /// Which of the answers no reading tells from zero; nothing where all can be read.

@@ -15,8 +15,8 @@ SheetFormat format(const char* name, double width, double height, Spot block, do
     f.height = height;
     f.large = large;
     f.inner = rectangle(frame_left, frame_other, width - frame_other, height - frame_other);
-    f.content =
-        rectangle(f.inner.min.x + padding, f.inner.min.y + padding - 1, f.inner.max.x - padding, f.inner.max.y - padding + 1);
+    f.content = rectangle(f.inner.min.x + padding, f.inner.min.y + padding - 1, f.inner.max.x - padding,
+                          f.inner.max.y - padding + 1);
     f.block = rectangle(f.inner.max.x - block.x, f.inner.max.y - block.y, f.inner.max.x, f.inner.max.y);
     f.columns = columns;
     f.measure = f.span(1, columns);
@@ -31,9 +31,11 @@ SheetFormat format_of(Paper paper, Orientation orientation) {
     const bool upright = orientation == Orientation::portrait;
     switch (paper) {
         case Paper::a4:
-            return upright ? format("A4", 210, 297, {180, 18}, 6, 2, false) : format("A4", 297, 210, {112, 18}, 6, 3, false);
+            return upright ? format("A4", 210, 297, {180, 18}, 6, 2, false)
+                           : format("A4", 297, 210, {112, 18}, 6, 3, false);
         case Paper::a3:
-            return upright ? format("A3", 297, 420, {172, 22}, 7, 3, true) : format("A3", 420, 297, {190, 22}, 7, 4, true);
+            return upright ? format("A3", 297, 420, {172, 22}, 7, 3, true)
+                           : format("A3", 420, 297, {190, 22}, 7, 4, true);
         case Paper::letter:
             return upright ? format("letter", 215.9, 279.4, {185.9, 18}, 6, 2, false)
                            : format("letter", 279.4, 215.9, {112, 18}, 6, 3, false);

@@ -1,5 +1,5 @@
-// What the files of the sheet share: the papers with their frames, columns and title blocks. Measures in mm; knows no figure and
-// no sentence.
+// What the files of the sheet share: the papers with their frames, columns and title blocks. Measures in mm; knows no
+// figure and no sentence.
 #pragma once
 
 #include "render/ink/spot.hpp"
@@ -17,7 +17,8 @@ constexpr double gap = 7;           ///< between cells and between columns
 constexpr double text_gap = 4;      ///< between figures and the text under them
 constexpr double caption_line = 7;  ///< what a figure's caption takes on one line
 
-/// A paper with what is fixed on it: the frame, what may be filled, the title block in the frame's corner, the text columns.
+/// A paper with what is fixed on it: the frame, what may be filled, the title block in the frame's corner, the text
+/// columns.
 struct SheetFormat {
     const char* name = "";
     double width = 0, height = 0;

@@ -9,9 +9,9 @@
 #include <system_error>
 
 #include "engine/solution/problem_solution.hpp"
+#include "render/content/wanted_figures.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
-#include "render/content/wanted_figures.hpp"
 #include "render/tables/tables.hpp"
 #include "render/text/utf8.hpp"
 
@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::size_t most_characters = 1000;  // of a title: far more than any block holds
 
-/// A line in one face, smaller down to `least` points where it is too wide, and cut with an ellipsis where that is not enough.
+/// A line in one face, smaller down to `least` points where it is too wide, and cut with an ellipsis where that is not
+/// enough.
 ShapedLine fitted(const Fonts& fonts, const std::string& words, Face face, double size, double least, double width) {
     const RichText text = one_piece(words, face);
     for (; size > least; size -= 0.5)
@@ -37,13 +38,16 @@ ShapedLine fitted_with_its_end(const Fonts& fonts, const std::string& words, dou
 }
 
 /// The title on as many lines as the height holds.
-void set_title(std::vector<Mark>& marks, const DrawingContext& context, const Box& room, double size, double small_print) {
+void set_title(std::vector<Mark>& marks, const DrawingContext& context, const Box& room, double size,
+               double small_print) {
     constexpr double least = 5, leading = 1.15;
     const std::string whole = title_of(context.solution, context.language);
     const RichText title = one_piece(std::string(first_characters(whole, most_characters)), Face::bold);
     const auto lead = [&] { return millimetres(size) * leading; };
     std::vector<ShapedLine> lines;
-    const auto most = [&] { return static_cast<std::size_t>(std::max(1.0, std::floor((room.height() - small_print) / lead()))); };
+    const auto most = [&] {
+        return static_cast<std::size_t>(std::max(1.0, std::floor((room.height() - small_print) / lead())));
+    };
     for (;; size -= 0.5) {
         lines = context.fonts.wrap(title, size, room.width());
         const bool wide =
@@ -79,20 +83,21 @@ std::string subtitle_of(const Solution& solution, Language language) {
 /// "four_bar.json  ·  A. Rossi  ·  2026-11-21"
 std::string origin_of(const Solution& solution, const Signature& signature) {
     std::string origin = solution.mechanism.source;
-    if (const std::size_t slash = origin.find_last_of('/'); slash != std::string::npos) origin = origin.substr(slash + 1);
+    if (const std::size_t slash = origin.find_last_of('/'); slash != std::string::npos)
+        origin = origin.substr(slash + 1);
     for (const std::string& each : {signature.author, signature.date})
         if (!each.empty()) origin += (origin.empty() ? "" : "  ·  ") + each;
     return origin;
 }
 
 /// The title on one line along the lower edge of the frame, and which page it is.
-void draw_strip(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format, const Signature& signature,
-                std::size_t index, std::size_t count) {
+void draw_strip(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
+                const Signature& signature, std::size_t index, std::size_t count) {
     const Theme& theme = context.theme;
-    const Box room =
-        rectangle(format.inner.min.x + 2, format.inner.max.y - strip_height, format.inner.max.x - 2, format.inner.max.y - 1.6);
-    marks.emplace_back(
-        line({format.inner.min.x, room.min.y}, {format.inner.max.x, room.min.y}, Pen{theme.thin, theme.text, {}, false}));
+    const Box room = rectangle(format.inner.min.x + 2, format.inner.max.y - strip_height, format.inner.max.x - 2,
+                               format.inner.max.y - 1.6);
+    marks.emplace_back(line({format.inner.min.x, room.min.y}, {format.inner.max.x, room.min.y},
+                            Pen{theme.thin, theme.text, {}, false}));
     const ShapedLine sheet = context.fonts.shape(
         one_piece(word("block sheet", context.language) + " " + std::to_string(index) + "/" + std::to_string(count)),
         theme.block);
@@ -117,7 +122,8 @@ std::string units_of(const Solution& solution) {
     const Units& units = solution.mechanism.units;
     const std::string length = units.length.symbol, force = ", " + units.force.symbol;
     if (!stands_for_joints(solution.mechanism))
-        return length + (has_motion(solution) || !has_forces(solution) ? ", s" : "") + (has_forces(solution) ? force : "");
+        return length + (has_motion(solution) || !has_forces(solution) ? ", s" : "") +
+               (has_forces(solution) ? force : "");
     const Problem& problem = *solution.mechanism.problem;
     if (std::holds_alternative<PointProblem>(problem.of)) return length + ", s";
     return std::holds_alternative<PositionsProblem>(problem.of) ? length : length + force;
@@ -154,10 +160,10 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     marks.emplace_back(line({format.block.min.x, format.block.min.y}, {format.block.max.x, format.block.min.y}, edge));
     marks.emplace_back(line({format.block.min.x, format.block.min.y}, {format.block.min.x, format.block.max.y}, edge));
     marks.emplace_back(line({cells_left, format.block.min.y}, {cells_left, format.block.max.y}, inner_pen));
-    marks.emplace_back(
-        line({cells_left + cells_width, format.block.min.y}, {cells_left + cells_width, format.block.max.y}, inner_pen));
-    marks.emplace_back(
-        line({cells_left + 2 * cells_width, format.block.min.y}, {cells_left + 2 * cells_width, format.block.max.y}, inner_pen));
+    marks.emplace_back(line({cells_left + cells_width, format.block.min.y},
+                            {cells_left + cells_width, format.block.max.y}, inner_pen));
+    marks.emplace_back(line({cells_left + 2 * cells_width, format.block.min.y},
+                            {cells_left + 2 * cells_width, format.block.max.y}, inner_pen));
     marks.emplace_back(line({cells_left, half}, {format.block.max.x, half}, inner_pen));
 
     const std::string scale = scale_of_mechanism ? ratio_words(*scale_of_mechanism, context.language) : "–";
@@ -173,11 +179,12 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
         const double x = cells_left + static_cast<double>(i % 3) * cells_width + 1.6;
         const double top = i < 3 ? format.block.min.y : half;
         const double height = format.block.height() / 2;
-        set_text(marks, context.fonts.shape(one_piece(cells[i].first), theme.block), {x, top + 0.34 * height}, theme.secondary,
-                 "text");
+        set_text(marks, context.fonts.shape(one_piece(cells[i].first), theme.block), {x, top + 0.34 * height},
+                 theme.secondary, "text");
         double size = format.large ? theme.derived : theme.body_text;
         ShapedLine value = context.fonts.shape(one_piece(cells[i].second), size);
-        while (value.width > cells_width - 3 && size > 4) value = context.fonts.shape(one_piece(cells[i].second), size -= 0.5);
+        while (value.width > cells_width - 3 && size > 4)
+            value = context.fonts.shape(one_piece(cells[i].second), size -= 0.5);
         set_text(marks, value, {x, top + 0.82 * height}, theme.text, "text");
     }
 
@@ -185,22 +192,26 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     std::string origin = origin_of(solution, signature);
     const double print = format.large ? theme.body_text : 7.5, line = 3.4;
     const auto small_print = [&](const std::string& words, double at) {
-        set_text(marks, fitted_with_its_end(context.fonts, words, print, 5, right - left), {left, at}, theme.secondary, "text");
+        set_text(marks, fitted_with_its_end(context.fonts, words, print, 5, right - left), {left, at}, theme.secondary,
+                 "text");
     };
     const std::string title = title_of(solution, context.language);
     const double size = format.large ? theme.title : 13;
     const bool one_line = context.fonts.shape(one_piece(title, Face::bold), size).width <= right - left;
     // Of a question or a key it is said in any case what it is.
-    if (!one_line && !signature.subtitle.empty()) origin = signature.subtitle + (origin.empty() ? "" : "  ·  ") + origin;
+    if (!one_line && !signature.subtitle.empty())
+        origin = signature.subtitle + (origin.empty() ? "" : "  ·  ") + origin;
     set_title(marks, context, rectangle(left, format.block.min.y + 1.5, right, format.block.max.y - 1.5), size,
               origin.empty() ? 0 : line);
-    const std::string subtitle = signature.subtitle.empty() ? subtitle_of(solution, context.language) : signature.subtitle;
+    const std::string subtitle =
+        signature.subtitle.empty() ? subtitle_of(solution, context.language) : signature.subtitle;
     if (one_line) small_print(subtitle, format.block.max.y - (origin.empty() ? 3.2 : 5.4));
     if (!origin.empty()) small_print(origin, format.block.max.y - 2.0);
 }
 
-Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature, std::vector<Mark> marks,
-                 std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count, bool whole_block) {
+Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
+                 std::vector<Mark> marks, std::optional<double> scale_of_mechanism, std::size_t index,
+                 std::size_t count, bool whole_block) {
     const Theme& theme = context.theme;
     Page page;
     page.width = format.width;
@@ -209,9 +220,11 @@ Page framed_page(const DrawingContext& context, const SheetFormat& format, const
     page.title = title_of(context.solution, context.language);
     page.language = code_of(context.language);
     const Pen pen{theme.outline, theme.text, {}, false};
-    page.marks.emplace_back(polyline(
-        {format.inner.min, {format.inner.max.x, format.inner.min.y}, format.inner.max, {format.inner.min.x, format.inner.max.y}},
-        pen, true));
+    page.marks.emplace_back(polyline({format.inner.min,
+                                      {format.inner.max.x, format.inner.min.y},
+                                      format.inner.max,
+                                      {format.inner.min.x, format.inner.max.y}},
+                                     pen, true));
     if (whole_block)
         draw_title_block(page.marks, context, format, scale_of_mechanism, signature, index, count);
     else

@@ -36,8 +36,8 @@ std::string name_of(const Solution& solution, const TakenTogether& together) {
 
 namespace {
 
-/// The circle counts what Kennedy's theorem leads to: worth looking at where it led to more than can be seen at once, and as long
-/// as one chord can be told from the next.
+/// The circle counts what Kennedy's theorem leads to: worth looking at where it led to more than can be seen at once,
+/// and as long as one chord can be told from the next.
 bool has_circle(const Solution& solution) {
     constexpr std::size_t most = 16;
     const std::size_t bodies = solution.mechanism.bodies.size();
@@ -45,17 +45,17 @@ bool has_circle(const Solution& solution) {
 }
 bool has_some(const Solution& solution, Recorded<Vector> PointMotion::*vector) {
     // An act of motion has them in its own figure.
-    return !solution.act_of_motion && std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& m) {
-        return m.point != none && m.*vector && !(m.*vector)->is_zero();
-    });
+    return !solution.act_of_motion &&
+           std::any_of(solution.points.begin(), solution.points.end(),
+                       [&](const PointMotion& m) { return m.point != none && m.*vector && !(m.*vector)->is_zero(); });
 }
 
 /// Those of three forces and more: two equal and opposite ones make none, the steps say so.
 std::size_t polygons_of(const Solution& solution) {
     const auto& polygons = solution.protocol.polygons;
-    const auto count = std::count_if(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& body) {
-        return body.polygon >= 0 && polygons[at_index(body.polygon)].vectors.size() > 2;
-    });
+    const auto count = std::count_if(
+        solution.free_bodies.begin(), solution.free_bodies.end(),
+        [&](const FreeBody& body) { return body.polygon >= 0 && polygons[at_index(body.polygon)].vectors.size() > 2; });
     return static_cast<std::size_t>(count) + solution.taken_together.size();
 }
 
@@ -63,12 +63,13 @@ double size_of(const Wanted& wanted) { return std::max(wanted.extent_x, wanted.e
 
 /// Whether an effort was found by virtual work: then the lever is its construction.
 bool found_by_works(const Solution& solution) {
-    return std::any_of(solution.virtual_motions.begin(), solution.virtual_motions.end(), [&](const VirtualMotion& motion) {
-        const Statement& said = solution.protocol.statements[at_index(motion.statement)];
-        return said.message.sentence == Sentence::virtual_work_alone &&
-               std::any_of(said.finds.begin(), said.finds.end(),
-                           [](const Quantity& found) { return found.kind == Quantity::Kind::effort; });
-    });
+    return std::any_of(
+        solution.virtual_motions.begin(), solution.virtual_motions.end(), [&](const VirtualMotion& motion) {
+            const Statement& said = solution.protocol.statements[at_index(motion.statement)];
+            return said.message.sentence == Sentence::virtual_work_alone &&
+                   std::any_of(said.finds.begin(), said.finds.end(),
+                               [](const Quantity& found) { return found.kind == Quantity::Kind::effort; });
+        });
 }
 
 }  // namespace
@@ -149,7 +150,8 @@ void WantedFigures::collect_forces(bool joukowsky) {
                            [this, p](double x, double y, std::optional<double> scale, bool fixed) {
                                return closed_polygon_figure(context_, p, x, y, scale, fixed);
                            });
-        know_strokes(list.back(), [this, p](double scale) { return strokes_of_force_polygon(context_, p, true, scale); });
+        know_strokes(list.back(),
+                     [this, p](double scale) { return strokes_of_force_polygon(context_, p, true, scale); });
         list.back().rim_x = 16;
         list.back().rim_y = 12;
     }
@@ -187,8 +189,9 @@ void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
             return force_polygons_figure(context, x, y, scale, fixed, false, polygon);
         };
         add_force_polygons("forces", name, rectangle(0, 0, scene.width(), scene.height()), draw);
-        know_strokes(list.back(),
-                     [&context, polygon](double scale) { return strokes_of_force_polygon(context, polygon, false, scale); });
+        know_strokes(list.back(), [&context, polygon](double scale) {
+            return strokes_of_force_polygon(context, polygon, false, scale);
+        });
         list.back().larger = at_own_scale(draw);
     };
     for (const FreeBody& body : s.free_bodies) {
@@ -293,7 +296,8 @@ void WantedFigures::add_lines_of_action() {
 }
 
 /// `kind`: by which the file asks for a scale; where it does not, that of the others holds.
-void WantedFigures::add_force_polygons(const std::string& kind, const std::string& name, const Box& extent, DrawForces draw) {
+void WantedFigures::add_force_polygons(const std::string& kind, const std::string& name, const Box& extent,
+                                       DrawForces draw) {
     const double si = context_.solution.mechanism.units.force.si.to_double();
     Wanted wanted;
     wanted.name = name;
@@ -320,8 +324,8 @@ std::function<Figure(Spot room)> WantedFigures::at_own_scale(DrawForces draw) {
     };
 }
 
-/// All have one scale, so that the sides of the closed polygon are taken over with the compass: at it the largest must be
-/// readable.
+/// All have one scale, so that the sides of the closed polygon are taken over with the compass: at it the largest must
+/// be readable.
 void WantedFigures::keep_forces_readable() {
     constexpr double least = 18;
     if (Wanted* largest = largest_of_forces(); largest != nullptr) largest->least = std::max(largest->least, least);
@@ -349,7 +353,9 @@ void WantedFigures::add_free_bodies() {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < s.free_bodies.size(); ++i) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const auto rank = [&](std::size_t i) { return s.free_bodies[i].body == none ? 1 << 20 : s.free_bodies[i].body.number(); };
+        const auto rank = [&](std::size_t i) {
+            return s.free_bodies[i].body == none ? 1 << 20 : s.free_bodies[i].body.number();
+        };
         return rank(a) < rank(b);
     });
     for (const std::size_t i : order) add_free_body(context_, i, "");
@@ -380,14 +386,15 @@ void WantedFigures::add_free_body(const DrawingContext& context, std::size_t ind
         most = Spot{at * body.extent_x + body.rim_x, at * body.extent_y + body.rim_y};
     }
     body.draw = [this, &context, index, load, most, own = list.size()](double x, double y) {
-        return free_body_figure(context, index, std::min(x, most.x), std::min(y, most.y), detail_ == SolutionDetail::full, load,
-                                list[own].shrinks);
+        return free_body_figure(context, index, std::min(x, most.x), std::min(y, most.y),
+                                detail_ == SolutionDetail::full, load, list[own].shrinks);
     };
     add(std::move(body));
 }
 
 void WantedFigures::add_small() {
-    const auto add_on_mechanism = [&](const std::string& name, Figure (*draw)(const DrawingContext&, double, double)) -> Wanted& {
+    const auto add_on_mechanism = [&](const std::string& name,
+                                      Figure (*draw)(const DrawingContext&, double, double)) -> Wanted& {
         Wanted wanted = mechanism(name, false);
         wanted.draw = [this, draw](double x, double y) { return draw(context_, x, y); };
         return add(std::move(wanted));
@@ -516,7 +523,8 @@ void WantedFigures::add_mechanism() {
 
 namespace {
 
-/// By how much a polygon's box must be wider for a block to stand in one of its corners, clear of its strokes and their letters.
+/// By how much a polygon's box must be wider for a block to stand in one of its corners, clear of its strokes and their
+/// letters.
 double wider_for(const PolygonScene& scene, double scale, Spot block) {
     constexpr double letters = 6, beyond = 10;  // round a stroke; of a construction line past its meet
     const double width = scene.width() / scale;
@@ -558,13 +566,15 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.weight = 1.5;
     const double si = scene.unit.si.to_double();
     wanted.asked = asked(scene.id, si);
-    if (!wanted.asked) wanted.asked = asked(scene.kind == PolygonScene::Kind::acceleration ? "acceleration" : "velocity", si);
+    if (!wanted.asked)
+        wanted.asked = asked(scene.kind == PolygonScene::Kind::acceleration ? "acceleration" : "velocity", si);
     wanted.draw = [this, &scene](double x, double y) { return polygon_figure(context_, scene, x, y); };
     if (!wanted.empty && !wanted.asked)
         wanted.draw_or_refuse = [this, &scene](Spot room, double coarsest) {
             return polygon_figure(context_, scene, room.x, room.y, coarsest);
         };
-    if (!wanted.empty) know_strokes(wanted, [this, &scene](double scale) { return strokes_of_polygon(context_, scene, scale); });
+    if (!wanted.empty)
+        know_strokes(wanted, [this, &scene](double scale) { return strokes_of_polygon(context_, scene, scale); });
     wanted.wider_for = [&scene](double scale, Spot block) { return wider_for(scene, scale, block); };
     add(std::move(wanted));
 }

@@ -1,5 +1,5 @@
-// Wanted figures: what a solution can show, in the order of the sheet, each with what it measures and who draws it. Chooses no
-// place; computes no mechanics.
+// Wanted figures: what a solution can show, in the order of the sheet, each with what it measures and who draws it.
+// Chooses no place; computes no mechanics.
 #pragma once
 
 #include <deque>
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "render/figures/figure.hpp"
 #include "render/content/sheet_parts.hpp"
+#include "render/figures/figure.hpp"
 
 namespace kinegraph::render {
 
@@ -45,13 +45,14 @@ struct Wanted {
     std::function<Figure(double room_x, double room_y)> draw;
     /// The same, but empty and at any_scale where it has no room at `coarsest`; none: it is drawn as it comes.
     std::function<Figure(Spot room, double coarsest)> draw_or_refuse{};
-    /// The figure with all that there is room for, once its room is known; empty and at any_scale: there is no room for more.
-    /// None: nothing more can be shown.
+    /// The figure with all that there is room for, once its room is known; empty and at any_scale: there is no room for
+    /// more. None: nothing more can be shown.
     std::function<Figure(const Figure& plain, Spot room)> enrich{};
-    /// Of a force polygon that is small at the scale of all: at a finer one, as far as its room has it. None: it is drawn as it
-    /// is planned.
+    /// Of a force polygon that is small at the scale of all: at a finer one, as far as its room has it. None: it is
+    /// drawn as it is planned.
     std::function<Figure(Spot room)> larger{};
-    /// By how many mm it must be wider at a scale for a block (width, height) in one of its corners; none: it has no such corner.
+    /// By how many mm it must be wider at a scale for a block (width, height) in one of its corners; none: it has no
+    /// such corner.
     std::function<double(double scale, Spot block)> wider_for{};
     /// What its strokes take at a scale, mm, where that is not in proportion to its extents.
     std::function<Spot(double scale)> strokes{};
@@ -60,7 +61,8 @@ struct Wanted {
     bool to_force_scale = false;  ///< one scale for all of these
     bool fills = false;           ///< drawn to fill its room; its scale is that of its vectors
     bool shrinks = false;         ///< of what fills its room: to next to nothing, for there is no larger room
-    bool tells_vectors = false;   ///< the scale of its figure is that of its vectors, too, but it is drawn as it is planned
+    bool tells_vectors =
+        false;  ///< the scale of its figure is that of its vectors, too, but it is drawn as it is planned
 
     /// Whether the scale of its figure is that which its room was planned for.
     bool tells_its_extents() const { return !empty && !fills && !tells_vectors && !spare; }
@@ -75,7 +77,8 @@ public:
     WantedFigures(const WantedFigures&) = delete;
     WantedFigures& operator=(const WantedFigures&) = delete;
 
-    /// Polygons of motion are called by their ids; of a body cut free there are "body-2" and, where it has one, "forces-2".
+    /// Polygons of motion are called by their ids; of a body cut free there are "body-2" and, where it has one,
+    /// "forces-2".
     std::vector<Wanted> list;
     std::optional<double> force_scale;  ///< common to all force polygons, once one could not be drawn larger
     bool keeps_force_scale = false;     ///< none is planned smaller than at that

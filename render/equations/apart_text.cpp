@@ -15,7 +15,11 @@ using Apart = RelativeMotion::Apart;
 class Text {
 public:
     Text(const Solution& solution, const RelativeMotion& motion, Language language)
-        : mechanism_(solution.mechanism), pose_(solution.pose), motion_(motion), apart_(*motion.apart), language_(language) {}
+        : mechanism_(solution.mechanism),
+          pose_(solution.pose),
+          motion_(motion),
+          apart_(*motion.apart),
+          language_(language) {}
 
     std::vector<EquationItem> items() {
         write_axes();
@@ -46,7 +50,9 @@ private:
     }
     static Formula upright(const std::string& text) { return Formula::upright(text); }
     std::string amount_of(double si, QuantityKind kind) const { return amount(si, kind, mechanism_.units, language_); }
-    static Formula equal(Formula left, Formula right) { return std::move(left) + Formula::sign("=") + std::move(right); }
+    static Formula equal(Formula left, Formula right) {
+        return std::move(left) + Formula::sign("=") + std::move(right);
+    }
 
     void write_axes() {
         items_.push_back({Kind::heading, in(Words("Seen from body {0}", "Visto dal corpo {0}", body())), {}, {}});
@@ -54,16 +60,20 @@ private:
             say(Words("Moving axes on body {0}: origin {1}, x′ along x at this instant.",
                       "Terna mobile sul corpo {0}: origine {1}, x′ lungo x in questo istante.", body(), origin()));
         else
-            say(Words("Moving axes on body {0}: origin {1}, x′ towards {2}, y′ a quarter turn counter-clockwise from it.",
-                      "Terna mobile sul corpo {0}: origine {1}, x′ verso {2}, y′ ruotato di 90° in senso antiorario.", body(),
-                      origin(), mechanism_.point(apart_.towards).name));
-        set(equal(omega(), upright(amount_of(apart_.omega->to_double(), QuantityKind::angular_velocity))) + upright(",  ") +
-            equal(alpha(), upright(number(apart_.alpha->to_double(), 4, language_) + " rad/s²")));
+            say(Words(
+                "Moving axes on body {0}: origin {1}, x′ towards {2}, y′ a quarter turn counter-clockwise from it.",
+                "Terna mobile sul corpo {0}: origine {1}, x′ verso {2}, y′ ruotato di 90° in senso antiorario.", body(),
+                origin(), mechanism_.point(apart_.towards).name));
+        set(equal(omega(), upright(amount_of(apart_.omega->to_double(), QuantityKind::angular_velocity))) +
+            upright(",  ") + equal(alpha(), upright(number(apart_.alpha->to_double(), 4, language_) + " rad/s²")));
         say({"Their unit vectors change by Poisson’s formulae:", "I versori variano secondo le formule di Poisson:"});
         const auto rate = [](const char* of) {
-            return Formula::fraction(upright("d") + Formula::letter(of) + upright("′"), upright("d") + Formula::letter("t"));
+            return Formula::fraction(upright("d") + Formula::letter(of) + upright("′"),
+                                     upright("d") + Formula::letter("t"));
         };
-        const auto turned = [&](const char* of) { return omega() + upright(wedge()) + Formula::letter(of) + upright("′"); };
+        const auto turned = [&](const char* of) {
+            return omega() + upright(wedge()) + Formula::letter(of) + upright("′");
+        };
         set(equal(equal(rate("i"), turned("i")), omega() + Formula::letter("j") + upright("′")) + upright(",   ") +
             equal(equal(rate("j"), turned("j")), upright("−") + omega() + Formula::letter("i") + upright("′")));
     }
@@ -80,14 +90,16 @@ private:
         const double si = unit.si.to_double();
         const auto written = [&](double value) { return number(clean(value) / si, 4, language_); };
         for (Term& each : terms)
-            rows.push_back({std::move(each.name), std::move(each.rule),
-                            upright(pair_of(written(each.value.x.to_double()), written(each.value.y.to_double()), language_)),
-                            upright(written(length(each.value)) + " " + unit.symbol)});
+            rows.push_back(
+                {std::move(each.name), std::move(each.rule),
+                 upright(pair_of(written(each.value.x.to_double()), written(each.value.y.to_double()), language_)),
+                 upright(written(length(each.value)) + " " + unit.symbol)});
     }
     void write_transport() {
-        say(Words("The transport of {0}, the motion of the place of body {1} that it passes, parted about {2}:",
-                  "Il trascinamento di {0}, cioè il moto del punto del corpo {1} su cui si trova, scomposto rispetto a {2}:",
-                  point(), body(), origin()));
+        say(Words(
+            "The transport of {0}, the motion of the place of body {1} that it passes, parted about {2}:",
+            "Il trascinamento di {0}, cioè il moto del punto del corpo {1} su cui si trova, scomposto rispetto a {2}:",
+            point(), body(), origin()));
         std::vector<std::vector<Formula>> rows{
             {upright(in({"term", "termine"})), upright(""), upright("(x; y)"), upright(in({"magnitude", "modulo"}))}};
         const auto v = [&](const std::string& sub) { return Formula::letter("v", sub); };
@@ -106,7 +118,8 @@ private:
             {{a(origin()), upright(in({"of the origin", "dell’origine"})), *apart_.origin_acceleration},
              {a("t"), alpha() + upright(wedge()) + reach(), *apart_.tangential},
              {a("n"), upright("−") + square + reach(), *apart_.normal},
-             {a(tr), a(origin()) + Formula::sign("+") + a("t") + Formula::sign("+") + a("n"), *motion_.transport_acceleration},
+             {a(tr), a(origin()) + Formula::sign("+") + a("t") + Formula::sign("+") + a("n"),
+              *motion_.transport_acceleration},
              {a(cor), upright("2 ") + omega() + upright(wedge()) + v(rel), *motion_.coriolis},
              {a(rel), upright(in({"seen by the observer", "vista dall’osservatore"})), *motion_.relative_acceleration},
              {a(point()), a(tr) + Formula::sign("+") + a(cor) + Formula::sign("+") + a(rel), *motion_.acceleration}},
@@ -114,7 +127,9 @@ private:
         items_.push_back({Kind::table, {}, {}, std::move(rows)});
     }
 
-    Vector axis() const { return apart_.towards == none ? Vector{1, 0} : pose_.at(apart_.towards) - pose_.at(apart_.origin); }
+    Vector axis() const {
+        return apart_.towards == none ? Vector{1, 0} : pose_.at(apart_.towards) - pose_.at(apart_.origin);
+    }
     /// "ẋ′ = 0.64 m/s".
     Formula component(const char* letter, int dots, double size, const Exact& sense, QuantityKind kind) const {
         return equal(Formula::letter(letter, "", dots) + upright("′"),
@@ -124,7 +139,8 @@ private:
         say({"In the moving axes, whose unit vectors rest for the observer:",
              "Nella terna mobile, i cui versori sono fissi per l’osservatore:"});
         const Vector x = axis();
-        const auto line = [&](int dots, const Recorded<Vector>& along, const Recorded<Vector>& across, QuantityKind kind) {
+        const auto line = [&](int dots, const Recorded<Vector>& along, const Recorded<Vector>& across,
+                              QuantityKind kind) {
             set(component("x", dots, length(*along), dot(*along, x), kind) + upright(",   ") +
                 component("y", dots, length(*across), cross(x, *across), kind));
         };
@@ -138,30 +154,36 @@ private:
                     apart_.omega->sign() > 0
                         ? Words("Coriolis’ acceleration is {v_rel} turned by a quarter in the sense of {ω_{0}}, "
                                 "counter-clockwise, and 2{ω_{0}} times as long.",
-                                "L’accelerazione di Coriolis è {v_rel} ruotata di 90° nel verso di {ω_{0}}, antiorario, e "
+                                "L’accelerazione di Coriolis è {v_rel} ruotata di 90° nel verso di {ω_{0}}, "
+                                "antiorario, e "
                                 "moltiplicata per 2{ω_{0}}.",
                                 body())
-                        : Words("Coriolis’ acceleration is {v_rel} turned by a quarter in the sense of {ω_{0}}, clockwise, "
+                        : Words("Coriolis’ acceleration is {v_rel} turned by a quarter in the sense of {ω_{0}}, "
+                                "clockwise, "
                                 "and 2|{ω_{0}}| times as long.",
                                 "L’accelerazione di Coriolis è {v_rel} ruotata di 90° nel verso di {ω_{0}}, orario, e "
                                 "moltiplicata per 2|{ω_{0}}|.",
                                 body()));
             case Apart::NoCoriolis::observer_does_not_turn:
-                return say(apart_.alpha->is_zero()
-                               ? Words("Coriolis’ acceleration vanishes because body {0} does not turn: {ω_{0}} = 0.",
-                                       "L’accelerazione di Coriolis è nulla perché il corpo {0} non ruota: {ω_{0}} = 0.", body())
-                               : Words("Coriolis’ acceleration vanishes because {ω_{0}} = 0: body {0} translates, but at this "
-                                       "instant only, for its angular acceleration does not vanish.",
-                                       "L’accelerazione di Coriolis è nulla perché {ω_{0}} = 0: il corpo {0} trasla, ma solo in "
-                                       "questo istante, poiché la sua accelerazione angolare non è nulla.",
-                                       body()));
-            case Apart::NoCoriolis::rests_for_observer:
                 return say(
-                    Words("Coriolis’ acceleration vanishes because {0} rests for the observer: {v_rel} = 0, and Rivals’ theorem "
-                          "is left.",
-                          "L’accelerazione di Coriolis è nulla perché {0} è fermo per l’osservatore: {v_rel} = 0, e resta il "
-                          "teorema di Rivals.",
-                          point()));
+                    apart_.alpha->is_zero()
+                        ? Words("Coriolis’ acceleration vanishes because body {0} does not turn: {ω_{0}} = 0.",
+                                "L’accelerazione di Coriolis è nulla perché il corpo {0} non ruota: {ω_{0}} = 0.",
+                                body())
+                        : Words(
+                              "Coriolis’ acceleration vanishes because {ω_{0}} = 0: body {0} translates, but at this "
+                              "instant only, for its angular acceleration does not vanish.",
+                              "L’accelerazione di Coriolis è nulla perché {ω_{0}} = 0: il corpo {0} trasla, ma solo in "
+                              "questo istante, poiché la sua accelerazione angolare non è nulla.",
+                              body()));
+            case Apart::NoCoriolis::rests_for_observer:
+                return say(Words(
+                    "Coriolis’ acceleration vanishes because {0} rests for the observer: {v_rel} = 0, and Rivals’ "
+                    "theorem "
+                    "is left.",
+                    "L’accelerazione di Coriolis è nulla perché {0} è fermo per l’osservatore: {v_rel} = 0, e resta il "
+                    "teorema di Rivals.",
+                    point()));
         }
     }
 

@@ -1,5 +1,5 @@
-// A relative motion taken apart: the transport about the origin of the moving axes, Poisson's formulae, what the observer sees in
-// his axes, and Coriolis' term with its sense, or why there is none. Items as those of the equations.
+// A relative motion taken apart: the transport about the origin of the moving axes, Poisson's formulae, what the
+// observer sees in his axes, and Coriolis' term with its sense, or why there is none. Items as those of the equations.
 #pragma once
 
 #include <cstddef>

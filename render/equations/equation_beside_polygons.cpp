@@ -20,7 +20,8 @@ void DrawnRates::write_values() {
             const Drawn beside = drawn(index);
             const auto& polygon = dots == 1 ? beside.rate : beside.acceleration;
             if (!written && !polygon) continue;
-            rows.push_back({pen_.name(index, dots), written ? pen_.amount_formula(index, *written, dots) : Formula::upright("–"),
+            rows.push_back({pen_.name(index, dots),
+                            written ? pen_.amount_formula(index, *written, dots) : Formula::upright("–"),
                             polygon ? pen_.amount_formula(index, *polygon, dots) : Formula::upright("–")});
         }
     if (rows.size() < 2) return;

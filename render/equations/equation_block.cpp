@@ -4,9 +4,9 @@
 #include <functional>
 #include <utility>
 
+#include "render/equations/prose.hpp"
 #include "render/page/set_formula.hpp"
 #include "render/page/shapes.hpp"
-#include "render/equations/prose.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -49,7 +49,8 @@ std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std
         line.height = up + down + (r == 0 ? under_head : r + 1 == cells.size() ? under_table : under_line);
         if (r == 0) {
             const double y = line.height - under_head / 2;
-            line.marks.emplace_back(render::line({0, y}, {whole, y}, {context.theme.thin, context.theme.text, {}, false}));
+            line.marks.emplace_back(
+                render::line({0, y}, {whole, y}, {context.theme.thin, context.theme.text, {}, false}));
         }
         lines.push_back(std::move(line));
     }
@@ -107,8 +108,7 @@ std::vector<Block> equation_blocks(const DrawingContext& context, std::span<cons
     };
     for (const EquationItem& item : items) {
         switch (item.kind) {
-            case EquationItem::Kind::heading:
-                break;
+            case EquationItem::Kind::heading: break;
             case EquationItem::Kind::words:
                 add(paragraph_block(context, measure, formula(item.words)));
                 announced = item.words.ends_with(':');
@@ -122,9 +122,7 @@ std::vector<Block> equation_blocks(const DrawingContext& context, std::span<cons
                 add(std::move(block));
                 break;
             }
-            case EquationItem::Kind::table:
-                add_table(context, item, measure, natural, add);
-                break;
+            case EquationItem::Kind::table: add_table(context, item, measure, natural, add); break;
         }
     }
     return blocks;

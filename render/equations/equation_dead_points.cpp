@@ -11,9 +11,10 @@ void DeadPointText::write_dead_points() {
     if (!e_.is_regular() && !e_.free.empty()) {
         for (const LetterIndex each : e_.cannot_be_driven) {
             title();
-            list_.say(Words("In the drawn position det {J} = 0: {0} cannot be driven ({1}, {2}); it rests in every motion.",
-                            "Nella posizione disegnata det {J} = 0: {0} non può essere movente ({1}, {2}); è fermo in ogni moto.",
-                            pen_.spoken(each), pen_.described(each), pen_.amount_of(each, pen_.letter(each).value, 0)));
+            list_.say(Words(
+                "In the drawn position det {J} = 0: {0} cannot be driven ({1}, {2}); it rests in every motion.",
+                "Nella posizione disegnata det {J} = 0: {0} non può essere movente ({1}, {2}); è fermo in ogni moto.",
+                pen_.spoken(each), pen_.described(each), pen_.amount_of(each, pen_.letter(each).value, 0)));
         }
         if (e_.cannot_be_driven.empty()) {
             title();
@@ -40,7 +41,8 @@ void DeadPointText::write_dead_points_of(const Equations::Loop& loop, std::size_
     if (!solved.dead_points->empty())
         told(pen_.letter(driver).is_angle
                  ? Words("det {J} = 0 at {0} = {1}: there {0} cannot be driven, and its body makes no full turn.",
-                         "det {J} = 0 per {0} = {1}: lì {0} non può essere movente, e il suo membro non compie giri completi.",
+                         "det {J} = 0 per {0} = {1}: lì {0} non può essere movente, e il suo membro non compie giri "
+                         "completi.",
                          pen_.spoken(driver), list_of(*solved.dead_points, driver))
                  : Words("det {J} = 0 at {0} = {1}: there {0} cannot be driven.",
                          "det {J} = 0 per {0} = {1}: lì {0} non può essere movente.", pen_.spoken(driver),
@@ -49,8 +51,10 @@ void DeadPointText::write_dead_points_of(const Equations::Loop& loop, std::size_
     if (solved.dead_points->empty() && solved.change_points.empty()) told(no_dead_point(of.empty()));
     for (const auto& [at, slide] : solved.standstills)
         told(Words("Crank and rod lie in one line at {0} = {1}, {2} = {3}: there {Λ} = 0, and {2} could not drive.",
-                   "Manovella e biella sono allineate per {0} = {1}, {2} = {3}: lì {Λ} = 0, e {2} non potrebbe essere movente.",
-                   pen_.spoken(driver), pen_.amount_of(driver, at, 0), pen_.spoken(loop.sides[at_index(solved.second)].length),
+                   "Manovella e biella sono allineate per {0} = {1}, {2} = {3}: lì {Λ} = 0, e {2} non potrebbe essere "
+                   "movente.",
+                   pen_.spoken(driver), pen_.amount_of(driver, at, 0),
+                   pen_.spoken(loop.sides[at_index(solved.second)].length),
                    pen_.amount_of(loop.sides[at_index(solved.second)].length, slide, 0)));
 }
 
@@ -72,10 +76,11 @@ Words DeadPointText::change_points_of(const Equations::Solved& solved, bool is_o
                                                         : Words("change points", "punti di biforcazione");
     const bool turns_fully = pen_.letter(driver).is_angle && solved.dead_points->empty();
     const Words so =
-        !turns_fully   ? Words("the driven body goes on beyond", "il membro movente prosegue oltre")
-        : is_only_loop ? Words("the driven body passes and makes full turns", "il membro movente vi passa e compie giri completi")
-                       : Words("the driven body passes and, as for this loop, may make full turns",
-                               "il membro movente vi passa e, per questa maglia, può compiere giri completi");
+        !turns_fully ? Words("the driven body goes on beyond", "il membro movente prosegue oltre")
+        : is_only_loop
+            ? Words("the driven body passes and makes full turns", "il membro movente vi passa e compie giri completi")
+            : Words("the driven body passes and, as for this loop, may make full turns",
+                    "il membro movente vi passa e, per questa maglia, può compiere giri completi");
     return {"det {J} = 0 at {0} = {1}: {2}, where the branch is a choice; {3}.",
             "det {J} = 0 per {0} = {1}: {2}, dove il ramo è una scelta; {3}.",
             pen_.spoken(driver),

@@ -1,5 +1,5 @@
-// Where the driver cannot drive: letters that rest in the drawn position, and the dead points of each loop along the driver's
-// travel.
+// Where the driver cannot drive: letters that rest in the drawn position, and the dead points of each loop along the
+// driver's travel.
 #pragma once
 
 #include <string>

@@ -30,7 +30,8 @@ Formula LettersTable::what_is(LetterIndex index) const {
     const Letter& own = pen_.letter(index);
     if (own.role != Letter::Role::given) return Formula::upright(pen_.described(index));
     if (own.symbol == "R")
-        return Formula::upright(pen_.in(Words("radius on body {0}", "raggio sul corpo {0}", mechanism_.body(own.body).name)));
+        return Formula::upright(
+            pen_.in(Words("radius on body {0}", "raggio sul corpo {0}", mechanism_.body(own.body).name)));
     if (own.is_angle) return Formula::upright(pen_.in({"fixed angle", "angolo fisso"}));
     Formula ends = ends_of(index);
     return ends.empty() ? Formula::upright(pen_.in({"constant distance", "distanza costante"})) : ends;
@@ -45,8 +46,8 @@ bool LettersTable::is_written(LetterIndex index) const {
     };
     const auto in_law = [&](const Equations::Law& law) {
         return std::any_of(law.parts.begin(), law.parts.end(), [&](const Equations::Law::Part& part) {
-            return part.radius == index ||
-                   std::any_of(part.sum.begin(), part.sum.end(), [&](const auto& each) { return each.second == index; });
+            return part.radius == index || std::any_of(part.sum.begin(), part.sum.end(),
+                                                       [&](const auto& each) { return each.second == index; });
         });
     };
     return std::any_of(e_.loops.begin(), e_.loops.end(), [&](const auto& loop) { return has(loop.sides); }) ||

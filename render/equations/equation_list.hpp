@@ -1,4 +1,5 @@
-// The list that the text of the closure equations is made of, as it grows: headings, sentences, formulas, tables in their order.
+// The list that the text of the closure equations is made of, as it grows: headings, sentences, formulas, tables in
+// their order.
 #pragma once
 
 #include <string>
@@ -19,7 +20,9 @@ public:
     void say(const Words& words) { say_text(in(words, language_)); }
     void say_text(std::string words) { items_.push_back({EquationItem::Kind::words, std::move(words), {}, {}}); }
     void set(Formula formula) { items_.push_back({EquationItem::Kind::formula, {}, std::move(formula), {}}); }
-    void table(std::vector<std::vector<Formula>> rows) { items_.push_back({EquationItem::Kind::table, {}, {}, std::move(rows)}); }
+    void table(std::vector<std::vector<Formula>> rows) {
+        items_.push_back({EquationItem::Kind::table, {}, {}, std::move(rows)});
+    }
     std::vector<EquationItem> taken() { return std::move(items_); }
 
 private:

@@ -47,7 +47,8 @@ std::string EquationPen::amount_text(double si, QuantityKind kind) const {
 }
 
 std::string EquationPen::spoken(LetterIndex index) const {
-    return "{" + unicode_letter(letter(index).symbol) + (letter(index).sub.empty() ? "" : "_" + letter(index).sub) + "}";
+    return "{" + unicode_letter(letter(index).symbol) + (letter(index).sub.empty() ? "" : "_" + letter(index).sub) +
+           "}";
 }
 
 std::string EquationPen::as_letter(const std::string& name) {
@@ -76,9 +77,10 @@ std::string EquationPen::described(LetterIndex index) const {
     const Letter& own = letter(index);
     const auto body = [&](BodyIndex which) { return mechanism_.body(which).name; };
     if (own.is_angle && own.joint == none && own.body != none)
-        return own.against == none ? in(Words("turn of body {0}", "rotazione del corpo {0}", body(own.body)))
-                                   : in(Words("turn of body {0} on body {1}", "rotazione del corpo {0} rispetto al corpo {1}",
-                                              body(own.body), body(own.against)));
+        return own.against == none
+                   ? in(Words("turn of body {0}", "rotazione del corpo {0}", body(own.body)))
+                   : in(Words("turn of body {0} on body {1}", "rotazione del corpo {0} rispetto al corpo {1}",
+                              body(own.body), body(own.against)));
     if (own.is_angle)
         return in(Words("equivalent link at {0}", "biella equivalente in {0}",
                         own.joint == none ? std::string() : mechanism_.joint(own.joint).name));
@@ -188,7 +190,8 @@ Formula EquationPen::law_sum(const Equations::Law& law, const std::function<Form
         std::vector<Signed> sum;
         for (const auto& [sign, each] : part.sum) sum.push_back({sign, of(each)});
         Formula inner = joined(sum);
-        if (part.radius >= 0) inner = name(part.radius) + (sum.size() > 1 ? Formula::fenced(std::move(inner)) : std::move(inner));
+        if (part.radius >= 0)
+            inner = name(part.radius) + (sum.size() > 1 ? Formula::fenced(std::move(inner)) : std::move(inner));
         terms.push_back({part.sign, std::move(inner)});
     }
     return joined(terms);
@@ -215,7 +218,8 @@ Signed EquationPen::term(const Term& of, int sign) const {
         if (rate.sum.size() > 1) sum = Formula::fenced(std::move(sum));
         made += rate.power == 2 ? square(std::move(sum)) : std::move(sum);
     }
-    if (of.turn != Term::Turn::plain) made += trigonometric(of.turn == Term::Turn::sin, sum_of(of.angle), of.angle.size() == 1);
+    if (of.turn != Term::Turn::plain)
+        made += trigonometric(of.turn == Term::Turn::sin, sum_of(of.angle), of.angle.size() == 1);
     if (made.empty()) made = Formula::upright("1");
     return {of.coefficient < 0 ? -sign : sign, std::move(made)};
 }

@@ -1,5 +1,5 @@
-// How the closure equations look: letters, angles, sides of loops, their derivatives and terms as formulas, and what a letter is
-// called and measures. It says nothing of what is done with them.
+// How the closure equations look: letters, angles, sides of loops, their derivatives and terms as formulas, and what a
+// letter is called and measures. It says nothing of what is done with them.
 #pragma once
 
 #include <functional>
@@ -49,7 +49,9 @@ public:
     Language language() const { return language_; }
     std::string in(const Words& words) const { return render::in(words, language_); }
     const Letter& letter(LetterIndex index) const { return e_.letter(index); }
-    Formula name(LetterIndex index, int dots = 0) const { return Formula::letter(letter(index).symbol, letter(index).sub, dots); }
+    Formula name(LetterIndex index, int dots = 0) const {
+        return Formula::letter(letter(index).symbol, letter(index).sub, dots);
+    }
     /// As sentences call it: in braces, which make a letter of it.
     std::string spoken(LetterIndex index) const;
     /// A name of a letter and digits as one letter, "O2" as O₂; others as they are.
@@ -71,7 +73,9 @@ public:
     /// The known sides of a loop, as they add up to what the unknown ones are.
     std::vector<Side> known_sides(const Equations::Loop& loop) const;
     static int sign_of(const Side& known, const Side& lead) { return known.on_the_right == lead.on_the_right ? -1 : 1; }
-    std::string numbered(std::size_t index) const { return e_.loops.size() > 1 ? std::to_string(index + 1) : std::string(); }
+    std::string numbered(std::size_t index) const {
+        return e_.loops.size() > 1 ? std::to_string(index + 1) : std::string();
+    }
     std::vector<LetterIndex> turning(const Side& of) const;
     bool slides(const Side& of) const { return letter(of.length).role != Letter::Role::given; }
     Formula rate_of(const std::vector<LetterIndex>& letters, int dots, bool squared = false) const;

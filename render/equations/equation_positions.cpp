@@ -21,17 +21,20 @@ void PositionText::write_positions() {
                         std::to_string(i + 1), through));
         list_.set(both_sides(loop, [&](const Side& each) { return pen_.side(each); }));
         for (const bool sine : {false, true})
-            list_.set(both_sides(loop, [&](const Side& each) { return pen_.component(each.length, each.angle, sine, 1); }));
+            list_.set(
+                both_sides(loop, [&](const Side& each) { return pen_.component(each.length, each.angle, sine, 1); }));
         write_solved(loop, i);
     }
     for (const Equations::Law& law : e_.laws) write_law(law);
     for (const JointIndex joint : e_.by_tangent)
-        list_.say(Words(
-            "Of the contact {0} only the tangent is known. A slide along it stands for it: right for velocities in this "
-            "position, not for accelerations.",
-            "Del contatto {0} è nota solo la tangente. Lo sostituisce uno scorrimento lungo di essa: valido per le velocità "
-            "in questa posizione, non per le accelerazioni.",
-            mechanism_.joint(joint).name));
+        list_.say(
+            Words("Of the contact {0} only the tangent is known. A slide along it stands for it: right for velocities "
+                  "in this "
+                  "position, not for accelerations.",
+                  "Del contatto {0} è nota solo la tangente. Lo sostituisce uno scorrimento lungo di essa: valido per "
+                  "le velocità "
+                  "in questa posizione, non per le accelerazioni.",
+                  mechanism_.joint(joint).name));
 }
 
 Formula PositionText::both_sides(const Equations::Loop& loop, const std::function<Signed(const Side&)>& of) const {
@@ -44,11 +47,11 @@ Formula PositionText::both_sides(const Equations::Loop& loop, const std::functio
 void PositionText::write_law(const Equations::Law& law) {
     const std::string joint = law.joint == none ? std::string() : mechanism_.joint(law.joint).name;
     if (law.kind == Equations::Law::Kind::rolling)
-        list_.say(Words(
-            "Rolling at {0}, counted from the drawn position:", "Rotolamento in {0}, contato dalla posizione disegnata:", joint));
+        list_.say(Words("Rolling at {0}, counted from the drawn position:",
+                        "Rotolamento in {0}, contato dalla posizione disegnata:", joint));
     else if (law.kind == Equations::Law::Kind::gear)
-        list_.say(Words(
-            "Gears at {0}, counted from the drawn position:", "Ingranaggio in {0}, contato dalla posizione disegnata:", joint));
+        list_.say(Words("Gears at {0}, counted from the drawn position:",
+                        "Ingranaggio in {0}, contato dalla posizione disegnata:", joint));
     else
         list_.say({"A driver of what has a coordinate already:", "Un movente di ciò che ha già una coordinata:"});
     list_.set(equal(pen_.law_sum(law, [&](LetterIndex each) { return Formula::letter("Delta") + pen_.name(each); }),
@@ -57,14 +60,10 @@ void PositionText::write_law(const Equations::Law& law) {
 
 void PositionText::write_solved(const Equations::Loop& loop, std::size_t index) {
     switch (loop.solved.kind) {
-        case Solved::Kind::two_turns:
-            return write_two_turns(loop, index);
-        case Solved::Kind::turn_and_slide:
-            return write_turn_and_slide(loop);
-        case Solved::Kind::turn_with_slide:
-            return write_turn_with_slide(loop, index);
-        case Solved::Kind::turn_with_offset_slide:
-            return write_turn_with_offset_slide(loop, index);
+        case Solved::Kind::two_turns: return write_two_turns(loop, index);
+        case Solved::Kind::turn_and_slide: return write_turn_and_slide(loop);
+        case Solved::Kind::turn_with_slide: return write_turn_with_slide(loop, index);
+        case Solved::Kind::turn_with_offset_slide: return write_turn_with_offset_slide(loop, index);
         case Solved::Kind::two_slides:
             return list_.say({"Both unknowns are lengths: the two equations are linear in them.",
                               "Le due incognite sono lunghezze: le due equazioni sono lineari."});
@@ -76,8 +75,10 @@ void PositionText::write_solved(const Equations::Loop& loop, std::size_t index) 
                 return list_.say({"Its unknowns have no closed form here: they are found by iteration (Newton).",
                                   "Le sue incognite non hanno qui forma chiusa: si trovano per iterazione (Newton)."});
             return list_.say(
-                {"Its unknowns have no closed form here: they are found by iteration (Newton), together with the other loops’.",
-                 "Le sue incognite non hanno qui forma chiusa: si trovano per iterazione (Newton), insieme a quelle delle altre "
+                {"Its unknowns have no closed form here: they are found by iteration (Newton), together with the other "
+                 "loops’.",
+                 "Le sue incognite non hanno qui forma chiusa: si trovano per iterazione (Newton), insieme a quelle "
+                 "delle altre "
                  "maglie."});
     }
 }
@@ -93,7 +94,8 @@ void PositionText::write_resultant(const Equations::Loop& loop, std::size_t inde
     const Side& lead = loop.sides[at_index(loop.solved.first)];
     std::vector<Signed> sum;
     for (const Side& each : pen_.known_sides(loop)) sum.push_back(pen_.side(each, pen_.sign_of(each, lead)));
-    const Formula p = Formula::letter("p", pen_.numbered(index)), sigma = Formula::letter("sigma", pen_.numbered(index));
+    const Formula p = Formula::letter("p", pen_.numbered(index)),
+                  sigma = Formula::letter("sigma", pen_.numbered(index));
     list_.set(equal(p + Formula::power(Formula::letter("e"), pen_.imaginary() + sigma), joined(sum)));
     list_.set(equal(p, Formula::upright(pen_.amount_text(loop.solved.resultant, QuantityKind::length) + ", ")) +
               equal(sigma, Formula::upright(pen_.amount_text(loop.solved.direction, QuantityKind::angle))));
@@ -105,23 +107,29 @@ void PositionText::write_two_turns(const Equations::Loop& loop, std::size_t inde
     write_resultant(loop, index);
     const Side &first = loop.sides[at_index(loop.solved.first)], &second = loop.sides[at_index(loop.solved.second)];
     const bool same = first.on_the_right == second.on_the_right;
-    const Formula p = Formula::letter("p", pen_.numbered(index)), b = pen_.name(first.length), c = pen_.name(second.length);
-    const double pv = loop.solved.resultant, bv = pen_.letter(first.length).value, cv = pen_.letter(second.length).value;
+    const Formula p = Formula::letter("p", pen_.numbered(index)), b = pen_.name(first.length),
+                  c = pen_.name(second.length);
+    const double pv = loop.solved.resultant, bv = pen_.letter(first.length).value,
+                 cv = pen_.letter(second.length).value;
     const auto write = [&](const Side& of, Formula above, const Formula& below, double cosine) {
         list_.set(
             equal(pen_.trigonometric(
-                      false, pen_.angle(of.angle) + Formula::sign("−") + Formula::letter("sigma", pen_.numbered(index)), false),
+                      false, pen_.angle(of.angle) + Formula::sign("−") + Formula::letter("sigma", pen_.numbered(index)),
+                      false),
                   Formula::fraction(std::move(above), Formula::upright("2") + below + p)) +
             Formula::sign("=") + pen_.value(cosine));
-        list_.set(equal(pen_.angle(of.angle), pen_.amount_formula(of.angle.letters.empty() ? of.length : of.angle.letters.front(),
-                                                                  value_of(e_, of.angle), 0)));
+        list_.set(equal(pen_.angle(of.angle),
+                        pen_.amount_formula(of.angle.letters.empty() ? of.length : of.angle.letters.front(),
+                                            value_of(e_, of.angle), 0)));
     };
     const Formula plus = Formula::sign("+"), minus = Formula::sign("−");
     write(first, square(b) + plus + square(p) + minus + square(c), b, (bv * bv + pv * pv - cv * cv) / (2 * bv * pv));
     if (same)
-        write(second, square(p) + plus + square(c) + minus + square(b), c, (pv * pv + cv * cv - bv * bv) / (2 * pv * cv));
+        write(second, square(p) + plus + square(c) + minus + square(b), c,
+              (pv * pv + cv * cv - bv * bv) / (2 * pv * cv));
     else
-        write(second, square(b) + minus + square(p) + minus + square(c), c, (bv * bv - pv * pv - cv * cv) / (2 * pv * cv));
+        write(second, square(b) + minus + square(p) + minus + square(c), c,
+              (bv * bv - pv * pv - cv * cv) / (2 * pv * cv));
 }
 
 void PositionText::write_turn_and_slide(const Equations::Loop& loop) {
@@ -131,14 +139,17 @@ void PositionText::write_turn_and_slide(const Equations::Loop& loop) {
     };
     const std::vector<Side> known = pen_.known_sides(loop);
     list_.say(
-        {"Projected square to the slide the loop gives the angle of the side that turns, projected along it the slide itself:",
-         "Proiettando la maglia normalmente allo scorrimento si ricava l’angolo del lato che ruota, proiettandola lungo di esso lo "
+        {"Projected square to the slide the loop gives the angle of the side that turns, projected along it the slide "
+         "itself:",
+         "Proiettando la maglia normalmente allo scorrimento si ricava l’angolo del lato che ruota, proiettandola "
+         "lungo di esso lo "
          "scorrimento:"});
     write_sine(first, known, against);
     const int forth = first.on_the_right == second.on_the_right ? 1 : -1;
     std::vector<Signed> along;
     for (const Side& each : known)
-        if (Signed own = pen_.projected(pen_.name(each.length), against(each), false, forth * pen_.sign_of(each, first));
+        if (Signed own =
+                pen_.projected(pen_.name(each.length), against(each), false, forth * pen_.sign_of(each, first));
             own.sign != 0)
             along.push_back(std::move(own));
     along.push_back(pen_.projected(pen_.name(first.length), against(first), false, -forth));
@@ -163,13 +174,15 @@ void PositionText::write_sine(const Side& first, const std::vector<Side>& known,
     const int side = turning.sign < 0 ? -1 : 1;
     for (Signed& each : across) each.sign *= side;
     if (crank != nullptr && one_crank) {
-        list_.set(equal(Formula::letter("lambda"), Formula::fraction(pen_.name(crank->length), pen_.name(first.length))) +
-                  Formula::sign("=") + pen_.value(pen_.letter(crank->length).value / pen_.letter(first.length).value));
+        list_.set(
+            equal(Formula::letter("lambda"), Formula::fraction(pen_.name(crank->length), pen_.name(first.length))) +
+            Formula::sign("=") + pen_.value(pen_.letter(crank->length).value / pen_.letter(first.length).value));
         std::vector<Signed> shares;
         for (const Side& each : known) {
-            Signed own = pen_.projected(
-                &each == crank ? Formula::letter("lambda") : Formula::fraction(pen_.name(each.length), pen_.name(first.length)),
-                against(each), true, side * pen_.sign_of(each, first));
+            Signed own =
+                pen_.projected(&each == crank ? Formula::letter("lambda")
+                                              : Formula::fraction(pen_.name(each.length), pen_.name(first.length)),
+                               against(each), true, side * pen_.sign_of(each, first));
             if (own.sign != 0) shares.push_back(std::move(own));
         }
         list_.set(equal(turning.term, joined(shares)));
@@ -179,12 +192,14 @@ void PositionText::write_sine(const Side& first, const std::vector<Side>& known,
     } else {
         list_.set(equal(turning.term, Formula::fraction(joined(across), pen_.name(first.length))));
     }
-    list_.set(equal(pen_.angle(first.angle), Formula::upright(pen_.amount_text(value_of(e_, first.angle), QuantityKind::angle))));
+    list_.set(equal(pen_.angle(first.angle),
+                    Formula::upright(pen_.amount_text(value_of(e_, first.angle), QuantityKind::angle))));
 }
 
 void PositionText::write_turn_with_slide(const Equations::Loop& loop, std::size_t index) {
     const Side& first = loop.sides[at_index(loop.solved.first)];
-    list_.say({"The sliding side is what is known, as one vector:", "Il lato scorrevole è la somma delle grandezze note:"});
+    list_.say(
+        {"The sliding side is what is known, as one vector:", "Il lato scorrevole è la somma delle grandezze note:"});
     write_resultant(loop, index);
     list_.set(equal(pen_.name(first.length), Formula::letter("p", pen_.numbered(index))) + Formula::upright(", ") +
               equal(pen_.angle(first.angle), Formula::letter("sigma", pen_.numbered(index))));
@@ -192,23 +207,26 @@ void PositionText::write_turn_with_slide(const Equations::Loop& loop, std::size_
 
 void PositionText::write_turn_with_offset_slide(const Equations::Loop& loop, std::size_t index) {
     const Side &slide = loop.sides[at_index(loop.solved.first)], &arm = loop.sides[at_index(loop.solved.second)];
-    list_.say(Words("With what is known as one vector, the sliding side and the arm {0}, square to it, form a right triangle:",
-                    "Raccolte le grandezze note in un vettore, il lato scorrevole e il braccio {0}, normale ad esso, formano un "
-                    "triangolo rettangolo:",
-                    pen_.spoken(arm.length)));
+    list_.say(Words(
+        "With what is known as one vector, the sliding side and the arm {0}, square to it, form a right triangle:",
+        "Raccolte le grandezze note in un vettore, il lato scorrevole e il braccio {0}, normale ad esso, formano un "
+        "triangolo rettangolo:",
+        pen_.spoken(arm.length)));
     write_resultant(loop, index);
-    const Formula p = Formula::letter("p", pen_.numbered(index)), sigma = Formula::letter("sigma", pen_.numbered(index));
+    const Formula p = Formula::letter("p", pen_.numbered(index)),
+                  sigma = Formula::letter("sigma", pen_.numbered(index));
     const Formula b = pen_.name(slide.length), c = pen_.name(arm.length), minus = Formula::sign("−");
     const double slid = pen_.letter(slide.length).value, pv = loop.solved.resultant, cv = pen_.letter(arm.length).value;
-    list_.set(equal(b, joined({{slid < 0 ? -1 : 1, Formula::root(square(p) + minus + square(c))}})) + Formula::sign("=") +
-              pen_.amount_formula(slide.length, slid, 0));
+    list_.set(equal(b, joined({{slid < 0 ? -1 : 1, Formula::root(square(p) + minus + square(c))}})) +
+              Formula::sign("=") + pen_.amount_formula(slide.length, slid, 0));
     // (b ± i c) e^{iβ} = p e^{iσ}: the sine of β − σ is ∓ c/p.
     const int quarters = ((arm.angle.quarters - slide.angle.quarters) % 4 + 4) % 4;
     const int side = (quarters == 1 ? 1 : -1) * pen_.sign_of(arm, slide);
     list_.set(equal(pen_.trigonometric(true, pen_.angle(slide.angle) + minus + sigma, false),
                     joined({{side, Formula::fraction(c, p)}})) +
               Formula::sign("=") + pen_.value(side * cv / pv));
-    list_.set(equal(pen_.angle(slide.angle), Formula::upright(pen_.amount_text(value_of(e_, slide.angle), QuantityKind::angle))));
+    list_.set(equal(pen_.angle(slide.angle),
+                    Formula::upright(pen_.amount_text(value_of(e_, slide.angle), QuantityKind::angle))));
 }
 
 }  // namespace kinegraph::render::closure

@@ -1,4 +1,5 @@
-// Positions: each loop with its two parts, and the closed form of its unknowns where there is one; laws of rolling and gears.
+// Positions: each loop with its two parts, and the closed form of its unknowns where there is one; laws of rolling and
+// gears.
 #pragma once
 
 #include <functional>
@@ -27,7 +28,8 @@ private:
     void write_two_turns(const Equations::Loop& loop, std::size_t index);
     void write_turn_and_slide(const Equations::Loop& loop);
     /// sin β = −λ sin α + h/b, λ = a/b, where one crank and offsets are known; else all over b.
-    void write_sine(const Side& first, const std::vector<Side>& known, const std::function<Difference(const Side&)>& against);
+    void write_sine(const Side& first, const std::vector<Side>& known,
+                    const std::function<Difference(const Side&)>& against);
     void write_turn_with_slide(const Equations::Loop& loop, std::size_t index);
     void write_turn_with_offset_slide(const Equations::Loop& loop, std::size_t index);
     /// No loop that is solved together with it: it is a block of its own.

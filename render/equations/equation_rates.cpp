@@ -15,13 +15,15 @@ namespace kinegraph::render::closure {
 void RateText::write_velocities() {
     list_.heading({"Velocities", "Velocità"}, true);
     const std::string& unit = mechanism_.units.length.symbol;
-    list_.say(e_.loops.empty() ? Words("Differentiating the laws once, with entries in {0}, {0}/s and rad:",
-                                       "Derivando una volta le leggi, con elementi in {0}, {0}/s e rad:", unit)
-                               : Words("Differentiating the loops once, with entries in {0}, {0}/s and rad:",
-                                       "Derivando una volta le equazioni di maglia, con elementi in {0}, {0}/s e rad:", unit));
+    list_.say(e_.loops.empty()
+                  ? Words("Differentiating the laws once, with entries in {0}, {0}/s and rad:",
+                          "Derivando una volta le leggi, con elementi in {0}, {0}/s e rad:", unit)
+                  : Words("Differentiating the loops once, with entries in {0}, {0}/s and rad:",
+                          "Derivando una volta le equazioni di maglia, con elementi in {0}, {0}/s e rad:", unit));
     for (const Equations::Loop& loop : e_.loops) list_.set(derived(loop, false));
     for (const Equations::Law& law : e_.laws)
-        list_.set(equal(pen_.law_sum(law, [&](LetterIndex each) { return pen_.name(each, 1); }), Formula::upright("0")));
+        list_.set(
+            equal(pen_.law_sum(law, [&](LetterIndex each) { return pen_.name(each, 1); }), Formula::upright("0")));
     for (const Equations::Block& block : e_.blocks) write_block(block, 1);
 }
 
@@ -148,7 +150,8 @@ void RateText::write_block(const Equations::Block& block, int dots) {
     const bool is_large = block.unknowns.size() > most_in_line;
     if (is_large && dots == 1) write_in_parts(block);
     Formula left = (is_large ? Formula::letter("J") : matrix(block, true)) + unknowns_column(block, dots);
-    if (const bool is_long = longest_right_side(block, dots) > most_in_line || widest_right_side(block, dots) > most_letters;
+    if (const bool is_long =
+            longest_right_side(block, dots) > most_in_line || widest_right_side(block, dots) > most_letters;
         !is_long)
         list_.set(equal(std::move(left), right_side(block, dots, true)));
     else
@@ -156,8 +159,8 @@ void RateText::write_block(const Equations::Block& block, int dots) {
     if (rates_known(block, dots)) {
         std::vector<Formula> values;
         for (const LetterIndex each : block.unknowns)
-            values.push_back(
-                pen_.amount_formula(each, (dots == 1 ? pen_.letter(each).rate : pen_.letter(each).acceleration).value(), dots));
+            values.push_back(pen_.amount_formula(
+                each, (dots == 1 ? pen_.letter(each).rate : pen_.letter(each).acceleration).value(), dots));
         if (is_large) {
             if (dots == 1) list_.set(equal(Formula::letter("J"), matrix(block, false)));
         } else {
@@ -179,7 +182,8 @@ std::size_t RateText::longest_right_side(const Equations::Block& block, int dots
 std::size_t RateText::widest_right_side(const Equations::Block& block, int dots) const {
     std::size_t widest = 0;
     for (const int r : block.rows)
-        widest = std::max(widest, character_count(joined(pen_.terms(known_terms(block, at_index(r), dots), -1)).plain()));
+        widest =
+            std::max(widest, character_count(joined(pen_.terms(known_terms(block, at_index(r), dots), -1)).plain()));
     return widest;
 }
 
@@ -201,7 +205,8 @@ void RateText::write_in_parts(const Equations::Block& block) {
             Equations::Block one = block;
             one.unknowns = {block.unknowns[first]};
             std::size_t widest = 0;
-            for (const Formula& entry : matrix(one, true).parts) widest = std::max(widest, character_count(entry.plain()));
+            for (const Formula& entry : matrix(one, true).parts)
+                widest = std::max(widest, character_count(entry.plain()));
             letters += widest + between;
             if (!part.unknowns.empty() && letters > most_letters) break;
             part.unknowns.push_back(block.unknowns[first]);
@@ -210,19 +215,22 @@ void RateText::write_in_parts(const Equations::Block& block) {
         list_.set(equal(names.back(), matrix(part, true)));
     }
     const std::size_t count = names.size();
-    list_.set(equal(Formula::letter("J"), Formula::matrix(std::move(names), count, notation(pen_.language()).between_numbers)));
+    list_.set(equal(Formula::letter("J"),
+                    Formula::matrix(std::move(names), count, notation(pen_.language()).between_numbers)));
 }
 
 void RateText::write_determinant(const Equations::Block& block) {
     const auto found = determinant(block);
     if (!found) {
-        list_.say(Words("{0} equations for {1} unknowns, of rank {2}.", "{0} equazioni per {1} incognite, di rango {2}.",
-                        std::to_string(block.rows.size()), std::to_string(block.unknowns.size()), std::to_string(e_.rank)));
+        list_.say(Words("{0} equations for {1} unknowns, of rank {2}.",
+                        "{0} equazioni per {1} incognite, di rango {2}.", std::to_string(block.rows.size()),
+                        std::to_string(block.unknowns.size()), std::to_string(e_.rank)));
         return;
     }
     Formula left = Formula::upright("det") + Formula::letter("J");
     if (auto closed = closed_determinant(block, *found)) left = equal(std::move(left), *std::move(closed));
-    list_.set(equal(std::move(left), pen_.value(e_.determinant && *e_.determinant == 0 && e_.blocks.size() == 1 ? 0 : *found)));
+    list_.set(equal(std::move(left),
+                    pen_.value(e_.determinant && *e_.determinant == 0 && e_.blocks.size() == 1 ? 0 : *found)));
 }
 
 std::optional<Formula> RateText::closed_determinant(const Equations::Block& block, double found) const {
@@ -239,7 +247,8 @@ std::optional<Formula> RateText::closed_determinant(const Equations::Block& bloc
         expected = std::sin(expected);
     } else if (solved.kind == Solved::Kind::turn_and_slide) {
         own = pen_.projected(pen_.name(first.length),
-                             {first.angle.letters, second.angle.letters, first.angle.quarters - second.angle.quarters}, false, 1);
+                             {first.angle.letters, second.angle.letters, first.angle.quarters - second.angle.quarters},
+                             false, 1);
         expected = std::cos(expected);
     } else if (solved.kind == Solved::Kind::turn_with_slide || solved.kind == Solved::Kind::turn_with_offset_slide) {
         own = {1, pen_.name(first.length)};

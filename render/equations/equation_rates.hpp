@@ -1,4 +1,5 @@
-// Velocities and accelerations: the loops derived, the Jacobian block by block with its determinant, in symbols and in numbers.
+// Velocities and accelerations: the loops derived, the Jacobian block by block with its determinant, in symbols and in
+// numbers.
 #pragma once
 
 #include <cstddef>

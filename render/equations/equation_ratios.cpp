@@ -26,9 +26,9 @@ void RatioText::write_second_ratios() {
                 const LetterIndex of = e_.unknowns[j], first = e_.free[k], second = e_.free[l];
                 const auto& found = e_.second_ratios[j][k][l];
                 if (!found) continue;
-                list_.set(
-                    equal(Formula::primed("Lambda", index_of(of, {first, second}), 1), second_derivative(of, first, second)) +
-                    ratio_value(of, {first, second}, *found));
+                list_.set(equal(Formula::primed("Lambda", index_of(of, {first, second}), 1),
+                                second_derivative(of, first, second)) +
+                          ratio_value(of, {first, second}, *found));
             }
 }
 

@@ -69,7 +69,8 @@ bool ReachText::write_groups(const Equations::Reach& reach) {
         relative.add(pen_.exponential(-1, pen_.name(each.length) + square(pen_.name(own, 1)), each.angle));
         add(relative.value, z, -b * b, b2);
         coriolis.add(pen_.exponential(
-            -1, Formula::upright("2") + pen_.name(each.length) + pen_.rate_of(carried, 1) + pen_.name(own, 1), each.angle));
+            -1, Formula::upright("2") + pen_.name(each.length) + pen_.rate_of(carried, 1) + pen_.name(own, 1),
+            each.angle));
         add(coriolis.value, z, -2 * w * b, 0);
     }
     const auto line = [&](const char* symbol, const std::string& kind, const std::vector<Signed>& terms,

@@ -1,5 +1,5 @@
-// Open chains: place, velocity and acceleration of the point they reach, and the same as an observer on the last body but one has
-// them.
+// Open chains: place, velocity and acceleration of the point they reach, and the same as an observer on the last body
+// but one has them.
 #pragma once
 
 #include <array>

@@ -61,11 +61,12 @@ std::vector<EquationItem> answered(const Solution& solution, Language language) 
 std::vector<EquationItem> equation_items(const Solution& solution, Language language) {
     if (!solution.equations) return {};
     if (!solution.equations->why_not.empty())
-        return {{EquationItem::Kind::heading, in(Words("Closure equations", "Equazioni di chiusura"), language), {}, {}},
-                {EquationItem::Kind::words,
-                 in(Words("There are none: {0}.", "Non ce ne sono: {0}.", solution.equations->why_not), language),
-                 {},
-                 {}}};
+        return {
+            {EquationItem::Kind::heading, in(Words("Closure equations", "Equazioni di chiusura"), language), {}, {}},
+            {EquationItem::Kind::words,
+             in(Words("There are none: {0}.", "Non ce ne sono: {0}.", solution.equations->why_not), language),
+             {},
+             {}}};
     return worked_out(solution, language);
 }
 
@@ -128,8 +129,9 @@ std::string as_latex(std::span<const EquationItem> items) {
         if (item.kind == Kind::heading) text += "\\section*{" + safe(item.words) + "}\n";
         if (item.kind == Kind::words) {
             for (const Piece& piece : formula(item.words))
-                text += piece.face == Face::italic ? "$" + Formula::letter(letter_spelt(piece.text), piece.sub).latex() + "$"
-                                                   : safe(piece.text) + (piece.sup.empty() ? "" : "$^{" + piece.sup + "}$");
+                text += piece.face == Face::italic
+                            ? "$" + Formula::letter(letter_spelt(piece.text), piece.sub).latex() + "$"
+                            : safe(piece.text) + (piece.sup.empty() ? "" : "$^{" + piece.sup + "}$");
             text += "\n\n";
         }
         if (item.kind == Kind::formula) text += "\\[" + item.formula.latex() + "\\]\n";

@@ -1,6 +1,6 @@
-// The closure equations as they are worked by hand: loops, position, velocities, ratios, accelerations, in a list of headings,
-// sentences, formulas and tables, which the sheet sets, and the terminal and LaTeX print. Takes every number from the equations,
-// and from the solution what the polygons say beside them.
+// The closure equations as they are worked by hand: loops, position, velocities, ratios, accelerations, in a list of
+// headings, sentences, formulas and tables, which the sheet sets, and the terminal and LaTeX print. Takes every number
+// from the equations, and from the solution what the polygons say beside them.
 #pragma once
 
 #include <span>

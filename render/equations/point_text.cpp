@@ -1,5 +1,5 @@
-// The motion of a point in words and formulas: laws, derivatives, the same in three forms, hodograph, intrinsic components and
-// curvature, the course over the interval.
+// The motion of a point in words and formulas: laws, derivatives, the same in three forms, hodograph, intrinsic
+// components and curvature, the course over the interval.
 #include "render/equations/point_text.hpp"
 
 #include <cmath>
@@ -29,37 +29,38 @@ public:
         PointSection section{"given", {"Given", "Dati"}, {}, {}};
         section.sentences.emplace_back(sentence_of_form());
         for (std::size_t i = 0; i < problem_.laws.size(); ++i)
-            add(section,
-                equation(law_letter(i, 0), Formula(expression(found_.laws[i].by_order[0])) + unit_of(problem_.laws[i].law)));
+            add(section, equation(law_letter(i, 0),
+                                  Formula(expression(found_.laws[i].by_order[0])) + unit_of(problem_.laws[i].law)));
         if (const auto* graph = path<GraphPath>())
-            add(section, equation(Formula::letter("y"), expression(found_.of_path->by_order[0], "x") + unit_of(graph->f.law)));
+            add(section,
+                equation(Formula::letter("y"), expression(found_.of_path->by_order[0], "x") + unit_of(graph->f.law)));
         if (const Words constants = said_constants(); !constants.empty()) section.sentences.push_back(constants);
         section.sentences.emplace_back("The instant is {t} = {0}, the interval {1} … {2}.",
-                                       "L’istante è {t} = {0}, l’intervallo {1} … {2}.", time(problem_.at), time(problem_.from),
-                                       time(problem_.to));
+                                       "L’istante è {t} = {0}, l’intervallo {1} … {2}.", time(problem_.at),
+                                       time(problem_.from), time(problem_.to));
         return section;
     }
 
     /// Each law, its derivatives in symbols and what they are at the instant.
     PointSection derivatives() const {
         PointSection section{"derivatives", {"Derivatives", "Derivate"}, {}, {}};
-        section.sentences.emplace_back(
-            problem_.form == Form::path
-                ? Words("The law of the way is derived twice by the time:",
-                        "La legge oraria si deriva due volte rispetto al tempo:")
-                : Words("The laws are derived twice by the time:", "Le leggi si derivano due volte rispetto al tempo:"));
+        section.sentences.emplace_back(problem_.form == Form::path
+                                           ? Words("The law of the way is derived twice by the time:",
+                                                   "La legge oraria si deriva due volte rispetto al tempo:")
+                                           : Words("The laws are derived twice by the time:",
+                                                   "Le leggi si derivano due volte rispetto al tempo:"));
         for (int order = 1; order <= 2; ++order)
             for (std::size_t i = 0; i < problem_.laws.size(); ++i) {
                 if (problem_.laws[i].text.empty()) continue;
                 const auto k = static_cast<std::size_t>(order);
-                add(section, equation(law_letter(i, order),
-                                      with_value(expression(found_.laws[i].by_order.at(k)),
-                                                 value_of(problem_.laws[i], found_.laws[i], k, problem_.at.to_double(), order))));
+                add(section, equation(law_letter(i, order), with_value(expression(found_.laws[i].by_order.at(k)),
+                                                                       value_of(problem_.laws[i], found_.laws[i], k,
+                                                                                problem_.at.to_double(), order))));
             }
         if (!found_.of_path) return section;
-        section.sentences.emplace_back(
-            "The curve is derived by {x}, which at this instant is {x} = {0}:",
-            "La curva si deriva rispetto a {x}, che in questo istante vale {x} = {0}:", length(found_.place.x.to_double()));
+        section.sentences.emplace_back("The curve is derived by {x}, which at this instant is {x} = {0}:",
+                                       "La curva si deriva rispetto a {x}, che in questo istante vale {x} = {0}:",
+                                       length(found_.place.x.to_double()));
         const auto& graph = *path<GraphPath>();
         for (int order = 1; order <= 2; ++order) {
             const auto k = static_cast<std::size_t>(order);
@@ -69,8 +70,8 @@ public:
                                      .value /
                                  unit;
             Formula said = upright(number(value, 5, language_) + (order == 2 ? " 1/m" : ""));
-            add(section,
-                equation(Formula::primed("y", "", order), with_value(expression(found_.of_path->by_order.at(k), "x"), said)));
+            add(section, equation(Formula::primed("y", "", order),
+                                  with_value(expression(found_.of_path->by_order.at(k), "x"), said)));
         }
         return section;
     }
@@ -78,28 +79,29 @@ public:
     /// Place, velocity and acceleration in coordinates, in polar components, as complex numbers.
     PointSection forms() const {
         PointSection section{"forms", {"Three forms", "Tre forme"}, {}, {}};
-        section.sentences.emplace_back("In coordinates, in components along the radius and across it, and as a complex number:",
-                                       "In coordinate, in componenti radiale e trasversale, e come numero complesso:");
+        section.sentences.emplace_back(
+            "In coordinates, in components along the radius and across it, and as a complex number:",
+            "In coordinate, in componenti radiale e trasversale, e come numero complesso:");
         const Formula r = Formula::letter("r"), theta = Formula::letter("theta");
         const auto dots = [](const char* name, int count) { return Formula::letter(name, "", count); };
         add(section, equation(Formula::letter("v", "r"), dots("r", 1)) + upright(",  ") +
                          equation(Formula::letter("v", "θ"), r + dots("theta", 1)));
-        add(section,
-            equation(Formula::letter("a", "r"), dots("r", 2) + sign("−") + r + Formula::power(dots("theta", 1), upright("2"))) +
-                upright(",  ") +
-                equation(Formula::letter("a", "θ"),
-                         r + dots("theta", 2) + sign("+") + upright("2") + dots("r", 1) + dots("theta", 1)));
+        add(section, equation(Formula::letter("a", "r"),
+                              dots("r", 2) + sign("−") + r + Formula::power(dots("theta", 1), upright("2"))) +
+                         upright(",  ") +
+                         equation(Formula::letter("a", "θ"),
+                                  r + dots("theta", 2) + sign("+") + upright("2") + dots("r", 1) + dots("theta", 1)));
         const Formula turn = Formula::power(Formula::letter("e"), Formula::letter("i") + theta);
-        add(section,
-            equation(Formula::letter("z"), Formula::letter("x") + sign("+") + Formula::letter("i") + Formula::letter("y")) +
-                sign("=") + r + turn + upright(",  ") +
-                equation(dots("z", 1), Formula::fenced(Formula::letter("v", "r") + sign("+") + Formula::letter("i") +
-                                                       Formula::letter("v", "θ")) +
-                                           turn) +
-                upright(",  ") +
-                equation(dots("z", 2), Formula::fenced(Formula::letter("a", "r") + sign("+") + Formula::letter("i") +
-                                                       Formula::letter("a", "θ")) +
-                                           turn));
+        add(section, equation(Formula::letter("z"),
+                              Formula::letter("x") + sign("+") + Formula::letter("i") + Formula::letter("y")) +
+                         sign("=") + r + turn + upright(",  ") +
+                         equation(dots("z", 1), Formula::fenced(Formula::letter("v", "r") + sign("+") +
+                                                                Formula::letter("i") + Formula::letter("v", "θ")) +
+                                                    turn) +
+                         upright(",  ") +
+                         equation(dots("z", 2), Formula::fenced(Formula::letter("a", "r") + sign("+") +
+                                                                Formula::letter("i") + Formula::letter("a", "θ")) +
+                                                    turn));
         section.pieces.push_back({section.sentences.size(), {EquationItem::Kind::table, {}, {}, table()}});
         return section;
     }
@@ -107,8 +109,10 @@ public:
     PointSection hodograph() const {
         PointSection section{"hodograph", {"Hodograph", "Odografa"}, {}, {}};
         section.sentences.emplace_back(
-            "The velocities, drawn from one origin {o}, end on the hodograph. Its point moves with the velocity {a}, so {a} is tangent to it.",
-            "Le velocità, riportate da un’unica origine {o}, terminano sull’odografa. Il suo punto si muove con velocità {a}, che le è quindi tangente.");
+            "The velocities, drawn from one origin {o}, end on the hodograph. Its point moves with the velocity {a}, "
+            "so {a} is tangent to it.",
+            "Le velocità, riportate da un’unica origine {o}, terminano sull’odografa. Il suo punto si muove con "
+            "velocità {a}, che le è quindi tangente.");
         return section;
     }
 
@@ -117,39 +121,51 @@ public:
         PointSection section{"curvature", {"Tangent, normal, curvature", "Tangente, normale, curvatura"}, {}, {}};
         if (found_.rests) {
             section.sentences.emplace_back(
-                "{v} = 0 at this instant: the point rests, and tangent and normal are not defined. Its acceleration is {a} = {0}.",
-                "In questo istante {v} = 0: il punto è fermo, tangente e normale non sono definite. La sua accelerazione è {a} = {0}.",
+                "{v} = 0 at this instant: the point rests, and tangent and normal are not defined. Its acceleration is "
+                "{a} = {0}.",
+                "In questo istante {v} = 0: il punto è fermo, tangente e normale non sono definite. La sua "
+                "accelerazione è {a} = {0}.",
                 acceleration(found_.acceleration_length));
             return section;
         }
         const Formula v = Formula::letter("v"), a = Formula::letter("a");
         section.sentences.emplace_back(
-            "The tangent {t} goes with the velocity, {v} = {0}; the normal {n} points into the curve. The projections of {a} = {1} on them, at the board by parallels through its tip, are",
-            "La tangente {t} è diretta come la velocità, {v} = {0}; la normale {n} è volta verso il concavo. Le proiezioni di {a} = {1} su di esse, condotte dall’estremo di {a} le parallele, sono",
+            "The tangent {t} goes with the velocity, {v} = {0}; the normal {n} points into the curve. The projections "
+            "of {a} = {1} on them, at the board by parallels through its tip, are",
+            "La tangente {t} è diretta come la velocità, {v} = {0}; la normale {n} è volta verso il concavo. Le "
+            "proiezioni di {a} = {1} su di esse, condotte dall’estremo di {a} le parallele, sono",
             speed(found_.speed), acceleration(found_.acceleration_length));
         const auto dot = [](int order) { return Formula::letter("v", "", order); };
         add(section, equation(Formula::letter("a", "t"), dot(1)) + sign("=") +
                          Formula::fraction(product("x") + sign("+") + product("y"), v) + sign("=") +
                          upright(said(found_.along, QuantityKind::acceleration)));
         add(section,
-            equation(Formula::letter("a", "n"), Formula::fraction(Formula::power(v, upright("2")), Formula::letter("rho"))) +
+            equation(Formula::letter("a", "n"),
+                     Formula::fraction(Formula::power(v, upright("2")), Formula::letter("rho"))) +
                 sign("=") +
                 Formula::fraction(upright("|") + crossed("x", "y") + sign("−") + crossed("y", "x") + upright("|"), v) +
                 sign("=") + upright(said(found_.across, QuantityKind::acceleration)));
         if (found_.straight) {
-            section.sentences.emplace_back("{a_n} = 0: the radius of curvature is infinite, here the path is straight.",
-                                           "{a_n} = 0: il raggio di curvatura è infinito, qui la traiettoria è rettilinea.");
+            section.sentences.emplace_back(
+                "{a_n} = 0: the radius of curvature is infinite, here the path is straight.",
+                "{a_n} = 0: il raggio di curvatura è infinito, qui la traiettoria è rettilinea.");
             return section;
         }
         if (at_the_board)
             section.sentences.emplace_back(
-                "At the board: −{a_n} is laid off from {0} to {N}′ and {v} to {V}. The perpendicular to {N}′{V} at {V} cuts the normal in the centre of curvature {C}, for the triangles {0}{N}′{V} and {0}{V}{C} are similar: {ρ} : {v} = {v} : {a_n}. With the scales of velocity and acceleration {k_v}, {k_a} that of lengths is {k_v^2}/{k_a}.",
-                "Graficamente: si riportano −{a_n} da {0} in {N}′ e {v} in {V}. La perpendicolare a {N}′{V} in {V} taglia la normale nel centro di curvatura {C}, perché i triangoli {0}{N}′{V} e {0}{V}{C} sono simili: {ρ} : {v} = {v} : {a_n}. Con le scale delle velocità e delle accelerazioni {k_v}, {k_a} quella delle lunghezze è {k_v^2}/{k_a}.",
+                "At the board: −{a_n} is laid off from {0} to {N}′ and {v} to {V}. The perpendicular to {N}′{V} at {V} "
+                "cuts the normal in the centre of curvature {C}, for the triangles {0}{N}′{V} and {0}{V}{C} are "
+                "similar: {ρ} : {v} = {v} : {a_n}. With the scales of velocity and acceleration {k_v}, {k_a} that of "
+                "lengths is {k_v^2}/{k_a}.",
+                "Graficamente: si riportano −{a_n} da {0} in {N}′ e {v} in {V}. La perpendicolare a {N}′{V} in {V} "
+                "taglia la normale nel centro di curvatura {C}, perché i triangoli {0}{N}′{V} e {0}{V}{C} sono simili: "
+                "{ρ} : {v} = {v} : {a_n}. Con le scale delle velocità e delle accelerazioni {k_v}, {k_a} quella delle "
+                "lunghezze è {k_v^2}/{k_a}.",
                 "{" + problem_.point + "}");
-        add(section,
-            equation(Formula::letter("rho"), Formula::fraction(Formula::power(v, upright("2")), Formula::letter("a", "n"))) +
-                sign("=") + upright(said(found_.radius, QuantityKind::length)) + upright(",  ") + Formula::letter("C") +
-                upright(" ") + upright(place(*found_.centre)));
+        add(section, equation(Formula::letter("rho"),
+                              Formula::fraction(Formula::power(v, upright("2")), Formula::letter("a", "n"))) +
+                         sign("=") + upright(said(found_.radius, QuantityKind::length)) + upright(",  ") +
+                         Formula::letter("C") + upright(" ") + upright(place(*found_.centre)));
         return section;
     }
 
@@ -206,16 +222,19 @@ private:
                         "Il punto {0} si muove nel piano; le sue coordinate sono funzioni del tempo,", name()};
             case Form::polar:
                 return {
-                    "The point {0} moves in the plane; the length of its radius from {O} and the angle of that are functions of the time,",
-                    "Il punto {0} si muove nel piano; il raggio vettore da {O} e la sua anomalia sono funzioni del tempo,",
+                    "The point {0} moves in the plane; the length of its radius from {O} and the angle of that are "
+                    "functions of the time,",
+                    "Il punto {0} si muove nel piano; il raggio vettore da {O} e la sua anomalia sono funzioni del "
+                    "tempo,",
                     name()};
-            case Form::path:
-                break;
+            case Form::path: break;
         }
         if (const auto* circle = path<CirclePath>())
             return {
-                "The point {0} moves along the circle of radius {R} = {1} about {2}; {s} is counted from the angle {3}, counter-clockwise,",
-                "Il punto {0} percorre la circonferenza di raggio {R} = {1} e centro {2}; {s} si conta dall’angolo {3} in senso antiorario,",
+                "The point {0} moves along the circle of radius {R} = {1} about {2}; {s} is counted from the angle "
+                "{3}, counter-clockwise,",
+                "Il punto {0} percorre la circonferenza di raggio {R} = {1} e centro {2}; {s} si conta dall’angolo {3} "
+                "in senso antiorario,",
                 name(),
                 amount(circle->radius.to_double(), QuantityKind::length, mechanism_.units, as_given),
                 place_words(circle->centre),
@@ -224,11 +243,13 @@ private:
             return {"The point {0} moves along the line from {1} in the direction {2}; {s} is counted from there,",
                     "Il punto {0} percorre la retta che parte da {1} con inclinazione {2}; {s} si conta da lì,", name(),
                     place_words(line->from),
-                    amount(std::atan2(line->direction.y.to_double(), line->direction.x.to_double()), QuantityKind::angle,
-                           mechanism_.units, 5)};
+                    amount(std::atan2(line->direction.y.to_double(), line->direction.x.to_double()),
+                           QuantityKind::angle, mechanism_.units, 5)};
         return {
-            "The point {0} moves along a curve {y}({x}); {s} is counted along it from {x} = {1} on, in the sense of growing {x},",
-            "Il punto {0} percorre una curva {y}({x}); {s} si conta lungo di essa da {x} = {1}, nel verso delle {x} crescenti,",
+            "The point {0} moves along a curve {y}({x}); {s} is counted along it from {x} = {1} on, in the sense of "
+            "growing {x},",
+            "Il punto {0} percorre una curva {y}({x}); {s} si conta lungo di essa da {x} = {1}, nel verso delle {x} "
+            "crescenti,",
             name(), amount(path<GraphPath>()->start.to_double(), QuantityKind::length, mechanism_.units, as_given)};
     }
     std::string name() const { return "{" + problem_.point + "}"; }
@@ -238,8 +259,8 @@ private:
             if (each.name.empty()) continue;
             const Formula letter = formula_of(each, Language::en);
             const Words value = said_constant(each);
-            all += Words(all.empty() ? "{0} = {1}" : ",  {0} = {1}", all.empty() ? "{0} = {1}" : ",  {0} = {1}", marked(letter),
-                         value);
+            all += Words(all.empty() ? "{0} = {1}" : ",  {0} = {1}", all.empty() ? "{0} = {1}" : ",  {0} = {1}",
+                         marked(letter), value);
         }
         return all.empty() ? all : all + std::string(".");
     }
@@ -281,7 +302,8 @@ private:
             const double si = unit.si.to_double();
             const auto digits = [&](double value) { return number(value / si, 4, language_); };
             std::vector<Formula> cells{std::move(letter)};
-            cells.push_back(upright(pair_of(digits(v.x.to_double()), digits(v.y.to_double()), language_) + " " + unit.symbol));
+            cells.push_back(
+                upright(pair_of(digits(v.x.to_double()), digits(v.y.to_double()), language_) + " " + unit.symbol));
             if (found_.at_pole)
                 cells.push_back(upright("–"));
             else if (is_place)
@@ -293,14 +315,18 @@ private:
         };
         row(Formula::letter("z"), found_.place, QuantityKind::length, {found_.r, found_.theta}, true);
         row(Formula::letter("z", "", 1), found_.velocity, QuantityKind::velocity, found_.polar_velocity, false);
-        row(Formula::letter("z", "", 2), found_.acceleration, QuantityKind::acceleration, found_.polar_acceleration, false);
+        row(Formula::letter("z", "", 2), found_.acceleration, QuantityKind::acceleration, found_.polar_acceleration,
+            false);
         return rows;
     }
-    std::string degrees(double radians) const { return amount(radians, QuantityKind::angle, mechanism_.units, language_, 4); }
+    std::string degrees(double radians) const {
+        return amount(radians, QuantityKind::angle, mechanism_.units, language_, 4);
+    }
     Formula complex_number(const Vector& v, const std::string& modulus, const std::string& unit) const {
         if (v.is_zero()) return upright("0");
         const double argument = std::atan2(v.y.to_double(), v.x.to_double());
-        return upright(modulus) + Formula::power(Formula::letter("e"), Formula::letter("i") + upright(" " + degrees(argument))) +
+        return upright(modulus) +
+               Formula::power(Formula::letter("e"), Formula::letter("i") + upright(" " + degrees(argument))) +
                upright(" " + unit);
     }
 
@@ -336,7 +362,8 @@ std::vector<EquationItem> point_items(const Solution& solution, Language languag
         items.push_back({EquationItem::Kind::heading, in(section.heading, language), {}, {}});
         auto piece = section.pieces.begin();
         const auto add_pieces = [&](std::size_t after) {
-            for (; piece != section.pieces.end() && piece->after == after; ++piece) items.push_back(std::move(piece->item));
+            for (; piece != section.pieces.end() && piece->after == after; ++piece)
+                items.push_back(std::move(piece->item));
         };
         add_pieces(0);
         for (std::size_t k = 0; k < section.sentences.size(); ++k) {

@@ -1,13 +1,13 @@
-// The motion of a point in words and formulas: what is given, the derivatives in symbols with their values, the three forms,
-// tangent, normal and curvature, the course. Chooses no figure and no place.
+// The motion of a point in words and formulas: what is given, the derivatives in symbols with their values, the three
+// forms, tangent, normal and curvature, the course. Chooses no figure and no place.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
-#include "engine/solution/solution.hpp"
 #include "engine/file/words.hpp"
+#include "engine/solution/solution.hpp"
 #include "render/equations/equation_text.hpp"
 #include "render/text/words.hpp"
 

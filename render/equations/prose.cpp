@@ -40,9 +40,9 @@ std::vector<Paragraph::Line> Paragraph::lines(double measure) const {
     for (const MeasuredText::Line& words : text_.lines(measure - indent_)) {
         // What stands over and under letters may ask for more than the lead.
         constexpr double clear = 0.15;
-        const double baseline = lines.empty()
-                                    ? first_baseline
-                                    : lines.back().baseline + std::max(lead(), lines.back().words.under + words.over + clear);
+        const double baseline =
+            lines.empty() ? first_baseline
+                          : lines.back().baseline + std::max(lead(), lines.back().words.under + words.over + clear);
         lines.push_back({words, baseline});
     }
     return lines;
@@ -57,8 +57,8 @@ Block Paragraph::set(double measure) const {
     const Theme& theme = context_.theme;
     Block block;
     if (!number_.empty())
-        set_text(block.marks, context_.fonts.shape(one_piece(number_), theme.body_text), {0, first_baseline}, theme.secondary,
-                 "text");
+        set_text(block.marks, context_.fonts.shape(one_piece(number_), theme.body_text), {0, first_baseline},
+                 theme.secondary, "text");
     const std::vector<Line> all = lines(measure);
     for (const Line& each : all)
         set_text(block.marks, context_.fonts.set(text_, each.words), {indent_, each.baseline}, theme.text, "text");

@@ -33,7 +33,8 @@ public:
     std::vector<EquationItem> items() {
         items_.push_back({Kind::heading, in(Words("Virtual work", "Lavori virtuali")), {}, {}, true});
         if (!found_.why_not.empty()) {
-            say(Words("There are no virtual displacements: {0}.", "Non ci sono spostamenti virtuali: {0}.", found_.why_not));
+            say(Words("There are no virtual displacements: {0}.", "Non ci sono spostamenti virtuali: {0}.",
+                      found_.why_not));
             return std::move(items_);
         }
         for (std::size_t i = 0; i < found_.freedoms.size(); ++i) write_drawn(i);
@@ -67,7 +68,9 @@ private:
         const std::string& name = std::visit([](const auto& each) -> const std::string& { return each.name; }, given);
         return {std::holds_alternative<CoupleEffort>(given) ? Symbol::Letter::M : Symbol::Letter::F, name, {}};
     }
-    bool is_couple(int effort) const { return std::holds_alternative<CoupleEffort>(mechanism_.efforts[at_index(effort)]); }
+    bool is_couple(int effort) const {
+        return std::holds_alternative<CoupleEffort>(mechanism_.efforts[at_index(effort)]);
+    }
     const std::string& body(BodyIndex index) const { return mechanism_.body(index).name; }
     Formula coordinate(const Displacements::Freedom& freedom, bool delta) const {
         const auto [letter, sub] = letter_of(mechanism_, freedom.driver);
@@ -108,7 +111,8 @@ private:
     /// −0, and what only rounding left of nothing.
     double clean(double value) const { return std::abs(value) < 1e-14 * largest_ ? 0 : value; }
 
-    // --- the displacements drawn ----------------------------------------------------------------------------------------------
+    // --- the displacements drawn
+    // ----------------------------------------------------------------------------------------------
 
     void write_drawn(std::size_t i) {
         const Displacements::Freedom& freedom = found_.freedoms[i];
@@ -120,7 +124,8 @@ private:
             {upright(in({"action", "azione"})), upright(in({"on body", "sul corpo"})),
              with_unit(Formula::letter("F"), mechanism_.units.force.symbol) + upright("  " + in({"or", "o"}) + " ") +
                  with_unit(Formula::letter("M"), mechanism_.units.moment.symbol),
-             upright(in({"displaced by", "spostamento"})), upright(in({"work", "lavoro"}) + ", " + work_unit().symbol)}};
+             upright(in({"displaced by", "spostamento"})),
+             upright(in({"work", "lavoro"}) + ", " + work_unit().symbol)}};
         for (const Entry& entry : work.entries) {
             if (!entry.force.is_zero()) rows.push_back(force_row(entry, q));
             if (!entry.couple.is_zero()) rows.push_back(couple_row(entry, q));
@@ -134,24 +139,28 @@ private:
         set(numbers(work.total.to_double(), work, q) + Formula::sign("=") + upright("0"));
     }
     void say_what_moves(const Displacements::Freedom& freedom) {
-        const std::string others = found_.freedoms.size() > 1
-                                       ? in({" The other coordinates are held still.", " Le altre coordinate sono tenute ferme."})
-                                       : std::string();
+        const std::string others =
+            found_.freedoms.size() > 1
+                ? in({" The other coordinates are held still.", " Le altre coordinate sono tenute ferme."})
+                : std::string();
         const auto said = [&](const Words& words) { items_.push_back({Kind::words, in(words) + others, {}, {}}); };
         if (freedom.chosen)
             said(Words(
                 "Constraints held as they stand, the mechanism is displaced along its freedom {0}; the displacements "
                 "are those of the figure, in proportion to it.",
-                "Fissati i vincoli all’istante considerato, si sposta il meccanismo secondo il suo grado di libertà {0}; gli "
+                "Fissati i vincoli all’istante considerato, si sposta il meccanismo secondo il suo grado di libertà "
+                "{0}; gli "
                 "spostamenti sono quelli della figura, a esso proporzionali.",
                 spoken(freedom)));
         else
-            said(Words(
-                "Constraints held as they stand, the driven coordinate is displaced by {0}; the displacements are those of "
-                "the figure, in proportion to it.",
-                "Fissati i vincoli all’istante considerato, si sposta di {0} la coordinata del movente; gli spostamenti sono "
-                "quelli della figura, a essa proporzionali.",
-                spoken(freedom)));
+            said(
+                Words("Constraints held as they stand, the driven coordinate is displaced by {0}; the displacements "
+                      "are those of "
+                      "the figure, in proportion to it.",
+                      "Fissati i vincoli all’istante considerato, si sposta di {0} la coordinata del movente; gli "
+                      "spostamenti sono "
+                      "quelli della figura, a essa proporzionali.",
+                      spoken(freedom)));
     }
     Formula moved_point(const std::string& point) const {
         return Formula::letter("delta") + Formula::letter("r", point.empty() ? "?" : point);
@@ -161,8 +170,8 @@ private:
                      fy = entry.force.y.to_double() / mechanism_.units.force.si.to_double();
         largest_ = std::hypot(fx, fy);
         Formula acting = pair_of(fx, fy);
-        return {force(entry.symbol), upright(body(entry.body)), std::move(acting), way(point_at(entry.at), entry.velocity, q),
-                work_of(dot(entry.force, entry.velocity).to_double())};
+        return {force(entry.symbol), upright(body(entry.body)), std::move(acting),
+                way(point_at(entry.at), entry.velocity, q), work_of(dot(entry.force, entry.velocity).to_double())};
     }
     /// "δr_A = (0.2; −0.1) m/rad δθ_1".
     Formula way(const std::string& point, const Vector& velocity, const Formula& q) {
@@ -184,7 +193,8 @@ private:
         symbol.letter = Symbol::Letter::M;
         return {force(symbol), upright(body(entry.body)),
                 number_of(entry.couple.to_double() / mechanism_.units.moment.si.to_double()),
-                turned(body(entry.body), entry.omega.to_double(), q), work_of((entry.couple * entry.omega).to_double())};
+                turned(body(entry.body), entry.omega.to_double(), q),
+                work_of((entry.couple * entry.omega).to_double())};
     }
     /// The efforts, unknown: the work of so many of them.
     std::vector<Formula> share_row(const Share& share, const Formula& q) {
@@ -196,8 +206,8 @@ private:
             moved = turned(on, share.omega->to_double(), q);
         } else {
             const auto* actuator = std::get_if<ActuatorEffort>(&given);
-            on =
-                actuator != nullptr ? body(mechanism_.joint(actuator->joint).bodies[0]) : body(std::get<ForceEffort>(given).body);
+            on = actuator != nullptr ? body(mechanism_.joint(actuator->joint).bodies[0])
+                                     : body(std::get<ForceEffort>(given).body);
             moved = way(mechanism_.point(point_of(share.effort)).name, share.velocity.value_or(Vector{}), q);
         }
         return {force(symbol_of(share.effort)), upright(on), upright("?"), std::move(moved),
@@ -205,7 +215,8 @@ private:
     }
     /// Work of an effort in the file's units, for each unit of it.
     Formula per_effort(double si, int effort) const {
-        const double unit = is_couple(effort) ? mechanism_.units.moment.si.to_double() : mechanism_.units.force.si.to_double();
+        const double unit =
+            is_couple(effort) ? mechanism_.units.moment.si.to_double() : mechanism_.units.force.si.to_double();
         return upright(written(si * unit / work_unit().si.to_double()));
     }
     Formula symbols(const VirtualWork& work) const {
@@ -250,10 +261,12 @@ private:
         return Formula::fenced(std::move(sum)) + q;
     }
 
-    // --- what follows ---------------------------------------------------------------------------------------------------------
+    // --- what follows
+    // ---------------------------------------------------------------------------------------------------------
 
     std::string amount_of(int effort, double si) const {
-        return amount(si, is_couple(effort) ? QuantityKind::moment : QuantityKind::force, mechanism_.units, language_, 5);
+        return amount(si, is_couple(effort) ? QuantityKind::moment : QuantityKind::force, mechanism_.units, language_,
+                      5);
     }
     void write_efforts() {
         if (found_.efforts.empty()) {
@@ -265,30 +278,35 @@ private:
             return;
         }
         if (!found_.balanced)
-            return say({"No effort makes all the works vanish: the loads are not in equilibrium.",
-                        "Nessun valore delle azioni incognite annulla tutti i lavori: i carichi non sono in equilibrio."});
-        const bool all = std::all_of(found_.efforts.begin(), found_.efforts.end(), [](const auto& each) { return each.value; });
+            return say(
+                {"No effort makes all the works vanish: the loads are not in equilibrium.",
+                 "Nessun valore delle azioni incognite annulla tutti i lavori: i carichi non sono in equilibrio."});
+        const bool all =
+            std::all_of(found_.efforts.begin(), found_.efforts.end(), [](const auto& each) { return each.value; });
         if (all)
             say(found_.freedoms.size() > 1
                     ? Words("As the coordinates are independent, every bracket vanishes, and together they give:",
                             "Poiché le coordinate sono indipendenti, ogni parentesi è nulla, e dal sistema si ottiene:")
-                    : Words("As {0} is arbitrary, the bracket vanishes:", "Poiché {0} è arbitrario, la parentesi è nulla:",
-                            spoken(found_.freedoms.front())));
+                    : Words("As {0} is arbitrary, the bracket vanishes:",
+                            "Poiché {0} è arbitrario, la parentesi è nulla:", spoken(found_.freedoms.front())));
         for (const Displacements::Effort& effort : found_.efforts) {
             const Formula symbol = force(symbol_of(effort.given));
             if (effort.value) {
                 set(symbol + Formula::sign("=") + upright(amount_of(effort.given, effort.value->to_double())));
             } else {
-                say(Words(
-                    "The work of {0} leaves it open: it does none in these displacements, or shares it with another effort.",
-                    "Il lavoro di {0} non la determina: è nullo in questi spostamenti, o si confonde con quello di un’altra "
-                    "azione.",
-                    "{" + name_of(symbol_of(effort.given)) + "}"));
+                say(
+                    Words("The work of {0} leaves it open: it does none in these displacements, or shares it with "
+                          "another effort.",
+                          "Il lavoro di {0} non la determina: è nullo in questi spostamenti, o si confonde con quello "
+                          "di un’altra "
+                          "azione.",
+                          "{" + name_of(symbol_of(effort.given)) + "}"));
             }
         }
     }
 
-    // --- the same by velocity ratios ------------------------------------------------------------------------------------------
+    // --- the same by velocity ratios
+    // ------------------------------------------------------------------------------------------
 
     void write_ratios() {
         if (!std::all_of(found_.freedoms.begin(), found_.freedoms.end(),
@@ -308,13 +326,15 @@ private:
     void write_ratios_of(const Displacements::Freedom& freedom) {
         turn_ = is_turn(freedom.driver);
         const VirtualWork& work = *freedom.moved->virtual_work;
-        say(Words(
-            "The closure equations give {Λ} = d/d{0} of every coordinate without a drawing: x and y of the points where forces "
-            "act, {θ} of the bodies that bear couples.",
-            "Le equazioni di chiusura danno senza disegno {Λ} = d/d{0} di ogni coordinata: x e y dei punti d’applicazione delle "
-            "forze, {θ} dei corpi soggetti a coppie.",
-            "{" + unicode_letter(letter_of(mechanism_, freedom.driver).first) + "_" +
-                letter_of(mechanism_, freedom.driver).second + "}"));
+        say(
+            Words("The closure equations give {Λ} = d/d{0} of every coordinate without a drawing: x and y of the "
+                  "points where forces "
+                  "act, {θ} of the bodies that bear couples.",
+                  "Le equazioni di chiusura danno senza disegno {Λ} = d/d{0} di ogni coordinata: x e y dei punti "
+                  "d’applicazione delle "
+                  "forze, {θ} dei corpi soggetti a coppie.",
+                  "{" + unicode_letter(letter_of(mechanism_, freedom.driver).first) + "_" +
+                      letter_of(mechanism_, freedom.driver).second + "}"));
         std::vector<std::vector<Formula>> rows{
             {upright(in({"action", "azione"})), upright(in({"ratios", "rapporti"})),
              upright(in({"work", "lavoro"}) + " / ") + coordinate(freedom, true) + upright(", " + work_unit().symbol)}};
@@ -324,7 +344,8 @@ private:
             if (!own) return;
             Symbol symbol = entry.symbol;
             if (entry.force.is_zero()) symbol.letter = Symbol::Letter::M;
-            rows.push_back({force(symbol), ratios_of(equations, entry.body, entry.at, !entry.force.is_zero()), work_of(*own)});
+            rows.push_back(
+                {force(symbol), ratios_of(equations, entry.body, entry.at, !entry.force.is_zero()), work_of(*own)});
         }
         for (const Share& share : work.shares) {
             const auto own = work_by_ratios(equations, freedom.moved->mechanism, freedom.moved->pose, share.effort);
@@ -337,7 +358,8 @@ private:
     Formula ratios_of(const Equations& equations, BodyIndex of, const Vector& place, bool is_force) {
         const auto& state = equations.bodies[at_index(of)];
         if (!is_force) {
-            Formula ratio = Formula::letter("Lambda", "θ" + body(of)) + Formula::sign("=") + number_of(*state.omega / turn_si());
+            Formula ratio =
+                Formula::letter("Lambda", "θ" + body(of)) + Formula::sign("=") + number_of(*state.omega / turn_si());
             return turn_unit().empty() ? ratio : std::move(ratio) + upright(" " + turn_unit());
         }
         const auto moved = *state.velocity_of(place);

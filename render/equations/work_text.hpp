@@ -1,6 +1,6 @@
-// Virtual work as it is worked by hand: what is displaced, forces and displacements in a table, the sum, the efforts; and the
-// same by the velocity ratios of the closure equations. Items as those of the equations, which the sheet sets. Takes every number
-// from the displacements.
+// Virtual work as it is worked by hand: what is displaced, forces and displacements in a table, the sum, the efforts;
+// and the same by the velocity ratios of the closure equations. Items as those of the equations, which the sheet sets.
+// Takes every number from the displacements.
 #pragma once
 
 #include <vector>

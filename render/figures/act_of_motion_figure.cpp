@@ -1,6 +1,6 @@
-// The act of motion of one body: its points with the velocities that are given and those found, the perpendiculars (or the join
-// of the tips) that meet in the centre, and where no rigid body moves so the two projections that show it. Owns what is shown;
-// takes every place and vector from the Solution and computes no mechanics.
+// The act of motion of one body: its points with the velocities that are given and those found, the perpendiculars (or
+// the join of the tips) that meet in the centre, and where no rigid body moves so the two projections that show it.
+// Owns what is shown; takes every place and vector from the Solution and computes no mechanics.
 #include <algorithm>
 #include <cmath>
 
@@ -55,8 +55,8 @@ public:
             }
         }
         for (const PointMotion& motion : solution_.points) {
-            const bool already =
-                std::any_of(shown_.begin(), shown_.end(), [&](const Shown& shown) { return shown.point == motion.point; });
+            const bool already = std::any_of(shown_.begin(), shown_.end(),
+                                             [&](const Shown& shown) { return shown.point == motion.point; });
             if (motion.point != none && motion.velocity && !already) add(motion.point, *motion.velocity, false);
         }
     }
@@ -107,12 +107,13 @@ private:
         constexpr double half = 15;
         for (const auto& [point, along] : directions_) {
             const Spot at = sketch.spot(point);
-            sketch.construction.emplace_back(
-                line(at - half * along, at + half * along, {context_.theme.thin, context_.theme.text, dash_dot(), false}));
+            sketch.construction.emplace_back(line(at - half * along, at + half * along,
+                                                  {context_.theme.thin, context_.theme.text, dash_dot(), false}));
         }
     }
 
-    // --- the statements that find what is drawn ------------------------------------------------------------------------------
+    // --- the statements that find what is drawn
+    // ------------------------------------------------------------------------------
     /// None: the velocity is given, or none finds it.
     StatementIndex statement_of(const Shown& shown) const {
         return shown.given ? none : statement_of_motion(solution_, Quantity::Kind::velocity, act_.body, shown.point);
@@ -152,7 +153,8 @@ private:
         }
     }
 
-    // --- the centre ----------------------------------------------------------------------------------------------------------
+    // --- the centre
+    // ----------------------------------------------------------------------------------------------------------
     void draw_centre(Sketch& sketch, double scale) const {
         if (centre_ == nullptr || !centre_->at) return;
         if (centre_->at->at_infinity()) return draw_parallels(sketch);
@@ -165,8 +167,9 @@ private:
         std::vector<Spot> far_ends;
         for (const PointIndex point : indices_of(solution_.mechanism.points)) {
             const bool by = std::find(act_.points.begin(), act_.points.end(), point) != act_.points.end();
-            const bool carried = std::any_of(solution_.points.begin(), solution_.points.end(),
-                                             [&](const PointMotion& motion) { return motion.point == point && motion.velocity; });
+            const bool carried =
+                std::any_of(solution_.points.begin(), solution_.points.end(),
+                            [&](const PointMotion& motion) { return motion.point == point && motion.velocity; });
             if (!by && !carried) continue;
             const std::size_t ray = sketch.construction.size();
             if (act_.found != Found::tips || !by) draw_ray(sketch, point, at, near, by, far_ends);
@@ -184,8 +187,10 @@ private:
         return {sketch.scale() * box.min, sketch.scale() * box.max};
     }
 
-    /// From a point to the centre, a little beyond it where the line found it; to the edge of what is drawn where it is far.
-    void draw_ray(Sketch& sketch, PointIndex point, Spot centre, bool near, bool found_it, std::vector<Spot>& far_ends) const {
+    /// From a point to the centre, a little beyond it where the line found it; to the edge of what is drawn where it is
+    /// far.
+    void draw_ray(Sketch& sketch, PointIndex point, Spot centre, bool near, bool found_it,
+                  std::vector<Spot>& far_ends) const {
         const Spot from = sketch.spot(point);
         const double whole = length(centre - from);
         if (!(whole > 2 * same_place)) return;
@@ -235,7 +240,8 @@ private:
                 from = std::min(from, seen.from);
         }
         constexpr double beyond = 5;
-        sketch.construction.emplace_back(line(bar.from + (from - beyond) * along, bar.from + (to + beyond) * along, thin()));
+        sketch.construction.emplace_back(
+            line(bar.from + (from - beyond) * along, bar.from + (to + beyond) * along, thin()));
     }
 
     void draw_parallels(Sketch& sketch) const {
@@ -263,7 +269,8 @@ private:
     void draw_dot(Sketch& sketch, Spot at) const {
         sketch.centres.emplace_back(GroupBegin{
             "centre",
-            sketch.id("centre", solution_.mechanism.bodies[0].name + "." + solution_.mechanism.bodies[at_index(act_.body)].name),
+            sketch.id("centre",
+                      solution_.mechanism.bodies[0].name + "." + solution_.mechanism.bodies[at_index(act_.body)].name),
             plain(name_of_centre(sketch).text),
             {},
             act_.centre_statement});
@@ -295,8 +302,8 @@ private:
         const double metres = length(centre - sketch.spot(from)) * sketch.scale();
         const RichText name = label.text;
         append(label.text, one_piece("  ("));
-        append(label.text,
-               typeset(Symbol{Symbol::Letter::point, solution_.mechanism.points[at_index(from)].name, ""}, context_.language));
+        append(label.text, typeset(Symbol{Symbol::Letter::point, solution_.mechanism.points[at_index(from)].name, ""},
+                                   context_.language));
         append(label.text, name);
         const std::string value = number(metres / length_unit.si.to_double(), 3, context_.language);
         append(label.text, with_powers(" = " + value + " " + length_unit.symbol + ")"));
@@ -318,8 +325,8 @@ private:
         const double turn = omega->sign() > 0 ? -half : half;
         const BodyColour body = context_.theme.body(act_.body);
         const Symbol symbol{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(act_.body)].name, ""};
-        const StatementIndex statement =
-            std::max(act_.centre_statement, statement_of_turning(solution_, {.kind = Quantity::Kind::omega, .body = act_.body}));
+        const StatementIndex statement = std::max(
+            act_.centre_statement, statement_of_turning(solution_, {.kind = Quantity::Kind::omega, .body = act_.body}));
         const std::size_t first = sketch.arrows.size();
         draw_arc_arrow(sketch.arrows, at, radius, middle - turn, middle + turn, context_.theme.outline, body.letter);
         belong(sketch.arrows, first, statement);
@@ -356,7 +363,8 @@ private:
         sketch.labels.push_back(std::move(label));
     }
 
-    // --- velocities that no rigid body has -----------------------------------------------------------------------------------
+    // --- velocities that no rigid body has
+    // -----------------------------------------------------------------------------------
     /// Both projections on the join as arrows from their points, with the perpendiculars that cut them off.
     void draw_projections(Sketch& sketch, double scale) const {
         if (!act_.differing) return;
@@ -383,7 +391,8 @@ private:
                 }
             }
             const double value = kinegraph::length(in_unit);
-            if (length(foot - at) > shortest_drawn) draw_arrow(sketch.arrows, at, foot, 1.6 * theme.vector, accent.line);
+            if (length(foot - at) > shortest_drawn)
+                draw_arrow(sketch.arrows, at, foot, 1.6 * theme.vector, accent.line);
             LabelRequest label;
             label.text = one_piece(number(value, 3, context_.language) + " ");
             append(label.text, with_powers(unit_.symbol));
@@ -396,7 +405,8 @@ private:
         };
         draw(differing.first, *differing.of_first);
         draw(differing.second, *differing.of_second);
-        sketch.construction.emplace_back(line(first + (from - overshoot) * along, first + (to + overshoot) * along, thin()));
+        sketch.construction.emplace_back(
+            line(first + (from - overshoot) * along, first + (to + overshoot) * along, thin()));
     }
 
     const DrawingContext& context_;
@@ -434,8 +444,10 @@ Figure act_of_motion_figure(const DrawingContext& context, double room_x, double
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
         figure.caption = one_piece(word("act of motion", context.language));
         if (act.longest() > 0)
-            figure.further_scale = "1 mm ≙ " + shortest(velocity_scale, context.language) + " " + mechanism.units.velocity.symbol;
-        sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, mechanism.units.length, trial.strict);
+            figure.further_scale =
+                "1 mm ≙ " + shortest(velocity_scale, context.language) + " " + mechanism.units.velocity.symbol;
+        sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, mechanism.units.length,
+                     trial.strict);
         return figure;
     });
 }

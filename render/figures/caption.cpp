@@ -49,7 +49,8 @@ double set_caption(std::vector<Mark>& marks, const DrawingContext& context, cons
     append(text, one_piece("   "));
     append(text, figure.caption);
     ShapedLine caption = context.fonts.shape(text, theme.label);
-    ShapedLine scale = figure.has_scale ? context.fonts.shape(scale_words(context, figure), theme.body_text) : ShapedLine{};
+    ShapedLine scale =
+        figure.has_scale ? context.fonts.shape(scale_words(context, figure), theme.body_text) : ShapedLine{};
     if (caption.width + 5 + scale.width <= width) {
         const double scale_at = at.x + caption.width + 5;
         set_text(marks, std::move(caption), {at.x, at.y + 3.8}, theme.text, "text");

@@ -1,5 +1,6 @@
-// The circle diagram: the bookkeeping of the instant centres. Bodies stand on a circle, a full chord is a centre given by a pair,
-// a dashed one a centre found by Kennedy's theorem, numbered in the order found where there is room. Computes nothing.
+// The circle diagram: the bookkeeping of the instant centres. Bodies stand on a circle, a full chord is a centre given
+// by a pair, a dashed one a centre found by Kennedy's theorem, numbered in the order found where there is room.
+// Computes nothing.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,8 +11,9 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double node = 2.3;          // radius of a body's circle, mm
-constexpr double numbers_need = 3.6;  // mm of radius for each body: in a smaller circle they would only crowd what they count
+constexpr double node = 2.3;  // radius of a body's circle, mm
+constexpr double numbers_need =
+    3.6;  // mm of radius for each body: in a smaller circle they would only crowd what they count
 
 class CircleDiagram {
 public:
@@ -20,7 +22,8 @@ public:
         const double most = 0.5 * std::min(room_x, room_y) - node - 4;
         radius_ = std::clamp(6.3 * static_cast<double>(count_), std::min(12.0, most), std::max(12.0, most));
         for (const InstantCentre& centre : context.solution.centres)
-            if (centre.how != InstantCentre::How::unknown && (centre.at || centre.everywhere)) chords_.push_back(&centre);
+            if (centre.how != InstantCentre::How::unknown && (centre.at || centre.everywhere))
+                chords_.push_back(&centre);
     }
 
     Figure figure() const {
@@ -30,7 +33,8 @@ public:
         figure.unit = "mm";
         figure.has_scale = false;
         figure.caption = one_piece(word("circle diagram", context_.language));
-        figure.marks.emplace_back(GroupBegin{"figure", figure.id, plain(figure.caption), {{"data-figure", figure.kind}}});
+        figure.marks.emplace_back(
+            GroupBegin{"figure", figure.id, plain(figure.caption), {{"data-figure", figure.kind}}});
         draw_circle(figure.marks);
         draw_chords(figure.marks);
         draw_bodies(figure.marks);
@@ -78,14 +82,17 @@ private:
                 ring(place(body), node, theme_.paper,
                      {theme_.outline, colour.line, going_round(colour.dashes, 2 * std::numbers::pi * node), false}));
             // A long name stands outside its circle.
-            const ShapedLine name = context_.fonts.shape(one_piece(context_.solution.mechanism.bodies[b].name), theme_.derived);
+            const ShapedLine name =
+                context_.fonts.shape(one_piece(context_.solution.mechanism.bodies[b].name), theme_.derived);
             Spot middle = place(body);
             if (std::hypot(name.width / 2, name.ascent / 2) > node - theme_.outline / 2 - 0.4) {
                 const Spot out = unit(middle);
                 marks.emplace_back(disc(middle, 0.8, colour.line));
-                middle = middle + (node + 1 + std::abs(out.x) * name.width / 2 + std::abs(out.y) * name.ascent / 2) * out;
+                middle =
+                    middle + (node + 1 + std::abs(out.x) * name.width / 2 + std::abs(out.y) * name.ascent / 2) * out;
             }
-            set_text(marks, name, middle + Spot{-name.width / 2, (name.ascent - name.descent) / 2}, colour.letter, "label");
+            set_text(marks, name, middle + Spot{-name.width / 2, (name.ascent - name.descent) / 2}, colour.letter,
+                     "label");
         }
     }
     void number_chords(std::vector<LabelRequest>& labels) const {

@@ -1,6 +1,6 @@
-// The curvature of one body's motion: pole and pole tangent with the lines that found them, the inflection circle, Bresse's
-// second circle and the acceleration pole, and the osculating circles of the paths of its points, to scale. Takes every place
-// from the Solution and computes no mechanics.
+// The curvature of one body's motion: pole and pole tangent with the lines that found them, the inflection circle,
+// Bresse's second circle and the acceleration pole, and the osculating circles of the paths of its points, to scale.
+// Takes every place from the Solution and computes no mechanics.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -107,10 +107,12 @@ private:
     void draw_line(Spot a, Spot b, const Pen& pen, StatementIndex statement, const Holds& holds = {}) {
         if (length(b - a) < same_place) return;
         const Interval seen = within(view_, a, unit(b - a));
-        if (seen.from < seen.to) stroke(line(a + seen.from * unit(b - a), a + seen.to * unit(b - a), pen), statement, holds);
+        if (seen.from < seen.to)
+            stroke(line(a + seen.from * unit(b - a), a + seen.to * unit(b - a), pen), statement, holds);
     }
     /// From a to b and a little further, within the figure.
-    void draw_segment(Spot a, Spot b, const Pen& pen, StatementIndex statement, std::string from_place, std::string to_place) {
+    void draw_segment(Spot a, Spot b, const Pen& pen, StatementIndex statement, std::string from_place,
+                      std::string to_place) {
         if (length(b - a) < same_place) return;
         const Spot along = unit(b - a);
         const Interval seen = within(view_, a, along);
@@ -123,7 +125,8 @@ private:
     void name(RichText text, Spot at, StatementIndex statement, const std::string& place) {
         sketch_.add_label(std::move(text), theme_.text, at, 1.6, statement).holds = {Form::at, {place}};
     }
-    /// Beyond the figure: an arrow where the line to it leaves, with its name and how far it is from where the line comes.
+    /// Beyond the figure: an arrow where the line to it leaves, with its name and how far it is from where the line
+    /// comes.
     void point_out(const RichText& text, Spot place, const RichText& from_name, Spot from, StatementIndex statement) {
         constexpr double head = 3;
         if (!contains(view_, from) || length(place - from) < same_place) return;
@@ -169,7 +172,8 @@ private:
             at[i] = held("ray " + std::to_string(i));
             to[i] = held("ray centre " + std::to_string(i));
             draw_segment(*pole, points[i], sketch_.thin(), found_.pole_statement, held("pole"), at[i]);
-            if (centres[i]) draw_segment(*pole, *centres[i], sketch_.thin(), found_.pole_statement, held("pole"), to[i]);
+            if (centres[i])
+                draw_segment(*pole, *centres[i], sketch_.thin(), found_.pole_statement, held("pole"), to[i]);
         }
         const Pen pen{theme_.thin, theme_.secondary, dashes(), false};
         const auto meet = on_paper(spot_of(found_.axis_point));
@@ -194,16 +198,17 @@ private:
         const Interval seen = within(view_, *pole, along);
         if (!(seen.from < seen.to)) return;
         const bool ahead = seen.to > -seen.from;
-        LabelRequest& label =
-            sketch_.add_label(one_piece("t", Face::italic), theme_.text,
-                              *pole + (ahead ? 0.85 * seen.to : 0.85 * seen.from) * along, 1.2, found_.tangent_statement);
+        LabelRequest& label = sketch_.add_label(one_piece("t", Face::italic), theme_.text,
+                                                *pole + (ahead ? 0.85 * seen.to : 0.85 * seen.from) * along, 1.2,
+                                                found_.tangent_statement);
         label.toward = label.anchor + along;
         label.holds = {Form::normal, {held("pole"), held("inflection")}};
     }
 
     void draw_circles() {
         const auto pole = on_paper(spot_of(found_.pole)), end = on_paper(spot_of(found_.inflection_pole)),
-                   second = on_paper(spot_of(found_.tangential_pole)), still = on_paper(spot_of(found_.acceleration_pole));
+                   second = on_paper(spot_of(found_.tangential_pole)),
+                   still = on_paper(spot_of(found_.acceleration_pole));
         if (!pole || !end) return;
         const Round inflection = between(*pole, *end);
         draw_circle(inflection, {theme_.outline, theme_.accent, {}, false}, "inflection", found_.inflection_statement);
@@ -216,7 +221,8 @@ private:
         if (second) {
             const Pen pen{theme_.outline, theme_.secondary, dashes(), false};
             draw_circle(between(*pole, *second), pen, "tangential", found_.bresse_statement);
-            draw_segment(*end, *second, sketch_.thin(), found_.bresse_statement, held("inflection"), held("tangential"));
+            draw_segment(*end, *second, sketch_.thin(), found_.bresse_statement, held("inflection"),
+                         held("tangential"));
             const RichText of_second = point(found_.tangential_name), of_end = point(found_.inflection_name);
             if (shows(second))
                 name(of_second, *second, found_.bresse_statement, held("tangential"));
@@ -232,7 +238,8 @@ private:
     /// Whole where the figure holds it, else an arc within it.
     void draw_circle(const Round& round, const Pen& pen, const char* what, StatementIndex statement) {
         const std::size_t first = sketch_.construction.size();
-        sketch_.construction.emplace_back(GroupBegin{what, "", "", {}, statement, {Form::circle, {held("pole"), held(what)}}});
+        sketch_.construction.emplace_back(
+            GroupBegin{what, "", "", {}, statement, {Form::circle, {held("pole"), held(what)}}});
         draw_arcs(round, pen);
         sketch_.construction.emplace_back(GroupEnd{});
         belong(sketch_.construction, first, statement);
@@ -270,7 +277,8 @@ private:
         if (path.centre->at_infinity()) {
             const Spot ray = paper_direction(path.centre->place()), along{-ray.y, ray.x};
             if (pole) draw_segment(*pole, at, sketch_.thin(), path.statement, held("pole"), held_point(path.point));
-            stroke(line(at - tick * along, at + tick * along, {theme_.outline, colour_.line, {}, false}), path.statement);
+            stroke(line(at - tick * along, at + tick * along, {theme_.outline, colour_.line, {}, false}),
+                   path.statement);
             return;
         }
         const auto centre = on_paper(spot_of(path.centre));
@@ -285,7 +293,9 @@ private:
             axes.push_back({kinegraph::name_of(symbol_of(path)), at, *centre, ""});
         }
     }
-    Symbol symbol_of_diameter() const { return {Symbol::Letter::diameter, sketch_.mechanism.body(found_.body).name, ""}; }
+    Symbol symbol_of_diameter() const {
+        return {Symbol::Letter::diameter, sketch_.mechanism.body(found_.body).name, ""};
+    }
     static Symbol symbol_of(const PathCentre& path) { return {Symbol::Letter::radius, path.label, ""}; }
 
     /// An arc about the point, as long as a quarter of the circle and no shorter than can be seen.
@@ -295,14 +305,16 @@ private:
         const Pen pen{1.4 * theme_.outline, colour_.line, {}, false};
         const std::size_t first = sketch_.construction.size();
         const Holds holds{Form::arc, {held(held_of(path)), held_point(path.point)}};
-        sketch_.construction.emplace_back(GroupBegin{
-            "osculating",
-            sketch_.id("osculating", path.label),
-            "",
-            {{"data-name", path.label}, {"data-value", shortest(value / unit_of.si.to_double())}, {"data-unit", unit_of.symbol}},
-            path.statement,
-            holds});
-        const bool whole = contains(view_, centre - Spot{radius, radius}) && contains(view_, centre + Spot{radius, radius});
+        sketch_.construction.emplace_back(GroupBegin{"osculating",
+                                                     sketch_.id("osculating", path.label),
+                                                     "",
+                                                     {{"data-name", path.label},
+                                                      {"data-value", shortest(value / unit_of.si.to_double())},
+                                                      {"data-unit", unit_of.symbol}},
+                                                     path.statement,
+                                                     holds});
+        const bool whole =
+            contains(view_, centre - Spot{radius, radius}) && contains(view_, centre + Spot{radius, radius});
         const double half = std::min(std::numbers::pi, std::max(shortest_arc / radius, 0.4)),
                      towards = std::atan2(at.y - centre.y, at.x - centre.x);
         if (whole)
@@ -312,8 +324,8 @@ private:
         sketch_.construction.emplace_back(GroupEnd{});
         belong(sketch_.construction, first, path.statement);
         RichText text = typeset(symbol_of(path), sketch_.context.language);
-        append(text,
-               with_powers(" = " + number(value / unit_of.si.to_double(), 4, sketch_.context.language) + " " + unit_of.symbol));
+        append(text, with_powers(" = " + number(value / unit_of.si.to_double(), 4, sketch_.context.language) + " " +
+                                 unit_of.symbol));
         LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, at, 1.4, path.statement);
         const double aside = towards + (whole ? 0.6 : 0.7 * half);
         label.anchor = centre + radius * Spot{std::cos(aside), std::sin(aside)};
@@ -352,9 +364,11 @@ private:
 }  // namespace
 
 bool has_curvature_figure(const Curvature& found) {
-    const auto is_free = [](const PathCentre& path) { return !path.is_pin && path.centre && !path.centre->at_infinity(); };
-    return found.kind == Curvature::Kind::general ||
-           (found.kind == Curvature::Kind::translation && std::any_of(found.points.begin(), found.points.end(), is_free));
+    const auto is_free = [](const PathCentre& path) {
+        return !path.is_pin && path.centre && !path.centre->at_infinity();
+    };
+    return found.kind == Curvature::Kind::general || (found.kind == Curvature::Kind::translation &&
+                                                      std::any_of(found.points.begin(), found.points.end(), is_free));
 }
 
 Box extent_of_curvature(const Solution& solution, std::size_t index) {
@@ -367,8 +381,8 @@ Figure curvature_figure(const DrawingContext& context, std::size_t index, double
     const Mechanism& mechanism = subject.mechanism;
     const std::string& body = mechanism.body(found.body).name;
     const Box extent = extent_of(subject, found);
-    const double first =
-        choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0), std::max(room_y - 30, 10.0), std::nullopt);
+    const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0),
+                                      std::max(room_y - 30, 10.0), std::nullopt);
     const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .names_stay_in_room = true};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, "curvature-" + body + "-");

@@ -1,15 +1,15 @@
-// Virtual displacements: the mechanism in grey, where it acts every force, and of every point that moves its displacement as an
-// arrow, in proportion to that of the one coordinate displaced.
+// Virtual displacements: the mechanism in grey, where it acts every force, and of every point that moves its
+// displacement as an arrow, in proportion to that of the one coordinate displaced.
 #include <algorithm>
 #include <cmath>
 
 #include "engine/solution/displacements.hpp"
+#include "render/equations/work_text.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
-#include "render/equations/work_text.hpp"
 
 namespace kinegraph::render {
 
@@ -32,10 +32,11 @@ std::vector<Shown> shown_displacements(const Solution& moved) {
     std::vector<Shown> shown;
     for (const PointMotion& motion : moved.points) {
         if (motion.point == none || !motion.velocity || motion.velocity->is_zero()) continue;
-        const auto body = std::find_if(motion.bodies.begin(), motion.bodies.end(), [](BodyIndex each) { return each > frame; });
+        const auto body =
+            std::find_if(motion.bodies.begin(), motion.bodies.end(), [](BodyIndex each) { return each > frame; });
         if (body == motion.bodies.end()) continue;
-        shown.push_back({motion.label.empty() ? moved.mechanism.point(motion.point).name : motion.label, motion.point, *body,
-                         *motion.velocity});
+        shown.push_back({motion.label.empty() ? moved.mechanism.point(motion.point).name : motion.label, motion.point,
+                         *body, *motion.velocity});
     }
     return shown;
 }
@@ -76,9 +77,10 @@ void draw_force(Sketch& sketch, const Symbol& symbol, Spot at, Spot along) {
 }
 void draw_couple(Sketch& sketch, RichText text, Spot at, bool counter_clockwise, double radius, Colour colour) {
     constexpr double from = -0.5, by = 1.7;
-    draw_arc_arrow(sketch.arrows, at, radius, counter_clockwise ? -from : from - by, counter_clockwise ? -from - by : from,
-                   sketch.theme.outline, colour);
-    sketch.add_label(std::move(text), colour, at + radius * polar_spot(counter_clockwise ? -from - by / 2 : from - by / 2), 1.2);
+    draw_arc_arrow(sketch.arrows, at, radius, counter_clockwise ? -from : from - by,
+                   counter_clockwise ? -from - by : from, sketch.theme.outline, colour);
+    sketch.add_label(std::move(text), colour,
+                     at + radius * polar_spot(counter_clockwise ? -from - by / 2 : from - by / 2), 1.2);
 }
 /// Where a body turns about the frame, else somewhere on it.
 Spot pivot_of(const Sketch& sketch, BodyIndex body) {
@@ -106,7 +108,8 @@ void draw_actions(Sketch& sketch, const Solution& moved) {
                        unit(paper_spot(direction_of(force->along, moved.pose))));
         } else {
             const auto& actuator = std::get<ActuatorEffort>(effort);
-            draw_force(sketch, {Symbol::Letter::F, actuator.name, {}}, sketch.spot(moved.mechanism.joint(actuator.joint)),
+            draw_force(sketch, {Symbol::Letter::F, actuator.name, {}},
+                       sketch.spot(moved.mechanism.joint(actuator.joint)),
                        unit(paper_spot(moved.pose.guide_units[at_index(actuator.joint)])));
         }
     }
@@ -148,8 +151,8 @@ Figure displacement_figure(const DrawingContext& context, std::size_t index, dou
         for (const Shown& each : shown) draw_displacement(sketch, each, scale);
         draw_actions(sketch, moved);
         if (const auto* spin = std::get_if<SpinDriver>(&freedom.driver))
-            draw_couple(sketch, displaced_coordinate(moved.mechanism, freedom.driver), pivot_of(sketch, spin->body), true, 6,
-                        sketch.theme.colour_of(spin->body).letter);
+            draw_couple(sketch, displaced_coordinate(moved.mechanism, freedom.driver), pivot_of(sketch, spin->body),
+                        true, 6, sketch.theme.colour_of(spin->body).letter);
         name_points(sketch);
         Figure figure = sketch.finish("displacements", name, is_turn(freedom.driver) ? "m/rad" : "m/m");
         figure.scale = scale;

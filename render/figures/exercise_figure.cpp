@@ -1,5 +1,5 @@
-// The mechanism as an exercise hands it out: with its data as dimensions, its drivers, loads and masses with their values.
-// Nothing that a solution finds.
+// The mechanism as an exercise hands it out: with its data as dimensions, its drivers, loads and masses with their
+// values. Nothing that a solution finds.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -17,7 +17,8 @@ using namespace drawing;
 namespace {
 
 constexpr std::size_t most_dimensions = 24;
-constexpr double leaves_its_place = 10;  // the price of an arrow that moves the mechanism: dearer than all that it may cross
+constexpr double leaves_its_place =
+    10;  // the price of an arrow that moves the mechanism: dearer than all that it may cross
 
 class ExerciseDrawing {
 public:
@@ -50,8 +51,8 @@ public:
     }
 
 private:
-    /// Points of the data that no body carries: others are placed by them, and a dimension may end there. What is far away is
-    /// told in words alone.
+    /// Points of the data that no body carries: others are placed by them, and a dimension may end there. What is far
+    /// away is told in words alone.
     void draw_auxiliary_points() {
         constexpr double radius = 0.6;
         const Box near = grown(sketch_.mechanism_box(), 0.15 * sketch_.size());
@@ -69,10 +70,11 @@ private:
         return false;
     }
     RichText value(const Exact& si, const Unit& unit) const {
-        return with_powers(" = " + given_number((si / unit.si).to_double(), sketch_.context.language) + " " + unit.symbol);
+        return with_powers(" = " + given_number((si / unit.si).to_double(), sketch_.context.language) + " " +
+                           unit.symbol);
     }
-    /// An arrow at a place, pulling or pushing, where the least is in the way, of one length unless a shorter one alone finds
-    /// room; its name with the value.
+    /// An arrow at a place, pulling or pushing, where the least is in the way, of one length unless a shorter one alone
+    /// finds room; its name with the value.
     void draw_arrow_at(Spot at, Spot along, RichText text, const BodyColour& colour) {
         constexpr double whole = 18, cut_short = 9;
         Cheapest<Bar> best;
@@ -82,8 +84,8 @@ private:
                     const Spot tail = pulls ? at + stand_off * along : at - (stand_off + size) * along;
                     const Bar arrow{tail, tail + size * along};
                     const bool leaves = within_ && !(contains(*within_, arrow.from) && contains(*within_, arrow.to));
-                    best.offer(clutter_.along(arrow.from, arrow.to) + 0.03 * stand_off + (leaves ? leaves_its_place : 0) +
-                                   (size < whole ? 0.15 : 0),
+                    best.offer(clutter_.along(arrow.from, arrow.to) + 0.03 * stand_off +
+                                   (leaves ? leaves_its_place : 0) + (size < whole ? 0.15 : 0),
                                arrow);
                 }
         const Bar& arrow = best.choice;
@@ -104,8 +106,8 @@ private:
         double newtons = force.value ? kinegraph::length(*force.value) : force.magnitude->first.to_double();
         Spot along = paper_direction(direction);
         if (newtons < 0) along = -1.0 * along, newtons = -newtons;
-        append(text,
-               with_powers(" = " + given_number(newtons / unit.si.to_double(), sketch_.context.language) + " " + unit.symbol));
+        append(text, with_powers(" = " + given_number(newtons / unit.si.to_double(), sketch_.context.language) + " " +
+                                 unit.symbol));
         draw_arrow_at(sketch_.spot(force.at), along, std::move(text), sketch_.theme.colour_of(force.body));
     }
     /// The arrows are the mechanism's own; here the intensities stand at its ends, or once where they are one.
@@ -146,7 +148,8 @@ private:
         RichText text = named(spring.name, Symbol::Letter::F);
         // What an elastic one pulls is for the reader to find.
         if (!spring.elastic)
-            append(text, value(spring.magnitude.sign() < 0 ? -spring.magnitude : spring.magnitude, mechanism_.units.force));
+            append(text,
+                   value(spring.magnitude.sign() < 0 ? -spring.magnitude : spring.magnitude, mechanism_.units.force));
         const Spot from = sketch_.spot(spring.between[0]), to = sketch_.spot(spring.between[1]);
         sketch_.add_label(std::move(text), sketch_.theme.text, 0.5 * (from + to), 3.0).toward = to;
     }
@@ -158,17 +161,18 @@ private:
             if (const auto* velocity = std::get_if<Vector>(&given.value)) {
                 if (velocity->is_zero()) continue;
                 const Unit& unit = mechanism_.units.velocity;
-                append(text,
-                       with_powers(" = " +
-                                   given_number(kinegraph::length(*velocity) / unit.si.to_double(), sketch_.context.language) +
-                                   " " + unit.symbol));
+                append(text, with_powers(" = " +
+                                         given_number(kinegraph::length(*velocity) / unit.si.to_double(),
+                                                      sketch_.context.language) +
+                                         " " + unit.symbol));
                 draw_arrow_at(at, paper_direction(*velocity), std::move(text), colour);
             } else {
                 constexpr double reach = 15;
                 const Vector direction = direction_of(std::get<Bearing>(given.value), sketch_.subject.solution.pose);
                 const Spot along = paper_direction(direction);
                 sketch_.construction.emplace_back(line(at - reach * along, at + reach * along, sketch_.axis()));
-                sketch_.add_label(std::move(text), colour.letter, at + 0.7 * reach * along, 1.5).toward = at + reach * along;
+                sketch_.add_label(std::move(text), colour.letter, at + 0.7 * reach * along, 1.5).toward =
+                    at + reach * along;
             }
         }
     }
@@ -179,8 +183,8 @@ private:
     Clutter clutter_;
 };
 
-/// Where a figure is drawn: how large it may be, and, where it is to stand in its place, which part of the paper it has, mm about
-/// the origin of coordinates.
+/// Where a figure is drawn: how large it may be, and, where it is to stand in its place, which part of the paper it
+/// has, mm about the origin of coordinates.
 struct Ground {
     double scale;
     Spot room;
@@ -189,7 +193,8 @@ struct Ground {
 };
 
 Box intersection(const Box& a, const Box& b) {
-    return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)}, {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
+    return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
+            {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 bool holds(const Box& outer, const Box& inner) {
     constexpr double rounding = 1e-6;  // mm
@@ -236,7 +241,8 @@ std::set<std::string> dimensions_outside(const Figure& figure, const std::option
         const auto* group = std::get_if<GroupBegin>(&figure.marks[i]);
         if (group == nullptr || group->cls != "dimension") continue;
         std::vector<Mark> own;
-        for (std::size_t k = i + 1; !std::holds_alternative<GroupEnd>(figure.marks[k]); ++k) own.push_back(figure.marks[k]);
+        for (std::size_t k = i + 1; !std::holds_alternative<GroupEnd>(figure.marks[k]); ++k)
+            own.push_back(figure.marks[k]);
         if (!own.empty() && !holds(place, box_of(own))) outside.insert(group->id);
     }
     return outside;

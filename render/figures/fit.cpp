@@ -27,7 +27,8 @@ Figure fit(const FitPolicy& policy, const std::function<std::optional<Figure>(co
         trial.last = is_last(policy, trial);
         trial.strict = half > 0 && trial.scale > 0.99 * half;
         const bool as_it_comes = trial.last || trial.strict;
-        if (trial.scale > policy.coarsest || (as_it_comes && policy.coarsest < any_scale)) return Figure::empty_at(any_scale);
+        if (trial.scale > policy.coarsest || (as_it_comes && policy.coarsest < any_scale))
+            return Figure::empty_at(any_scale);
         auto figure = draw(trial);
         KG_ASSERT(figure || !trial.last, "the last trial has a figure");
         if (figure && (as_it_comes || holds(policy, *figure))) return *std::move(figure);

@@ -1,5 +1,5 @@
-// Force figures: the mechanism with its lines of action, and every body cut free. Owns what such a figure shows and where its
-// arrows stand; takes every force and place from the Solution, computes no statics.
+// Force figures: the mechanism with its lines of action, and every body cut free. Owns what such a figure shows and
+// where its arrows stand; takes every force and place from the Solution, computes no statics.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -33,18 +33,20 @@ double near_a_line(const Solution& solution) { return 1e-7 * solution.pose.size.
 /// How many forces of a body pass through a place (m, y downwards), `near` being what counts as through.
 int lines_through(const FreeBody& body, Spot place, double near) {
     const auto passes = [&](const AppliedForce& applied) {
-        return !applied.force.is_zero() && std::abs(cross(paper_direction(applied.force), place - paper_spot(applied.at))) < near;
+        return !applied.force.is_zero() &&
+               std::abs(cross(paper_direction(applied.force), place - paper_spot(applied.at))) < near;
     };
     return static_cast<int>(std::count_if(body.forces.begin(), body.forces.end(), passes) +
                             std::count_if(body.sums.begin(), body.sums.end(), passes));
 }
 /// The same of what bodies taken together have for their sum.
 bool passes_sum_of_several(const Solution& solution, Spot place) {
-    return std::any_of(solution.taken_together.begin(), solution.taken_together.end(), [&](const TakenTogether& together) {
-        FreeBody as_one;
-        as_one.sums = together.sums;
-        return lines_through(as_one, place, near_a_line(solution)) > 0;
-    });
+    return std::any_of(solution.taken_together.begin(), solution.taken_together.end(),
+                       [&](const TakenTogether& together) {
+                           FreeBody as_one;
+                           as_one.sums = together.sums;
+                           return lines_through(as_one, place, near_a_line(solution)) > 0;
+                       });
 }
 using Meets = std::vector<FreeBody::Meet>;
 
@@ -67,10 +69,12 @@ Meets all_shown_meets(const Solution& solution) {
     Meets shown;
     for (const FreeBody& body : solution.free_bodies)
         for (const auto& meet : body.meets) {
-            const bool listed = std::any_of(shown.begin(), shown.end(), [&](const auto& m) { return m.name == meet.name; });
-            const bool met = std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& other) {
-                return lines_through(other, paper_spot(meet.place), near_a_line(solution)) >= 2;
-            });
+            const bool listed =
+                std::any_of(shown.begin(), shown.end(), [&](const auto& m) { return m.name == meet.name; });
+            const bool met =
+                std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& other) {
+                    return lines_through(other, paper_spot(meet.place), near_a_line(solution)) >= 2;
+                });
             if (!listed && (met || passes_sum_of_several(solution, paper_spot(meet.place)))) shown.push_back(meet);
         }
     return shown;
@@ -85,7 +89,8 @@ std::vector<PointIndex> points_of(const Mechanism& mechanism, const FreeBody& bo
     return points;
 }
 
-/// What a free body wants to show: its points, where its forces act, points of concurrency not too far away (m, y downwards).
+/// What a free body wants to show: its points, where its forces act, points of concurrency not too far away (m, y
+/// downwards).
 struct FreeExtent {
     Box own, all;
 };
@@ -104,7 +109,8 @@ FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
     const Box own = box;
     const double size = std::max(own.width(), own.height());
     for (const AppliedForce& applied : body.forces)
-        if (const Spot at = paper_spot(applied.at); length(at - own.middle()) < 2 * std::max(size, 0.1 * subject.size()))
+        if (const Spot at = paper_spot(applied.at);
+            length(at - own.middle()) < 2 * std::max(size, 0.1 * subject.size()))
             box.include(at);
     // A point of concurrency is shown where it does not make the body tiny.
     const Box near = grown(box, 0.9 * std::max(size, 0.05 * subject.size()));
@@ -117,7 +123,8 @@ FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
     return {own, box};
 }
 
-// --- lines of action and where they meet -------------------------------------------------------------------------------------
+// --- lines of action and where they meet
+// -------------------------------------------------------------------------------------
 
 /// A line of action: a direction and the places that it joins, mm.
 struct ActionLine {
@@ -136,8 +143,8 @@ struct ActionLine {
     }
 };
 
-LabelRequest label_of_meet(const Sketch& sketch, const std::string& name, Spot at, double clearance, StatementIndex statement,
-                           const std::string& place) {
+LabelRequest label_of_meet(const Sketch& sketch, const std::string& name, Spot at, double clearance,
+                           StatementIndex statement, const std::string& place) {
     return {.text = typeset(Symbol{Symbol::Letter::point, name, ""}, sketch.context.language),
             .size = sketch.theme.label,
             .colour = sketch.theme.text,
@@ -168,7 +175,8 @@ void draw_meet(Sketch& sketch, const std::string& name, Spot at, StatementIndex 
 class ActionLines {
 public:
     /// `load`: of what acts alone; empty: all loads.
-    ActionLines(Sketch& sketch, const Box& view, std::string load) : sketch_(sketch), view_(view), load_(std::move(load)) {}
+    ActionLines(Sketch& sketch, const Box& view, std::string load)
+        : sketch_(sketch), view_(view), load_(std::move(load)) {}
 
     /// The line of a force with the points of concurrency on it, as far as there are any.
     ActionLine line_of(const AppliedForce& applied, const Meets& meets, std::string held) const {
@@ -189,7 +197,8 @@ public:
 
     void add(ActionLine added) {
         for (ActionLine& known : lines_)
-            if (std::abs(cross(known.along, added.along)) < 1e-6 && std::abs(cross(known.along, added.at - known.at)) < 0.05) {
+            if (std::abs(cross(known.along, added.along)) < 1e-6 &&
+                std::abs(cross(known.along, added.at - known.at)) < 0.05) {
                 known.marks.insert(known.marks.end(), added.marks.begin(), added.marks.end());
                 known.far_meets.insert(known.far_meets.end(), added.far_meets.begin(), added.far_meets.end());
                 known.statement = std::min(known.statement, added.statement);
@@ -205,9 +214,11 @@ public:
                         const FreeBody::Funicular& funicular) {
         ActionLine action = line_of(applied, meets, held);
         for (std::size_t i = 0; i < funicular.vertices.size(); ++i)
-            if (const Spot at = sketch_.spot(*funicular.vertices[i]); std::abs(cross(action.along, at - action.at)) < 0.05)
+            if (const Spot at = sketch_.spot(*funicular.vertices[i]);
+                std::abs(cross(action.along, at - action.at)) < 0.05)
                 action.reach(at, held_string(load_, funicular, i));
-        action.statement = std::min(action.statement == none ? funicular.statement : action.statement, funicular.statement);
+        action.statement =
+            std::min(action.statement == none ? funicular.statement : action.statement, funicular.statement);
         if (action.marks.size() > 1) add(std::move(action));
     }
 
@@ -224,8 +235,8 @@ public:
     }
 
 private:
-    /// A point of concurrency outside of the drawing: the lines that meet there run to the edge of the view and point to it, and
-    /// one says how far it is.
+    /// A point of concurrency outside of the drawing: the lines that meet there run to the edge of the view and point
+    /// to it, and one says how far it is.
     void draw_far_meet(const std::string& name, Spot meet, StatementIndex statement) {
         constexpr double broken_end = 9;
         if (!std::isfinite(meet.x) || !std::isfinite(meet.y)) return;  // past the range of doubles
@@ -276,12 +287,13 @@ private:
     std::vector<ActionLine> lines_;
 };
 
-// --- arrows ------------------------------------------------------------------------------------------------------------------
+// --- arrows
+// ------------------------------------------------------------------------------------------------------------------
 
 /// About the place where the couple acts, where the least is in the way.
 /// `held`: place and couple; `unit`: of the moment that the text says, in SI, or 0.
-void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at, bool positive, const BodyColour& colour,
-                 StatementIndex statement, std::vector<std::string> held, double unit) {
+void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at, bool positive,
+                 const BodyColour& colour, StatementIndex statement, std::vector<std::string> held, double unit) {
     constexpr double sweep = 2.4;
     // On paper y runs down: counter-clockwise is the negative turn.
     const double by = positive ? -sweep : sweep;
@@ -289,7 +301,8 @@ void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at
     for (const double radius : {7.0, 8.5, 10.5})
         for (int step = 0; step < 12; ++step) {
             const double from = step * pi_number / 6;
-            best.offer(0.15 * (radius - 7) / 3.5 + 4 * clutter.along_arc(at, radius, from, by), {at, radius, from, from + by});
+            best.offer(0.15 * (radius - 7) / 3.5 + 4 * clutter.along_arc(at, radius, from, by),
+                       {at, radius, from, from + by});
         }
     const Arc& arc = best.choice;
     const std::size_t first = sketch.arrows.size();
@@ -312,25 +325,31 @@ RichText couple_words(const DrawingContext& context, const AppliedForce& applied
 }
 
 /// From the place about which a moment is taken to the line of a force: thin, with its length.
-void draw_arm(Sketch& sketch, const FreeBody& body, std::size_t index, const std::string& load, std::vector<Bar>& drawn) {
+void draw_arm(Sketch& sketch, const FreeBody& body, std::size_t index, const std::string& load,
+              std::vector<Bar>& drawn) {
     const FreeBody::Arm& arm = body.arms[index];
     const Spot about = sketch.spot(arm.about), foot = sketch.spot(arm.foot);
     const Box view = grown(sketch.mechanism_box(), line_overshoot + 3);
     if (!contains(view, about) || !contains(view, foot) || length(foot - about) < 1) return;
-    const auto same = [&](const Bar& other) { return length(other.from - about) < 0.05 && length(other.to - foot) < 0.05; };
+    const auto same = [&](const Bar& other) {
+        return length(other.from - about) < 0.05 && length(other.to - foot) < 0.05;
+    };
     if (std::any_of(drawn.begin(), drawn.end(), same)) return;
     drawn.push_back({about, foot});
     sketch.over_bodies.emplace_back(line(about, foot, sketch.thin()));
     belong(sketch.over_bodies, sketch.over_bodies.size() - 1, arm.statement);
     const Holds held{Form::segment, {held_arm(load, body, index, false), held_arm(load, body, index, true)}};
     hang(sketch.over_bodies, sketch.over_bodies.size() - 1, held);
-    if (!name_of_point_at(sketch, about) && !arm.name.empty()) draw_meet(sketch, arm.name, about, arm.statement, held.on.front());
+    if (!name_of_point_at(sketch, about) && !arm.name.empty())
+        draw_meet(sketch, arm.name, about, arm.statement, held.on.front());
     const Unit& unit = sketch.mechanism.units.length;
     RichText text = one_piece(arm.is_shift ? "d" : "b", Face::italic);
-    append(text,
-           with_powers(" = " + number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4, sketch.context.language) +
-                       " " + unit.symbol));
-    LabelRequest& label = sketch.add_label(std::move(text), sketch.theme.secondary, 0.5 * (about + foot), 1.0, arm.statement);
+    append(text, with_powers(
+                     " = " +
+                     number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4, sketch.context.language) +
+                     " " + unit.symbol));
+    LabelRequest& label =
+        sketch.add_label(std::move(text), sketch.theme.secondary, 0.5 * (about + foot), 1.0, arm.statement);
     label.size = sketch.theme.small;
     label.holds = held;
     label.holds.unit = unit.si.to_double();
@@ -364,14 +383,15 @@ bool acts_at_centre(const AppliedForce& applied) {
     return applied.kind == AppliedForce::Kind::weight || applied.kind == AppliedForce::Kind::inertia;
 }
 
-// --- a body cut free ---------------------------------------------------------------------------------------------------------
+// --- a body cut free
+// ---------------------------------------------------------------------------------------------------------
 
 /// The scale of its forces and what may be said beside them.
 struct ForceScale {
     double si = 1;          // of the unit
     double per_millimetre;  // in the unit
-    bool says_values;       // in a narrow room the words would cost the body its scale; the table of results has the value
-    bool at_pairs;          // force and couple of a sleeve at its pair, too
+    bool says_values;  // in a narrow room the words would cost the body its scale; the table of results has the value
+    bool at_pairs;     // force and couple of a sleeve at its pair, too
 };
 
 class FreeBodyDrawing {
@@ -402,8 +422,8 @@ public:
             const std::string held = held_force(load_, body_, applied);
             if (!applied.couple.is_zero())
                 draw_couple(sketch_, clutter_, couple_words(sketch_.context, applied), sketch_.spot(applied.at),
-                            applied.couple.sign() > 0, colour_, applied.force_statement, {couple_of(held), couple_of(held)},
-                            unit_of_moment());
+                            applied.couple.sign() > 0, colour_, applied.force_statement,
+                            {couple_of(held), couple_of(held)}, unit_of_moment());
             if (!applied.force.is_zero()) draw_force(applied, held);
         }
         // In a narrow room the line must do: the polygon has the force.
@@ -440,7 +460,8 @@ private:
         draw_arrow_of(applied, held, arrow, value, to_scale);
         add_line_of(applied, held);
         if (applied.is_component) return;
-        if (const JointForce* pair = at_the_pair(sketch_.subject.solution, body_, applied); pair != nullptr && scale_.at_pairs)
+        if (const JointForce* pair = at_the_pair(sketch_.subject.solution, body_, applied);
+            pair != nullptr && scale_.at_pairs)
             draw_at_pair(applied, *pair, arrow);
         if (applied.joint != none && joints_remarked_.insert(applied.joint).second) remark_guide(applied);
     }
@@ -502,7 +523,8 @@ private:
         for (int n = 2; !names_.insert(unique).second; ++n) unique = base + "-" + std::to_string(n);
         return unique;
     }
-    void draw_arrow_of(const AppliedForce& applied, const std::string& held, const Bar& arrow, double value, bool to_scale) {
+    void draw_arrow_of(const AppliedForce& applied, const std::string& held, const Bar& arrow, double value,
+                       bool to_scale) {
         const Theme& theme = sketch_.theme;
         const StatementIndex statement = applied.force_statement;
         const std::string unique = unique_name(name_of(applied.symbol));
@@ -542,21 +564,24 @@ private:
         }
         // To where it is added to another.
         for (const AppliedForce& sum : body_.sums)
-            if (const Spot at = sketch_.spot(sum.at); &sum != &applied && std::abs(cross(action.along, at - action.at)) < 0.05 &&
-                                                      contains(sketch_.mechanism_box(), at) && length(at - action.at) > 1) {
+            if (const Spot at = sketch_.spot(sum.at);
+                &sum != &applied && std::abs(cross(action.along, at - action.at)) < 0.05 &&
+                contains(sketch_.mechanism_box(), at) && length(at - action.at) > 1) {
                 action.reach(at, held_sum(load_, body_, sum));
                 action.statement =
                     action.statement == none ? sum.force_statement : std::min(action.statement, sum.force_statement);
             }
         const bool found = applied.joint != none || applied.kind == AppliedForce::Kind::resultant;
-        if (action.joins() || carries_two_forces() || (found && applied.line_by_construction)) lines_.add(std::move(action));
+        if (action.joins() || carries_two_forces() || (found && applied.line_by_construction))
+            lines_.add(std::move(action));
     }
 
     /// Each string ends on the lines of its two forces.
     void draw_strings_of_body(const FreeBody::Funicular& funicular) {
         draw_strings(sketch_, funicular, load_);
         for (const AppliedForce& applied : body_.forces)
-            if (!applied.force.is_zero()) lines_.add_to_strings(applied, held_force(load_, body_, applied), meets_, funicular);
+            if (!applied.force.is_zero())
+                lines_.add_to_strings(applied, held_force(load_, body_, applied), meets_, funicular);
     }
 
     /// Force and couple at the pair's own point, thin, and how far aside they are the one force: d = M/F.
@@ -581,11 +606,15 @@ private:
         sketch_.construction.emplace_back(line(at + off, foot + off, sketch_.thin()));
         for (const Spot end : {at, foot}) sketch_.construction.emplace_back(line(end, end + 1.2 * off, sketch_.thin()));
         RichText text = one_piece("d", Face::italic);
-        append(text, with_powers(" = " + number(metres / unit.si.to_double(), 4, sketch_.context.language) + " " + unit.symbol));
-        sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (at + foot) + off, 1.0, applied.force_statement).size =
-            sketch_.theme.small;
+        append(text, with_powers(" = " + number(metres / unit.si.to_double(), 4, sketch_.context.language) + " " +
+                                 unit.symbol));
+        sketch_
+            .add_label(std::move(text), sketch_.theme.secondary, 0.5 * (at + foot) + off, 1.0, applied.force_statement)
+            .size = sketch_.theme.small;
     }
-    static Spot unit_along_arrow(const Bar& arrow) { return (1 / length(arrow.to - arrow.from)) * (arrow.to - arrow.from); }
+    static Spot unit_along_arrow(const Bar& arrow) {
+        return (1 / length(arrow.to - arrow.from)) * (arrow.to - arrow.from);
+    }
 
     void remark_guide(const AppliedForce& applied) {
         const RichText words = beside_guide(sketch_.context, body_, applied);
@@ -622,32 +651,36 @@ void show_only(Subject& subject, const FreeBody& body) {
 /// "Loads alone on body 3".
 std::string words_of_load(const DrawingContext& context, const std::string& load) {
     const bool body = context.solution.mechanism.body_named(load).has_value();
-    return word("loads alone", context.language) + " " + word(body ? "loads of body" : "loads of pin", context.language) + " " +
-           load;
+    return word("loads alone", context.language) + " " +
+           word(body ? "loads of body" : "loads of pin", context.language) + " " + load;
 }
 
 /// Of a free body: "2", "2: connecting rod", "pin B"; under the loads of one body alone it says which.
-RichText caption_of(const DrawingContext& context, const FreeBody& body, const std::string& name, const std::string& load) {
+RichText caption_of(const DrawingContext& context, const FreeBody& body, const std::string& name,
+                    const std::string& load) {
     RichText caption = one_piece(word(body.body != none ? "free body" : "free pin", context.language) + " " + name);
     if (!load.empty()) {
         std::string words = words_of_load(context, load);
         words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
         caption.back().text += "; " + words;
     } else if (body.body != none) {
-        if (const std::string& label = in(context.solution.mechanism.body(body.body).label, context.language); !label.empty())
+        if (const std::string& label = in(context.solution.mechanism.body(body.body).label, context.language);
+            !label.empty())
             caption.back().text += ": " + label;
     }
     return caption;
 }
 
-// --- the mechanism with its forces -------------------------------------------------------------------------------------------
+// --- the mechanism with its forces
+// -------------------------------------------------------------------------------------------
 
-/// Loads, efforts and what the frame gives are shown; an actuator between two bodies shows once. `alone`: of the loads of one
-/// body alone; what two forces hold has no figure of its own then.
+/// Loads, efforts and what the frame gives are shown; an actuator between two bodies shows once. `alone`: of the loads
+/// of one body alone; what two forces hold has no figure of its own then.
 bool is_shown_on_mechanism(const FreeBody& body, const AppliedForce& applied, bool alone) {
     const auto forces =
         std::count_if(body.forces.begin(), body.forces.end(), [](const AppliedForce& f) { return !f.force.is_zero(); });
-    const bool inner_reaction = applied.kind == AppliedForce::Kind::reaction && applied.from != frame && !(alone && forces == 2);
+    const bool inner_reaction =
+        applied.kind == AppliedForce::Kind::reaction && applied.from != frame && !(alone && forces == 2);
     const bool again = applied.kind == AppliedForce::Kind::effort && applied.from > frame && applied.from < body.body;
     return !inner_reaction && !again;
 }
@@ -675,12 +708,12 @@ Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, con
 }
 
 /// Its sense only; `standing`: the arrows that are drawn.
-void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& colour, StatementIndex statement,
-                const std::string& held, std::vector<Bar>& standing) {
+void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& colour,
+                StatementIndex statement, const std::string& held, std::vector<Bar>& standing) {
     const Spot at = sketch.spot(applied.at);
     if (!applied.couple.is_zero())
-        draw_couple(sketch, clutter, typeset(couple_symbol(applied), sketch.context.language), at, applied.couple.sign() > 0,
-                    colour, statement, {couple_of(held), couple_of(held)}, 0);
+        draw_couple(sketch, clutter, typeset(couple_symbol(applied), sketch.context.language), at,
+                    applied.couple.sign() > 0, colour, statement, {couple_of(held), couple_of(held)}, 0);
     if (applied.force.is_zero()) return;
     const Bar arrow = free_arrow(clutter, applied, at, standing);
     standing.push_back(arrow);
@@ -689,8 +722,8 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
     belong(sketch.arrows, first, statement);
     hang(sketch.arrows, first, on_force(Form::with, held));
     clutter.add(arrow.from, arrow.to);
-    LabelRequest& label =
-        sketch.add_label(typeset(applied.symbol, sketch.context.language), colour.letter, middle(arrow), 1.5, statement);
+    LabelRequest& label = sketch.add_label(typeset(applied.symbol, sketch.context.language), colour.letter,
+                                           middle(arrow), 1.5, statement);
     label.size = sketch.theme.equation;
     label.toward = arrow.to;
     label.names = {name_of(applied.symbol)};
@@ -704,8 +737,8 @@ bool acts_from_outside(const AppliedForce& applied, const TakenTogether& togethe
            std::find(strings.known.begin(), strings.known.end(), applied.symbol) != strings.known.end();
 }
 
-/// Of a sum that was moved aside for a couple: its line before, thin, the place on it where lines of what is added meet, and how
-/// far the sum was moved, where it is to be seen.
+/// Of a sum that was moved aside for a couple: its line before, thin, the place on it where lines of what is added
+/// meet, and how far the sum was moved, where it is to be seen.
 void draw_shift(Sketch& sketch, const AppliedForce& sum, const Box& view) {
     const Solution& solution = sketch.subject.solution;
     for (const StatementIndex statement : indices_of(solution.protocol.statements)) {
@@ -725,9 +758,11 @@ void draw_shift(Sketch& sketch, const AppliedForce& sum, const Box& view) {
         for (std::size_t i = first; i < sketch.construction.size(); ++i) belong(sketch.construction, i, statement);
         const Unit& unit = sketch.mechanism.units.length;
         RichText text = one_piece("d", Face::italic);
-        append(text, with_powers(" = " + number(kinegraph::length(*shift) / unit.si.to_double(), 4, sketch.context.language) +
-                                 " " + unit.symbol));
-        sketch.add_label(std::move(text), sketch.theme.secondary, 0.5 * (one + other), 1.0, statement).size = sketch.theme.small;
+        append(text,
+               with_powers(" = " + number(kinegraph::length(*shift) / unit.si.to_double(), 4, sketch.context.language) +
+                           " " + unit.symbol));
+        sketch.add_label(std::move(text), sketch.theme.secondary, 0.5 * (one + other), 1.0, statement).size =
+            sketch.theme.small;
     }
 }
 
@@ -741,7 +776,8 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, cons
             if (action.joins() || applied.line_by_construction) lines.add(std::move(action));
         }
     const auto add_sum = [&](const AppliedForce& sum, std::string held) {
-        if (ActionLine action = lines.line_of(sum, meets, std::move(held)); action.joins()) lines.add(std::move(action));
+        if (ActionLine action = lines.line_of(sum, meets, std::move(held)); action.joins())
+            lines.add(std::move(action));
     };
     for (const FreeBody& body : solution.free_bodies)
         for (const AppliedForce& sum : body.sums) add_sum(sum, held_sum(load, body, sum));
@@ -759,7 +795,8 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, cons
                     lines.add_to_strings(applied, held_force(load, body, applied), shown_meets(solution, body),
                                          *together.funicular);
         for (const AppliedForce& sum : together.sums)
-            if (acts_from_outside(sum, together)) lines.add_to_strings(sum, held_sum(load, i, sum), meets, *together.funicular);
+            if (acts_from_outside(sum, together))
+                lines.add_to_strings(sum, held_sum(load, i, sum), meets, *together.funicular);
     }
     lines.draw_meets(meets);
     lines.draw(sketch.construction);
@@ -767,7 +804,8 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, cons
 
 /// The mechanism under all loads, or under those of one body alone.
 RichText caption_of_lines(const DrawingContext& context, const std::string& load) {
-    return one_piece(load.empty() ? word("mechanism and lines of action", context.language) : words_of_load(context, load));
+    return one_piece(load.empty() ? word("mechanism and lines of action", context.language)
+                                  : words_of_load(context, load));
 }
 
 }  // namespace
@@ -782,7 +820,8 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const Mechanism& mechanism = solution.mechanism;
     const FreeBody& body = solution.free_bodies[index];
     const std::string& name = body.body != none ? mechanism.body(body.body).name : mechanism.point(body.pin).name;
-    const std::string id = legal_id((body.body != none ? "body-" : "pin-") + name + (load.empty() ? "" : "-load-" + load));
+    const std::string id =
+        legal_id((body.body != none ? "body-" : "pin-") + name + (load.empty() ? "" : "-load-" + load));
     Subject subject(solution);
     const auto [own_box, box] = extent_of(subject, body);
     subject.box = box;
@@ -803,10 +842,10 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const double around = std::min(30.0, longest / si / forces.per_millimetre);
     // A lone block has no length of its own: the mechanism's scale would do, whatever it is.
     const bool has_length = std::max(own_box.width(), own_box.height()) > 0;
-    const double start = has_length
-                             ? choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9),
-                                            std::max(room_x - around, 10.0), std::max(room_y - around - 12, 10.0), std::nullopt)
-                             : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
+    const double start =
+        has_length ? choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9),
+                                  std::max(room_x - around, 10.0), std::max(room_y - around - 12, 10.0), std::nullopt)
+                   : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
     // Names do not shrink with the body: a smaller one gains them little, and shows nothing.
     const double least_shown = shrinks ? 0.05 : 5;
     const double extent = has_length ? std::max(box.width(), box.height()) : 0;
@@ -865,8 +904,8 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                                held_force(load, body, applied), standing);
         for (std::size_t i = 0; i < solution.taken_together.size(); ++i)
             for (const AppliedForce& sum : solution.taken_together[i].sums)
-                draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement, held_sum(load, i, sum),
-                           standing);
+                draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement,
+                           held_sum(load, i, sum), standing);
         std::vector<Bar> arms;
         for (const FreeBody& body : solution.free_bodies)
             for (std::size_t i = 0; i < body.arms.size(); ++i)

@@ -1,5 +1,5 @@
-// Force polygons: those of the bodies in rows, and the closed polygon of the external forces. Owns their sides, scales and
-// places; takes every force from the Solution, computes no statics.
+// Force polygons: those of the bodies in rows, and the closed polygon of the external forces. Owns their sides, scales
+// and places; takes every force from the Solution, computes no statics.
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +66,8 @@ public:
         Figure figure;
         figure.kind = joined ? "closure" : "forces";
         figure.id = legal_id(scene_.id);
-        figure.caption = one_piece(word(joined && !is_open() ? "closed force polygon" : "force polygon", context_.language));
+        figure.caption =
+            one_piece(word(joined && !is_open() ? "closed force polygon" : "force polygon", context_.language));
         figure.scale = scale;
         figure.unit = scene_.unit.symbol;
         open_group(figure);
@@ -147,7 +148,8 @@ private:
         }
     }
 
-    /// From the pole to the corners of the known forces, numbered as the strings are; broken to where the closing line divides.
+    /// From the pole to the corners of the known forces, numbered as the strings are; broken to where the closing line
+    /// divides.
     void add_rays(double scale, PolygonParts& parts) const {
         const Exact& si = scene_.unit.si;
         const auto at = [&](const Vector& place) {
@@ -165,7 +167,8 @@ private:
             line.statement = funicular_->statement;
             parts.lines.push_back(std::move(line));
         };
-        for (std::size_t i = 0; i < funicular_->corners.size(); ++i) ray(*funicular_->corners[i], std::to_string(i + 1), {});
+        for (std::size_t i = 0; i < funicular_->corners.size(); ++i)
+            ray(*funicular_->corners[i], std::to_string(i + 1), {});
         ray(*funicular_->dividing, std::to_string(funicular_->corners.size() + 1), dashes());
         PolygonImage image;
         image.at = pole;
@@ -314,8 +317,9 @@ private:
         }
         for (const TakenTogether& together : solution.taken_together)
             if (together.polygon == item.polygon) {
-                item.title = is_truss_whole(solution) ? one_piece(capital(word("truss whole", context_.language)), Face::bold)
-                                                      : titled("bodies together", names_of(solution.mechanism, together));
+                item.title = is_truss_whole(solution)
+                                 ? one_piece(capital(word("truss whole", context_.language)), Face::bold)
+                                 : titled("bodies together", names_of(solution.mechanism, together));
                 item.statement = together.statement;
             }
         if (!solution.superposition) return;
@@ -367,7 +371,8 @@ private:
         const Labelling labelling = with_details ? Labelling::if_all_free : Labelling::free;
         if (!place_labels(cell.figure, context_.fonts, std::nullopt, labelling, context_.theme.secondary)) return false;
         cell.figure.marks.emplace_back(GroupEnd{});
-        if (!set_details(cell.figure, context_, cell.parts, cell.details, {room.x, room.y - head - bar}, letters)) return false;
+        if (!set_details(cell.figure, context_, cell.parts, cell.details, {room.x, room.y - head - bar}, letters))
+            return false;
         cell.size = size_of(item, cell.figure, 0);
         return true;
     }
@@ -392,8 +397,8 @@ private:
     std::string caption() const {
         if (id_ == "sums") return "sums of partial forces";
         const bool triangles = std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
-            return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 && !item.drawing.flat() &&
-                   !item.drawing.is_open();
+            return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 &&
+                   !item.drawing.flat() && !item.drawing.is_open();
         });
         return std::string(triangles ? "force triangle" : "force polygon") + (items_.size() == 1 ? "" : "s");
     }
@@ -448,7 +453,8 @@ private:
         return body.body != none ? m.body(body.body).name : m.point(body.pin).name;
     }
     static Spot size_of(const Item& item, const Figure& figure, double reach) {
-        return {std::max({figure.box.width() + 2 * reach, item.table.width, 16.0}), head + figure.box.height() + 2 * reach};
+        return {std::max({figure.box.width() + 2 * reach, item.table.width, 16.0}),
+                head + figure.box.height() + 2 * reach};
     }
     static std::vector<Row> arranged(const std::vector<Cell>& cells, double room) {
         std::vector<Row> rows;
@@ -523,13 +529,14 @@ int force_polygon_count(const Solution& solution) { return static_cast<int>(show
 Box extent_of_forces(const Solution& solution) { return extent_of(solution, shown_polygons(solution)); }
 Box extent_of_partial_sums(const Solution& solution) { return extent_of(solution, polygons_of_sums(solution)); }
 
-Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least, bool fixed,
-                             bool tables, int only) {
+Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
+                             bool fixed, bool tables, int only) {
     const std::vector<int> polygons = only >= 0 ? std::vector<int>{only} : shown_polygons(context.solution);
     return fitted(Rows(context, polygons, tables, "forces"), {room_x, room_y}, least, fixed);
 }
 
-Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least, bool fixed) {
+Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
+                           bool fixed) {
     return fitted(Rows(context, polygons_of_sums(context.solution), false, "sums"), {room_x, room_y}, least, fixed);
 }
 
@@ -544,7 +551,9 @@ Spot strokes_of_force_polygon(const DrawingContext& context, int polygon, bool j
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                              std::optional<double> least, bool fixed) {
     const ForcePolygon drawing(context, polygon);
-    const auto fits = [&](const Figure& figure) { return figure.box.width() <= room_x && figure.box.height() <= room_y; };
+    const auto fits = [&](const Figure& figure) {
+        return figure.box.width() <= room_x && figure.box.height() <= room_y;
+    };
     const auto finish = [&](double scale) {
         const Figure empty = drawing.empty_at(scale);
         const PolygonParts parts = drawing.parts_of(empty);
@@ -559,7 +568,8 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
             Figure figure = drawing.with_parts(empty, parts, details);
             if (place_labels(figure, context.fonts, room, Labelling::if_all_free, context.theme.secondary)) {
                 close(figure);
-                if (set_details(figure, context, parts, details, {room_x, room_y}, letters) && fits(figure)) return figure;
+                if (set_details(figure, context, parts, details, {room_x, room_y}, letters) && fits(figure))
+                    return figure;
             }
         }
         Figure figure = drawing.with_parts(empty, parts, {});
@@ -575,7 +585,8 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
     if (fixed) policy.asked = least;
     if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
-        const double width = drawing.width() / trial.scale + 0.5 * label_reach, height = drawing.height() / trial.scale + 8;
+        const double width = drawing.width() / trial.scale + 0.5 * label_reach,
+                     height = drawing.height() / trial.scale + 8;
         if (!trial.last && !trial.asked && (width > room_x || height > room_y)) return std::nullopt;
         return finish(trial.scale);
     });

@@ -19,9 +19,12 @@ using std::numbers::pi;
 const HertzProblem& problem_of(const DrawingContext& context) {
     return std::get<HertzProblem>(context.solution.mechanism.problem->of);
 }
-const HertzSolution& solution_of(const DrawingContext& context) { return std::get<HertzSolution>(context.solution.problem->of); }
+const HertzSolution& solution_of(const DrawingContext& context) {
+    return std::get<HertzSolution>(context.solution.problem->of);
+}
 
-/// One body's profile as it is drawn: its curvature in the plane of the figure (1/m, positive towards the other), and who it is.
+/// One body's profile as it is drawn: its curvature in the plane of the figure (1/m, positive towards the other), and
+/// who it is.
 struct Profile2d {
     std::size_t which = 0;
     double curvature = 0;
@@ -46,12 +49,13 @@ public:
     }
 
     Figure draw() {
-        const Words caption = problem_.at && problem_.at->meshes
-                                  ? Words("Flanks at the pitch point, as cylinders", "Fianchi nel punto primitivo, come cilindri")
-                                  : Words("Bodies in contact", "Corpi a contatto");
+        const Words caption = problem_.at && problem_.at->meshes ? Words("Flanks at the pitch point, as cylinders",
+                                                                         "Fianchi nel punto primitivo, come cilindri")
+                                                                 : Words("Bodies in contact", "Corpi a contatto");
         Figure figure = begun("contact", "contact", caption, scale_, "m", context_.language);
         for (std::size_t i = 0; i < 2; ++i) draw_body(figure, profiles_.at(i), i == 0 ? -1 : 1);
-        figure.marks.emplace_back(line({0, -top_ - 4}, {0, bottom_ + 4}, {theme_.thin, theme_.secondary, dash_dot(), false}));
+        figure.marks.emplace_back(
+            line({0, -top_ - 4}, {0, bottom_ + 4}, {theme_.thin, theme_.secondary, dash_dot(), false}));
         figure.marks.emplace_back(disc({0, 0}, 0.7, theme_.text));
         draw_force(figure, {0, -top_ - arrow_}, {0, -top_});
         draw_force(figure, {0, bottom_ + arrow_}, {0, bottom_});
@@ -59,8 +63,8 @@ public:
     }
 
 private:
-    /// In the plane across the shorter axis: of bodies turned against each other, by Euler, that of the first body's first
-    /// radius.
+    /// In the plane across the shorter axis: of bodies turned against each other, by Euler, that of the first body's
+    /// first radius.
     double curvature(std::size_t i) const {
         const HertzBody& body = problem_.bodies.at(i);
         const double first = body.curvature(0).to_double(), second = body.curvature(1).to_double();
@@ -136,11 +140,12 @@ private:
         const Spot away = unit(centre - foot);
         const double shown = std::min(radius, of.curvature > 0 ? std::max(12.0, 0.5 * below_) : 12.0);
         const Spot from = foot + shown * away;
-        if (shown >= radius) figure.marks.emplace_back(ring(centre, 0.9, theme_.paper, {theme_.outline, colour.line, {}, false}));
+        if (shown >= radius)
+            figure.marks.emplace_back(ring(centre, 0.9, theme_.paper, {theme_.outline, colour.line, {}, false}));
         draw_arrow(figure.marks, from, foot, theme_.thin, theme_.text);
-        RichText words =
-            formula("{r_" + number +
-                    "} = " + amount(radius * scale_, QuantityKind::length, context_.solution.mechanism.units, context_.language));
+        RichText words = formula(
+            "{r_" + number + "} = " +
+            amount(radius * scale_, QuantityKind::length, context_.solution.mechanism.units, context_.language));
         figure.labels.push_back({.text = std::move(words),
                                  .size = theme_.derived,
                                  .colour = theme_.text,
@@ -172,7 +177,10 @@ private:
 class PressureFigure {
 public:
     PressureFigure(const DrawingContext& context, Spot room)
-        : context_(context), theme_(context.theme), found_(solution_of(context)), units_(context.solution.mechanism.units) {
+        : context_(context),
+          theme_(context.theme),
+          found_(solution_of(context)),
+          units_(context.solution.mechanism.units) {
         // Across lies the longer axis of an ellipse, or the width of a line.
         half_ = std::max(found_.a, found_.b);
         const double plan = found_.a > 0 ? 2 * found_.b : 0.8 * half_;
@@ -196,7 +204,9 @@ public:
     }
 
 private:
-    double pressure(double share) const { return share * found_.greatest / pressure_unit_.si.to_double() / pressure_scale_; }
+    double pressure(double share) const {
+        return share * found_.greatest / pressure_unit_.si.to_double() / pressure_scale_;
+    }
     Pen thin() const { return {theme_.thin, theme_.secondary, {}, false}; }
 
     void draw_arch(Figure& figure, double half, double high) {
@@ -267,7 +277,8 @@ private:
         const Pen axis{theme_.thin, theme_.secondary, dash_dot(), false};
         figure.marks.emplace_back(line({-half - 4, middle.y}, {half + 4, middle.y}, axis));
         figure.marks.emplace_back(line({0, middle.y - strip_ - 3}, {0, middle.y + strip_ + 3}, axis));
-        for (const double side : {-1.0, 1.0}) figure.marks.emplace_back(line({side * half, 0}, {side * half, middle.y}, thin()));
+        for (const double side : {-1.0, 1.0})
+            figure.marks.emplace_back(line({side * half, 0}, {side * half, middle.y}, thin()));
         draw_dimensions(figure, middle, half);
     }
     void draw_dimensions(Figure& figure, Spot middle, double half) {

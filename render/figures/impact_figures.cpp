@@ -50,8 +50,8 @@ public:
           moment_(moment),
           room_(room) {
         measure();
-        scale_ = choose_scale(extent_.width(), extent_.height(), std::max(room.x - 46, 20.0), std::max(room.y - 34, 15.0),
-                              std::nullopt);
+        scale_ = choose_scale(extent_.width(), extent_.height(), std::max(room.x - 46, 20.0),
+                              std::max(room.y - 34, 15.0), std::nullopt);
         double fastest = 0;
         for (const ImpactSolution::Body& body : found_.bodies)
             for (const Vector& v : {body.before, body.after}) fastest = std::max(fastest, kinegraph::length(v));
@@ -63,12 +63,13 @@ public:
 
     Figure draw() {
         Figure figure = moment_ == Moment::before
-                            ? begun("contact", "contact", {"Bodies, and velocities before", "Corpi, e velocità prima"}, scale_,
-                                    "m", context_.language)
-                            : begun("contact", "contact-after", {"Velocities after the impact", "Velocità dopo l’urto"}, scale_,
-                                    "m", context_.language);
+                            ? begun("contact", "contact", {"Bodies, and velocities before", "Corpi, e velocità prima"},
+                                    scale_, "m", context_.language)
+                            : begun("contact", "contact-after", {"Velocities after the impact", "Velocità dopo l’urto"},
+                                    scale_, "m", context_.language);
         const Unit& unit = context_.solution.mechanism.units.velocity;
-        figure.further_scale = "1 mm ≙ " + shortest(speed_scale_ / unit.si.to_double(), context_.language) + " " + unit.symbol;
+        figure.further_scale =
+            "1 mm ≙ " + shortest(speed_scale_ / unit.si.to_double(), context_.language) + " " + unit.symbol;
         for (std::size_t i = 0; i < 2; ++i) draw_body(figure, i);
         draw_lines(figure);
         for (std::size_t i = 0; i < 2; ++i) draw_velocities(figure, i);
@@ -136,7 +137,8 @@ private:
         } else if (of.centre != found_.at) {
             figure.marks.emplace_back(line(spot(of.centre), origin_, {theme_.link, colour.line, {}, true}));
         } else {
-            figure.marks.emplace_back(ring(origin_ + 2.2 * (i == 0 ? normal_ : -1 * normal_), 2.2, colour.tint, outline));
+            figure.marks.emplace_back(
+                ring(origin_ + 2.2 * (i == 0 ? normal_ : -1 * normal_), 2.2, colour.tint, outline));
             aside = origin_ + 4 * (i == 0 ? normal_ : -1 * normal_);
         }
         figure.marks.emplace_back(GroupEnd{});
@@ -163,18 +165,21 @@ private:
             const Pen pen{theme_.outline, theme_.secondary, {}, false};
             figure.marks.emplace_back(line(there + Spot{-1.2, -1.2}, there + Spot{1.2, 1.2}, pen));
             figure.marks.emplace_back(line(there + Spot{-1.2, 1.2}, there + Spot{1.2, -1.2}, pen));
-            figure.labels.push_back(
-                {.text = one_piece("C", Face::italic), .size = theme_.label, .colour = theme_.secondary, .anchor = there});
+            figure.labels.push_back({.text = one_piece("C", Face::italic),
+                                     .size = theme_.label,
+                                     .colour = theme_.secondary,
+                                     .anchor = there});
         }
     }
     void draw_pivot(Figure& figure, const Vector& at, const BodyColour& colour) {
         const Spot pin = spot(at);
         const Pen pen{theme_.outline, theme_.text, {}, false};
         figure.marks.emplace_back(polyline({pin, pin + Spot{-3.2, -5.5}, pin + Spot{3.2, -5.5}}, pen, true));
-        figure.marks.emplace_back(line(pin + Spot{-5, -5.5}, pin + Spot{5, -5.5}, {2 * theme_.outline, theme_.text, {}, false}));
+        figure.marks.emplace_back(
+            line(pin + Spot{-5, -5.5}, pin + Spot{5, -5.5}, {2 * theme_.outline, theme_.text, {}, false}));
         for (int i = -2; i <= 2; ++i)
-            figure.marks.emplace_back(
-                line(pin + Spot{2.0 * i, -5.5}, pin + Spot{2.0 * i + 1.5, -7.2}, {theme_.thin, theme_.text, {}, false}));
+            figure.marks.emplace_back(line(pin + Spot{2.0 * i, -5.5}, pin + Spot{2.0 * i + 1.5, -7.2},
+                                           {theme_.thin, theme_.text, {}, false}));
         figure.marks.emplace_back(ring(pin, 1.3, theme_.paper, {theme_.outline, colour.line, {}, false}));
         figure.labels.push_back(
             {.text = one_piece("O", Face::italic), .size = theme_.label, .colour = theme_.text, .anchor = pin});
@@ -186,16 +191,17 @@ private:
             line(origin_ - half * along, origin_ + half * along, {2 * theme_.outline, theme_.text, {}, false}));
         for (double at = -half + 1; at <= half - 0.5; at += 2.4) {
             const Spot foot = origin_ + at * along;
-            figure.marks.emplace_back(line(foot, foot + 2 * inward - 1.4 * along, {theme_.thin, theme_.text, {}, false}));
+            figure.marks.emplace_back(
+                line(foot, foot + 2 * inward - 1.4 * along, {theme_.thin, theme_.text, {}, false}));
         }
     }
     void draw_lines(Figure& figure) {
         const double reach = std::min(26.0, 0.5 * std::min(room_.x, room_.y));
         const Spot along = turned(normal_);
-        figure.marks.emplace_back(
-            line(origin_ - reach * normal_, origin_ + reach * normal_, {theme_.thin, theme_.secondary, dash_dot(), false}));
-        figure.marks.emplace_back(
-            line(origin_ - 0.7 * reach * along, origin_ + 0.7 * reach * along, {theme_.thin, theme_.secondary, {}, false}));
+        figure.marks.emplace_back(line(origin_ - reach * normal_, origin_ + reach * normal_,
+                                       {theme_.thin, theme_.secondary, dash_dot(), false}));
+        figure.marks.emplace_back(line(origin_ - 0.7 * reach * along, origin_ + 0.7 * reach * along,
+                                       {theme_.thin, theme_.secondary, {}, false}));
         const auto name = [&](const char* letter, Spot at) {
             figure.labels.push_back({.text = one_piece(letter, Face::italic),
                                      .size = theme_.derived,
@@ -211,7 +217,8 @@ private:
         if (of.fixed) return;
         const BodyColour& colour = theme_.body(problem_.bodies.at(i).body);
         const std::string n = std::to_string(i + 1);
-        const Spot centre = of.centre == found_.at ? origin_ + 2.2 * (i == 0 ? normal_ : -1 * normal_) : spot(of.centre);
+        const Spot centre =
+            of.centre == found_.at ? origin_ + 2.2 * (i == 0 ? normal_ : -1 * normal_) : spot(of.centre);
         const auto draw = [&](const Vector& v, const std::string& mark, Colour ink, Colour letter,
                               const std::vector<double>& kind) {
             const Spot reach = spot_of(v, speed_scale_);
@@ -237,12 +244,14 @@ private:
         const bool left = omega.sign() > 0;
         const double from = left ? 0.35 * pi : 0.65 * pi;
         const Spot about = of.pivot ? spot(*of.pivot) : centre;
-        draw_arc_arrow(figure.marks, about, 5, from, left ? from - 0.7 * pi : from + 0.7 * pi, theme_.outline, colour.line);
-        figure.labels.push_back({.text = formula("{ω_" + std::to_string(i + 1) + (moment_ == Moment::before ? "}" : "}′")),
-                                 .size = theme_.derived,
-                                 .colour = colour.letter,
-                                 .anchor = about + 5 * polar_spot(left ? 0 : pi),
-                                 .clearance = 1.5});
+        draw_arc_arrow(figure.marks, about, 5, from, left ? from - 0.7 * pi : from + 0.7 * pi, theme_.outline,
+                       colour.line);
+        figure.labels.push_back(
+            {.text = formula("{ω_" + std::to_string(i + 1) + (moment_ == Moment::before ? "}" : "}′")),
+             .size = theme_.derived,
+             .colour = colour.letter,
+             .anchor = about + 5 * polar_spot(left ? 0 : pi),
+             .clearance = 1.5});
     }
 
     static constexpr double longest_ = 20;
@@ -394,13 +403,15 @@ Figure impact_after_figure(const DrawingContext& context, double room_x, double 
 Figure impact_velocities_figure(const DrawingContext& context, double room_x, double room_y) {
     const ImpactSolution& found = solution_of(context);
     const ImpactProblem& problem = problem_of(context);
-    VelocityPlane plane(context, "velocities", {"Velocities of the centres", "Velocità dei baricentri"}, {room_x, room_y});
+    VelocityPlane plane(context, "velocities", {"Velocities of the centres", "Velocità dei baricentri"},
+                        {room_x, room_y});
     for (std::size_t i = 0; i < 2; ++i) {
         const ImpactSolution::Body& body = found.bodies.at(i);
         if (body.fixed) continue;
         const BodyColour& colour = context.theme.body(problem.bodies.at(i).body);
         const std::string n = std::to_string(i + 1);
-        plane.arrows.push_back({"v_" + n, "{v_" + n + "}", body.before, context.theme.secondary, context.theme.secondary});
+        plane.arrows.push_back(
+            {"v_" + n, "{v_" + n + "}", body.before, context.theme.secondary, context.theme.secondary});
         plane.arrows.push_back({"v_" + n + "′", "{v_" + n + "}′", body.after, colour.line, colour.letter});
         plane.sides.push_back({body.before, body.after, body.pivot ? "" : (i == 0 ? "{J}/{m_" : "−{J}/{m_") + n + "}"});
     }
@@ -462,8 +473,8 @@ Figure impact_routh_figure(const DrawingContext& context, double room_x, double 
     add({"friction", "attrito"}, "friction", {{reach, f * reach}, {0, 0}, {reach, -f * reach}});
     const XyCurve& drawn = plot.curves.front();
     for (std::size_t i = 0; i < found.phases.size(); ++i)
-        plot.marks.push_back(
-            {0, drawn.values[i + 1], one_piece(std::string(1, static_cast<char>('A' + static_cast<int>(i))), Face::italic)});
+        plot.marks.push_back({0, drawn.values[i + 1],
+                              one_piece(std::string(1, static_cast<char>('A' + static_cast<int>(i))), Face::italic)});
     return xy_plot_figure(context, plot, room_x, room_y);
 }
 

@@ -1,8 +1,9 @@
-// Joukowsky's lever: the velocities of the points of application turned a quarter turn, the forces at their tips, the arms from
-// the pole. Owns what they show; takes forces, velocities and powers from the Solution, computes no statics.
+// Joukowsky's lever: the velocities of the points of application turned a quarter turn, the forces at their tips, the
+// arms from the pole. Owns what they show; takes forces, velocities and powers from the Solution, computes no statics.
 //
-// Method: z∧v is counter-clockwise of v, so the moment of F at the tip of z∧v about the pole is −F·v; the powers of all that acts
-// from outside on a mechanism with ideal pairs add up to nothing, hence so do the moments (N. E. Joukowsky, the lever).
+// Method: z∧v is counter-clockwise of v, so the moment of F at the tip of z∧v about the pole is −F·v; the powers of all
+// that acts from outside on a mechanism with ideal pairs add up to nothing, hence so do the moments (N. E. Joukowsky,
+// the lever).
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -107,10 +108,13 @@ private:
     }
     StatementIndex statement_of_velocity(const VirtualWork::Entry& entry) const {
         const PointIndex point = point_of(entry);
-        return point == none ? none : statement_of_motion(context_.solution, Quantity::Kind::velocity, entry.body, point);
+        return point == none ? none
+                             : statement_of_motion(context_.solution, Quantity::Kind::velocity, entry.body, point);
     }
 
-    static Spot in(const Vector& v, const Unit& unit) { return {(v.x / unit.si).to_double(), -(v.y / unit.si).to_double()}; }
+    static Spot in(const Vector& v, const Unit& unit) {
+        return {(v.x / unit.si).to_double(), -(v.y / unit.si).to_double()};
+    }
     static Spot tip_of(const Placed& each, double scale) { return (1 / scale) * each.turned_velocity; }
 
     /// Each from its point on, or up to it, or past those that stand there: its line of action is the same.
@@ -152,8 +156,8 @@ private:
 
     void draw_arms(Figure& figure, const std::vector<Arrow>& arrows) const {
         const Theme& theme = context_.theme;
-        const Pen action{theme.thin, theme.secondary, dash_dot(), false}, arm{theme.outline, theme.text, dashes(), false},
-            corner{theme.thin, theme.text, {}, false};
+        const Pen action{theme.thin, theme.secondary, dash_dot(), false},
+            arm{theme.outline, theme.text, dashes(), false}, corner{theme.thin, theme.text, {}, false};
         std::vector<std::pair<Spot, Spot>> done;  // foot and direction
         for (std::size_t i = 0; i < placed_.size(); ++i) {
             const Spot along = unit(placed_[i].force), tail = arrows[i].tail, tip = arrows[i].tip;
@@ -165,18 +169,22 @@ private:
             const auto on_line = [&](double t) { return foot + t * along; };
             const std::string force = held_work(*placed_[i].entry), held = held_foot(*placed_[i].entry);
             const std::size_t first = figure.marks.size();
-            if (low < from) figure.marks.emplace_back(line(on_line(low - (low == 0 ? overshoot : 0)), on_line(from), action));
-            if (high > to) figure.marks.emplace_back(line(on_line(to), on_line(high + (high == 0 ? overshoot : 0)), action));
+            if (low < from)
+                figure.marks.emplace_back(line(on_line(low - (low == 0 ? overshoot : 0)), on_line(from), action));
+            if (high > to)
+                figure.marks.emplace_back(line(on_line(to), on_line(high + (high == 0 ? overshoot : 0)), action));
             hang(figure.marks, first, {Form::line, {force, "", held}, overshoot});
             if (length(foot) < least_arm) continue;
-            if (std::any_of(done.begin(), done.end(), [&](const auto& other) { return length(other.first - foot) < coincident; }))
+            if (std::any_of(done.begin(), done.end(),
+                            [&](const auto& other) { return length(other.first - foot) < coincident; }))
                 continue;
             done.emplace_back(foot, along);
             figure.marks.emplace_back(line({0, 0}, foot, arm));
             hang(figure.marks, figure.marks.size() - 1, {Form::segment, {held_pole(), held}});
             if (length(foot) < 1.6 * corner_size) continue;
             // Into the corner away from the arrow, where there is one.
-            const Spot back = -corner_size * unit(foot), aside = (0.5 * (from + to) > 0 ? -corner_size : corner_size) * along;
+            const Spot back = -corner_size * unit(foot),
+                       aside = (0.5 * (from + to) > 0 ? -corner_size : corner_size) * along;
             figure.marks.emplace_back(polyline({foot + back, foot + back + aside, foot + aside}, corner));
             hang(figure.marks, figure.marks.size() - 1, {Form::with, {held, held_pole(), held}});
         }
@@ -189,10 +197,12 @@ private:
         for (const Placed& each : placed_) {
             const Spot tip = tip_of(each, figure.scale);
             if (length(tip) < coincident) continue;
-            if (std::any_of(done.begin(), done.end(), [&](Spot other) { return length(other - tip) < coincident; })) continue;
+            if (std::any_of(done.begin(), done.end(), [&](Spot other) { return length(other - tip) < coincident; }))
+                continue;
             done.push_back(tip);
             tips.push_back(held_work(*each.entry));
-            figure.marks.emplace_back(GroupBegin{"ray", "", "", {}, each.motion, {Form::segment, {held_pole(), tips.back()}}});
+            figure.marks.emplace_back(
+                GroupBegin{"ray", "", "", {}, each.motion, {Form::segment, {held_pole(), tips.back()}}});
             figure.marks.emplace_back(Axis{{0, 0}, tip});
             figure.marks.emplace_back(line({0, 0}, tip, pen));
             figure.marks.emplace_back(GroupEnd{});
@@ -252,8 +262,8 @@ private:
             if (point == none) continue;
             const Symbol image{Symbol::Letter::image, context_.solution.mechanism.points[at_index(point)].name, ""};
             const Spot at = tip_of(each, figure.scale);
-            const auto same =
-                std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return length(c.at - at) < coincident; });
+            const auto same = std::find_if(clusters.begin(), clusters.end(),
+                                           [&](const Cluster& c) { return length(c.at - at) < coincident; });
             const RichText text = typeset(image, context_.language);
             if (same == clusters.end()) {
                 clusters.push_back({at, text, {name_of(image)}, held_work(*each.entry)});
@@ -330,7 +340,8 @@ Figure joukowsky_figure(const DrawingContext& context, double room_x, double roo
                            .least_shown = least_shown};
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
         Figure figure = lever.at(trial.scale);
-        const bool has_room = figure.box.width() + 2 * label_reach <= room_x && figure.box.height() + 2 * label_reach <= room_y;
+        const bool has_room =
+            figure.box.width() + 2 * label_reach <= room_x && figure.box.height() + 2 * label_reach <= room_y;
         if (!trial.last && !has_room) return std::nullopt;
         if (!place_labels(figure, context.fonts, room, trial.last ? Labelling::free : Labelling::if_it_fits,
                           context.theme.secondary))

@@ -1,4 +1,5 @@
-// The loops on the mechanism: each side a vector, head to tail, with its letter, and the angle that names its direction.
+// The loops on the mechanism: each side a vector, head to tail, with its letter, and the angle that names its
+// direction.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -24,7 +25,8 @@ std::vector<Side> sides_of(const Equations& equations) {
     std::vector<Side> all;
     const auto add = [&](const std::vector<Side>& sides) {
         for (const Side& side : sides) {
-            const bool known = std::any_of(all.begin(), all.end(), [&](const Side& each) { return each.length == side.length; });
+            const bool known =
+                std::any_of(all.begin(), all.end(), [&](const Side& each) { return each.length == side.length; });
             if (!known) all.push_back(side);
         }
     };
@@ -66,22 +68,26 @@ void draw_side(Sketch& sketch, const Equations& equations, const Side& side, std
     const Spot tail = sketch.spot(side.from), tip = sketch.spot(side.to);
     const BodyColour colour = sketch.theme.colour_of(side.body);
     const std::string name = spelt(equations.letter(side.length));
-    sketch.arrows.emplace_back(GroupBegin{"side",
-                                          sketch.id("side", name),
-                                          name,
-                                          {{"data-name", name}, {"data-value", shortest(equations.letter(side.length).value)}},
-                                          none});
+    sketch.arrows.emplace_back(
+        GroupBegin{"side",
+                   sketch.id("side", name),
+                   name,
+                   {{"data-name", name}, {"data-value", shortest(equations.letter(side.length).value)}},
+                   none});
     if (!coincide(tail, tip)) draw_arrow(sketch.arrows, tail, tip, sketch.theme.vector, colour.line, colour.dashes);
     sketch.arrows.emplace_back(GroupEnd{});
-    LabelRequest& label = sketch.add_label(text_of(equations.letter(side.length)), colour.letter, middle(Bar{tail, tip}), 1.3);
+    LabelRequest& label =
+        sketch.add_label(text_of(equations.letter(side.length)), colour.letter, middle(Bar{tail, tip}), 1.3);
     label.size = sketch.theme.equation;
     if (!coincide(tail, tip)) label.toward = tip;
-    if (side.angle.letters.empty() || length(tip - tail) < 4 || !angles.insert(plain(text_of(equations, side.angle))).second)
+    if (side.angle.letters.empty() || length(tip - tail) < 4 ||
+        !angles.insert(plain(text_of(equations, side.angle))).second)
         return;
     // Angles at one place stand one outside the other.
     const auto before = std::count_if(tails.begin(), tails.end(), [&](Spot each) { return coincide(each, tail); });
     tails.push_back(tail);
-    draw_angle(sketch, equations, side, tail, length(tip - tail), colour.letter, 1 + 0.45 * static_cast<double>(before));
+    draw_angle(sketch, equations, side, tail, length(tip - tail), colour.letter,
+               1 + 0.45 * static_cast<double>(before));
 }
 
 }  // namespace

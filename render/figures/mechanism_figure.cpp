@@ -1,5 +1,5 @@
-// The mechanism to scale, and the velocities on it: which layers, at which scale, within which room. Takes every place from the
-// Solution and computes no mechanics.
+// The mechanism to scale, and the velocities on it: which layers, at which scale, within which room. Takes every place
+// from the Solution and computes no mechanics.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -66,8 +66,8 @@ Box room_of(const Way& way, const Box& mechanism) {
     return grown(mechanism, share * std::max(mechanism.width(), mechanism.height()));
 }
 
-/// The fixed centrode full, the moving one broken; an arrow where it goes on towards infinity. The pole is a dot with its name.
-/// `ends`: where an arrow stands already, for a way that is gone forth and back.
+/// The fixed centrode full, the moving one broken; an arrow where it goes on towards infinity. The pole is a dot with
+/// its name. `ends`: where an arrow stands already, for a way that is gone forth and back.
 void draw_centrode(Sketch& sketch, const Way& way, const Box& mechanism, std::vector<Spot>& ends) {
     const Theme& theme = sketch.theme;
     if (way.kind == Way::Kind::pole) {
@@ -75,7 +75,8 @@ void draw_centrode(Sketch& sketch, const Way& way, const Box& mechanism, std::ve
         if (!contains(room_of(way, mechanism), at)) return;
         sketch.centres.emplace_back(tinted(disc(at, 1.15, theme.paper)));
         sketch.centres.emplace_back(disc(at, 0.8, theme.text));
-        sketch.add_label(typeset(Symbol{Symbol::Letter::centre, way.name, ""}, sketch.context.language), theme.text, at, 1.7);
+        sketch.add_label(typeset(Symbol{Symbol::Letter::centre, way.name, ""}, sketch.context.language), theme.text, at,
+                         1.7);
         return;
     }
     const bool is_fixed = way.kind == Way::Kind::fixed_centrode;
@@ -115,8 +116,8 @@ void name_centrodes(Sketch& sketch, const std::vector<Way>& ways, const Box& mec
         const bool is_fixed = key.second == Way::Kind::fixed_centrode;
         const std::string words = word(is_fixed ? "fixed centrode" : "moving centrode", sketch.context.language);
         const std::size_t at = is_fixed ? spots.size() / 4 : (3 * spots.size()) / 4;
-        LabelRequest& label =
-            sketch.add_label(one_piece(pairs.size() > 1 ? words + " " + key.first : words), sketch.theme.text, spots[at], 1.4);
+        LabelRequest& label = sketch.add_label(one_piece(pairs.size() > 1 ? words + " " + key.first : words),
+                                               sketch.theme.text, spots[at], 1.4);
         label.toward = spots[std::min(at + 1, spots.size() - 1)];
     }
 }
@@ -137,10 +138,11 @@ void draw_ways(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanis
             sketch.bodies.emplace_back(GroupEnd{});
             continue;
         }
-        sketch.construction.emplace_back(GroupBegin{way.is_path ? "path" : "position", "", "", {{"data-name", way.name}}, none});
         sketch.construction.emplace_back(
-            polyline(spots_of(way, sketch.scale()), way.is_path && !way.is_thin ? Pen{theme.outline, theme.accent, {}, false}
-                                                                                : Pen{theme.thin, theme.skeleton, {}, false}));
+            GroupBegin{way.is_path ? "path" : "position", "", "", {{"data-name", way.name}}, none});
+        sketch.construction.emplace_back(polyline(
+            spots_of(way, sketch.scale()), way.is_path && !way.is_thin ? Pen{theme.outline, theme.accent, {}, false}
+                                                                       : Pen{theme.thin, theme.skeleton, {}, false}));
         sketch.construction.emplace_back(GroupEnd{});
     }
 }
@@ -177,10 +179,14 @@ struct MechanismFigure {
     Figure fitted(double coarsest) const {
         // Symbols and names need a rim; the first guess leaves the least that they take.
         const Box extent = shows.centres ? extent_with_centres(subject) : subject.box;
-        const double first =
-            choose_scale(extent.width(), extent.height(), std::max(room.x - 10, 10.0), std::max(room.y - 18, 10.0), asked);
-        const FitPolicy policy{
-            .room = room, .first = first, .asked = asked, .keeps_asked = true, .coarsest = coarsest, .names_stay_in_room = true};
+        const double first = choose_scale(extent.width(), extent.height(), std::max(room.x - 10, 10.0),
+                                          std::max(room.y - 18, 10.0), asked);
+        const FitPolicy policy{.room = room,
+                               .first = first,
+                               .asked = asked,
+                               .keeps_asked = true,
+                               .coarsest = coarsest,
+                               .names_stay_in_room = true};
         const auto fitted_with = [&](const Arrows& arrows) {
             return fit(policy, [&](const Trial& trial) { return drawn(trial, arrows); });
         };
@@ -192,8 +198,8 @@ struct MechanismFigure {
         return without.scale < figure.scale ? without : figure;
     }
 
-    /// The same with ω and α, or ω alone, where that costs it neither its scale nor a name or a dimension its place; else empty
-    /// and at any_scale.
+    /// The same with ω and α, or ω alone, where that costs it neither its scale nor a name or a dimension its place;
+    /// else empty and at any_scale.
     Figure with_more_arrows(const Figure& plain) const {
         using enum Symbol::Letter;
         struct Choice {
@@ -207,7 +213,8 @@ struct MechanismFigure {
         for (const auto& [found, most_pulled] : choices) {
             const Arrows arrows{found, true};
             const std::size_t count = count_of(arrows);
-            if (count == accelerations_given() || count > most || room.x * room.y < room_of_each * static_cast<double>(count))
+            if (count == accelerations_given() || count > most ||
+                room.x * room.y < room_of_each * static_cast<double>(count))
                 continue;
             Figure figure = drawn(trial, arrows);
             if (!has_room(figure) || figure.has_key) continue;
@@ -243,7 +250,8 @@ private:
                                                               : "mechanism",
                                         context.language));
         if (!left_out.empty()) append(figure.caption, without(left_out));
-        sketch.close(figure, room, trial.last || trial.asked, trial.scale, subject.mechanism.units.length, trial.strict);
+        sketch.close(figure, room, trial.last || trial.asked, trial.scale, subject.mechanism.units.length,
+                     trial.strict);
         if (context.dimensions == Dimensions::automatic && has_room(figure) && !figure.has_key)
             add_dimensions(sketch, figure, room);
         return figure;
@@ -297,7 +305,8 @@ private:
     }
 };
 
-// --- velocities, accelerations on the mechanism ------------------------------------------------------------------------------
+// --- velocities, accelerations on the mechanism
+// ------------------------------------------------------------------------------
 
 /// What stands on the repetition of the mechanism: of its points and of its bodies.
 struct OnMechanism {
@@ -312,9 +321,14 @@ struct OnMechanism {
 constexpr OnMechanism velocities{
     "velocities", "velocities on the mechanism", Symbol::Letter::v, Symbol::Letter::omega, Quantity::Kind::velocity,
     "m/s",        &PointMotion::velocity,        &Units::velocity};
-constexpr OnMechanism accelerations{
-    "accelerations", "accelerations on the mechanism", Symbol::Letter::a,   Symbol::Letter::alpha, Quantity::Kind::acceleration,
-    "m/s²",          &PointMotion::acceleration,       &Units::acceleration};
+constexpr OnMechanism accelerations{"accelerations",
+                                    "accelerations on the mechanism",
+                                    Symbol::Letter::a,
+                                    Symbol::Letter::alpha,
+                                    Quantity::Kind::acceleration,
+                                    "m/s²",
+                                    &PointMotion::acceleration,
+                                    &Units::acceleration};
 
 struct ShownVector {
     const PointMotion* motion;
@@ -329,7 +343,8 @@ BodyIndex body_of(const Solution& solution, const PointMotion& motion, const Sym
         if (drawn.role == DrawnVector::Role::absolute && drawn.symbol.letter == symbol.letter &&
             drawn.symbol.about == symbol.about && drawn.body != none)
             return drawn.body;
-    const auto moving = std::find_if(motion.bodies.begin(), motion.bodies.end(), [](BodyIndex body) { return body > frame; });
+    const auto moving =
+        std::find_if(motion.bodies.begin(), motion.bodies.end(), [](BodyIndex body) { return body > frame; });
     return moving == motion.bodies.end() ? none : *moving;
 }
 
@@ -435,7 +450,8 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
 
 }  // namespace
 
-Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres, double coarsest) {
+Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
+                        double coarsest) {
     return MechanismFigure{context, {room_x, room_y}, {.centres = with_centres, .arrows = {{}, true}}}.fitted(coarsest);
 }
 
@@ -453,12 +469,14 @@ Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>
     const Box mechanism = figure.shows.without_ways = figure.subject.box;
     for (const Way& way : ways)
         for (const Spot spot : spots_of(way, 1))
-            if (way.kind == Way::Kind::plain || contains(room_of(way, mechanism), spot)) figure.subject.box.include(spot);
+            if (way.kind == Way::Kind::plain || contains(room_of(way, mechanism), spot))
+                figure.subject.box.include(spot);
     return figure.fitted(any_scale);
 }
 
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y) {
-    return MechanismFigure{context, {room_x, room_y}, {.arrows = {{letter}, letter == Symbol::Letter::alpha}}}.fitted(any_scale);
+    return MechanismFigure{context, {room_x, room_y}, {.arrows = {{letter}, letter == Symbol::Letter::alpha}}}.fitted(
+        any_scale);
 }
 
 Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y) {

@@ -1,5 +1,5 @@
-// A relative motion taken apart: the moving axes on the mechanism in grey, and at the point what their observer sees of it, with
-// its components along them; Coriolis' term, which is v_rel turned with ω.
+// A relative motion taken apart: the moving axes on the mechanism in grey, and at the point what their observer sees of
+// it, with its components along them; Coriolis' term, which is v_rel turned with ω.
 #include <algorithm>
 #include <cmath>
 
@@ -42,8 +42,8 @@ void draw_axes(Sketch& sketch, const Apart& apart, BodyIndex observer, Spot alon
 }
 
 /// A vector at a place, with its two components broken.
-void draw_vector(Sketch& sketch, const RichText& text, const std::string& name, Spot at, Spot along, Spot across, double value,
-                 Colour colour) {
+void draw_vector(Sketch& sketch, const RichText& text, const std::string& name, Spot at, Spot along, Spot across,
+                 double value, Colour colour) {
     const Spot tip = at + along + across;
     if (coincide(at, tip)) return;
     if (length(along) > 1 && length(across) > 1) {
@@ -53,8 +53,8 @@ void draw_vector(Sketch& sketch, const RichText& text, const std::string& name, 
             sketch.construction.emplace_back(line(at + part, tip, pen));
         }
     }
-    sketch.arrows.emplace_back(
-        GroupBegin{"vector", sketch.id("", name), plain(text), {{"data-name", name}, {"data-value", shortest(value)}}, none});
+    sketch.arrows.emplace_back(GroupBegin{
+        "vector", sketch.id("", name), plain(text), {{"data-name", name}, {"data-value", shortest(value)}}, none});
     draw_arrow(sketch.arrows, at, tip, sketch.theme.vector, colour);
     sketch.arrows.emplace_back(GroupEnd{});
     LabelRequest& label = sketch.add_label(text, colour, middle(Bar{at, tip}), 1.4);
@@ -70,10 +70,11 @@ void draw_sense(Sketch& sketch, const RelativeMotion& motion, Spot at, Spot v) {
     constexpr double quarter = 1.5707963267948966, margin = 0.12;
     const double turn = counter_clockwise ? -1 : 1;
     const Colour colour = sketch.theme.colour_of(motion.query.observer).letter;
-    draw_arc_arrow(sketch.arrows, at, radius, from + turn * margin, from + turn * (quarter - margin), sketch.theme.thin, colour);
-    sketch.add_label(
-        typeset(Symbol{Symbol::Letter::omega, sketch.mechanism.body(motion.query.observer).name, ""}, sketch.context.language),
-        colour, at + radius * polar_spot(from + turn * quarter / 2), 0.9);
+    draw_arc_arrow(sketch.arrows, at, radius, from + turn * margin, from + turn * (quarter - margin), sketch.theme.thin,
+                   colour);
+    sketch.add_label(typeset(Symbol{Symbol::Letter::omega, sketch.mechanism.body(motion.query.observer).name, ""},
+                             sketch.context.language),
+                     colour, at + radius * polar_spot(from + turn * quarter / 2), 0.9);
 }
 
 void draw_seen(Sketch& sketch, const RelativeMotion& motion, double velocity_scale, double acceleration_scale) {
@@ -86,8 +87,9 @@ void draw_seen(Sketch& sketch, const RelativeMotion& motion, double velocity_sca
                 on_paper(*apart.velocity_along, velocity_scale), on_paper(*apart.velocity_across, velocity_scale),
                 length(*motion.relative_velocity), dark);
     draw_vector(sketch, letter("a", "rel", sketch.mechanism.point(motion.query.point).name), "a_rel", at,
-                on_paper(*apart.acceleration_along, acceleration_scale), on_paper(*apart.acceleration_across, acceleration_scale),
-                length(*motion.relative_acceleration), sketch.theme.secondary);
+                on_paper(*apart.acceleration_along, acceleration_scale),
+                on_paper(*apart.acceleration_across, acceleration_scale), length(*motion.relative_acceleration),
+                sketch.theme.secondary);
     if (apart.no_coriolis != Apart::NoCoriolis::there_is) return;
     draw_vector(sketch, letter("a", "cor", sketch.mechanism.point(motion.query.point).name), "a_cor", at,
                 on_paper(*motion.coriolis, acceleration_scale), Spot{0, 0}, length(*motion.coriolis), own);
@@ -109,8 +111,9 @@ Figure moving_axes_figure(const DrawingContext& context, std::size_t index, doub
     const RelativeMotion& motion = solution.relative_motion[index];
     const Apart& apart = *motion.apart;
     const Subject subject(solution);
-    const Spot along =
-        apart.towards == none ? Spot{1, 0} : unit(paper_spot(solution.pose.at(apart.towards) - solution.pose.at(apart.origin)));
+    const Spot along = apart.towards == none
+                           ? Spot{1, 0}
+                           : unit(paper_spot(solution.pose.at(apart.towards) - solution.pose.at(apart.origin)));
     const double speed = length(*motion.relative_velocity),
                  acceleration = std::max(length(*motion.relative_acceleration), length(*motion.coriolis));
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
@@ -122,16 +125,18 @@ Figure moving_axes_figure(const DrawingContext& context, std::size_t index, doub
         draw_in_grey(sketch);
         const double reach = std::clamp(0.35 * sketch.size(), 12.0, 32.0);
         const double velocity_scale = speed > 0 ? choose_scale(speed, 0, reach, reach, std::nullopt) : 1;
-        const double acceleration_scale = acceleration > 0 ? choose_scale(acceleration, 0, reach, reach, std::nullopt) : 1;
+        const double acceleration_scale =
+            acceleration > 0 ? choose_scale(acceleration, 0, reach, reach, std::nullopt) : 1;
         draw_axes(sketch, apart, motion.query.observer, along);
         draw_seen(sketch, motion, velocity_scale, acceleration_scale);
         name_points(sketch);
         Figure figure = sketch.finish(name, name, "m/s");
         figure.scale = velocity_scale;
         figure.has_scale = speed > 0;
-        if (acceleration > 0) figure.further_scale = "1 mm ≙ " + shortest(acceleration_scale, context.language) + " m/s²";
-        figure.caption =
-            one_piece(word("moving axes", context.language) + " " + solution.mechanism.body(motion.query.observer).name);
+        if (acceleration > 0)
+            figure.further_scale = "1 mm ≙ " + shortest(acceleration_scale, context.language) + " m/s²";
+        figure.caption = one_piece(word("moving axes", context.language) + " " +
+                                   solution.mechanism.body(motion.query.observer).name);
         sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, solution.mechanism.units.length, trial.strict);
         return figure;
     });

@@ -77,7 +77,8 @@ private:
     void draw_motions() {
         if (pair_.turns()) {
             const double from = pair_.touches() && !pair_.meshes() ? -2.75 : pair_.is_slot() ? -1.9 : -0.9;
-            pen_.turn({0, 0}, pair_.meshes() ? 9.5 : 6.2, pair_.meshes() ? -2.1 : from, pair_.meshes() ? -1.0 : from + 2.2, "r");
+            pen_.turn({0, 0}, pair_.meshes() ? 9.5 : 6.2, pair_.meshes() ? -2.1 : from,
+                      pair_.meshes() ? -1.0 : from + 2.2, "r");
         }
         if (!pair_.slides() && !pair_.meshes()) return;
         // Gears slide along the normal of their pitch curves; all others along the guide or the common tangent.
@@ -94,7 +95,8 @@ private:
             pen_.force(9 * along, {0, 0}, "{F}");
             return;
         }
-        if (pair_.holds_normal) pen_.force({0, 11}, {0, pair_.is_sleeve() ? 3.0 : 0.0}, pair_.touches() ? "{F_n}" : "{F_y}");
+        if (pair_.holds_normal)
+            pen_.force({0, 11}, {0, pair_.is_sleeve() ? 3.0 : 0.0}, pair_.touches() ? "{F_n}" : "{F_y}");
         if (pair_.holds_tangent)
             pen_.force(pair_.is_clamp() ? Spot{11, 0} : Spot{-11, 0}, {0, 0}, pair_.touches() ? "{F_t}" : "{F_x}");
         if (!pair_.transmits_couple()) return;
@@ -164,11 +166,14 @@ private:
         const auto corner = [&](bool x, bool y, bool z) {
             return seen({x ? most.x : least.x, y ? most.y : least.y, z ? most.z : least.z});
         };
-        pen_.panel({corner(true, false, false), corner(true, true, false), corner(true, true, true), corner(true, false, true)},
+        pen_.panel({corner(true, false, false), corner(true, true, false), corner(true, true, true),
+                    corner(true, false, true)},
                    body);
-        pen_.panel({corner(false, true, false), corner(true, true, false), corner(true, true, true), corner(false, true, true)},
+        pen_.panel({corner(false, true, false), corner(true, true, false), corner(true, true, true),
+                    corner(false, true, true)},
                    body);
-        pen_.panel({corner(false, false, true), corner(true, false, true), corner(true, true, true), corner(false, true, true)},
+        pen_.panel({corner(false, false, true), corner(true, false, true), corner(true, true, true),
+                    corner(false, true, true)},
                    body);
     }
 
@@ -251,7 +256,8 @@ private:
         const Spot middle = seen(from), reach = 6.0 * unit(seen(axis(letter, 1)));
         pen_.both_ways(middle, reach, name);
     }
-    /// Most of a circle about an axis through a place, its end an arrowhead; counter-clockwise as seen from the axis's tip.
+    /// Most of a circle about an axis through a place, its end an arrowhead; counter-clockwise as seen from the axis's
+    /// tip.
     void turn_about(char letter, const Space& at, double radius, const char* name) {
         std::vector<Spot> spots;
         constexpr int pieces = 40;
@@ -272,7 +278,8 @@ private:
         std::vector<std::string> carried;
         for (std::string word; words >> word;) carried.push_back(word);
         const auto carries = [&](const std::string& name) {
-            return std::any_of(carried.begin(), carried.end(), [&](const std::string& each) { return each.starts_with(name); });
+            return std::any_of(carried.begin(), carried.end(),
+                               [&](const std::string& each) { return each.starts_with(name); });
         };
         for (const char letter : {'x', 'y', 'z'}) {
             const Spot along = unit(seen(axis(letter, 1)));
@@ -307,8 +314,12 @@ Spot corner_of_scheme(std::size_t body) {
 
 }  // namespace
 
-Figure plane_pair_figure(const DrawingContext& context, JointKind kind) { return PlanePairFigure(context, kind).draw(); }
-Figure space_pair_figure(const DrawingContext& context, const SpacePair& pair) { return SpacePairFigure(context, pair).draw(); }
+Figure plane_pair_figure(const DrawingContext& context, JointKind kind) {
+    return PlanePairFigure(context, kind).draw();
+}
+Figure space_pair_figure(const DrawingContext& context, const SpacePair& pair) {
+    return SpacePairFigure(context, pair).draw();
+}
 
 Figure closure_figure(const DrawingContext& context, Closure closure) {
     PairPen pen(context, closure == Closure::form ? "closure-form" : "closure-force");
@@ -339,7 +350,9 @@ Figure link_figure(const DrawingContext& context, int pairs) {
 }
 
 Figure chain_figure(const DrawingContext& context, ChainDrawn chain) {
-    PairPen pen(context, chain == ChainDrawn::open ? "chain-open" : chain == ChainDrawn::closed ? "chain-closed" : "chain-mixed");
+    PairPen pen(context, chain == ChainDrawn::open     ? "chain-open"
+                         : chain == ChainDrawn::closed ? "chain-closed"
+                                                       : "chain-mixed");
     const Spot a{-14, 9}, b{-11, -6}, c{9, -9}, d{14, 9}, e{20, -17};
     pen.pivot(a);
     pen.bar(a, b, 1);
@@ -368,7 +381,8 @@ Figure triple_hinge_figure(const DrawingContext& context, const BinaryScheme* sc
     constexpr double reach = 13, aside = 5;
     std::string id = "triple-hinge";
     if (scheme)
-        for (const auto& hinge : scheme->hinges) id += "-" + std::to_string(hinge[0] + 1) + std::to_string(hinge[1] + 1);
+        for (const auto& hinge : scheme->hinges)
+            id += "-" + std::to_string(hinge[0] + 1) + std::to_string(hinge[1] + 1);
     PairPen pen(context, id);
     // The body that carries both binary pins has one at either side of the place where all three met.
     std::array<int, 3> hinges{};
@@ -395,7 +409,8 @@ Figure triple_hinge_figure(const DrawingContext& context, const BinaryScheme* sc
         pen.bar({0, 0}, reach * ways[0], colours[0]);
         pen.pin({0, 0}, colours[1]);
     }
-    for (std::size_t i = 0; i < 3; ++i) pen.body_name(std::to_string(i + 1), place(i) + 0.8 * reach * ways.at(i), colours.at(i));
+    for (std::size_t i = 0; i < 3; ++i)
+        pen.body_name(std::to_string(i + 1), place(i) + 0.8 * reach * ways.at(i), colours.at(i));
     return pen.figure({38, 38});
 }
 
@@ -404,7 +419,8 @@ Figure scheme_figure(const DrawingContext& context, const BinaryScheme& scheme) 
     for (const auto& hinge : scheme.hinges) id += "-" + std::to_string(hinge[0] + 1) + std::to_string(hinge[1] + 1);
     PairPen pen(context, id);
     for (const auto& hinge : scheme.hinges)
-        pen.stroke(corner_of_scheme(static_cast<std::size_t>(hinge[0])), corner_of_scheme(static_cast<std::size_t>(hinge[1])));
+        pen.stroke(corner_of_scheme(static_cast<std::size_t>(hinge[0])),
+                   corner_of_scheme(static_cast<std::size_t>(hinge[1])));
     for (std::size_t body = 0; body <= scheme.hinges.size(); ++body) {
         pen.body_dot(corner_of_scheme(body), static_cast<int>(body) + 1);
         pen.body_name(std::to_string(body + 1), corner_of_scheme(body), static_cast<int>(body) + 1);

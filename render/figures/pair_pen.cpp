@@ -66,7 +66,8 @@ void PairPen::cap(Spot centre, double radius, int body) {
     std::vector<Spot> spots;
     constexpr int pieces = 32;
     constexpr double half = 0.75;
-    for (int i = 0; i <= pieces; ++i) spots.push_back(centre + radius * polar_spot(-pi / 2 - half + 2 * half * i / pieces));
+    for (int i = 0; i <= pieces; ++i)
+        spots.push_back(centre + radius * polar_spot(-pi / 2 - half + 2 * half * i / pieces));
     std::vector<Spot> area = spots;
     const double below = spots.front().y + 3.4;
     area.push_back({spots.back().x, below});
@@ -94,9 +95,12 @@ void PairPen::gear(Spot centre, double radius, int teeth, double phase, int body
     figure_.marks.emplace_back(ring(there(centre), 0.9, theme_.paper, {theme_.outline, colour(body).line, {}, false}));
 }
 void PairPen::pin(Spot at, int body) {
-    figure_.marks.emplace_back(ring(there(at), 1.3, theme_.paper, {1.4 * theme_.outline, colour(body).line, {}, false}));
+    figure_.marks.emplace_back(
+        ring(there(at), 1.3, theme_.paper, {1.4 * theme_.outline, colour(body).line, {}, false}));
 }
-void PairPen::clamp(Spot at) { figure_.marks.emplace_back(filled(corners_about(there(at), {1.5, 0}, {0, 1.5}), theme_.text)); }
+void PairPen::clamp(Spot at) {
+    figure_.marks.emplace_back(filled(corners_about(there(at), {1.5, 0}, {0, 1.5}), theme_.text));
+}
 void PairPen::dot(Spot at) { figure_.marks.emplace_back(disc(there(at), 0.7, theme_.text)); }
 void PairPen::body_dot(Spot at, int body) { figure_.marks.emplace_back(disc(there(at), 1.1, colour(body).line)); }
 void PairPen::stroke(Spot from, Spot to) {
@@ -132,8 +136,12 @@ void PairPen::axis(Spot from, Spot to) {
     figure_.marks.emplace_back(line(there(from), there(to), {theme_.thin, theme_.secondary, dash_dot(), false}));
 }
 void PairPen::label(const std::string& text, Spot anchor, std::optional<Spot> toward, Colour ink) {
-    figure_.labels.push_back(
-        {.text = formula(text), .size = theme_.derived, .colour = ink, .anchor = anchor, .toward = toward, .clearance = 1.4});
+    figure_.labels.push_back({.text = formula(text),
+                              .size = theme_.derived,
+                              .colour = ink,
+                              .anchor = anchor,
+                              .toward = toward,
+                              .clearance = 1.4});
 }
 void PairPen::both_ways(Spot middle, Spot reach, const std::string& name) {
     for (const double way : {1.0, -1.0})
@@ -175,8 +183,11 @@ void PairPen::couple_along(Spot tail, Spot tip, const std::string& name, bool ti
 }
 void PairPen::name(const std::string& text, Spot at) { label(text, there(at), std::nullopt, theme_.secondary); }
 void PairPen::body_name(const std::string& text, Spot at, int body) {
-    figure_.labels.push_back(
-        {.text = one_piece(text), .size = theme_.label, .colour = colour(body).letter, .anchor = there(at), .clearance = 2});
+    figure_.labels.push_back({.text = one_piece(text),
+                              .size = theme_.label,
+                              .colour = colour(body).letter,
+                              .anchor = there(at),
+                              .clearance = 2});
 }
 
 Figure PairPen::figure(Spot room) { return finished(std::move(figure_), context_, room); }

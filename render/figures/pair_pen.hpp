@@ -1,5 +1,5 @@
-// The pen of the catalogue's figures: links, pins, blocks, wheels and arrows about a movable origin (mm, y downwards). Colours
-// are those of the theme's bodies by number. Knows no pair.
+// The pen of the catalogue's figures: links, pins, blocks, wheels and arrows about a movable origin (mm, y downwards).
+// Colours are those of the theme's bodies by number. Knows no pair.
 #pragma once
 
 #include <string>

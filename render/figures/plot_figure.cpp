@@ -38,21 +38,17 @@ struct Range {
 /// Line kinds of up to four curves, so that they are told apart without colour.
 std::vector<double> line_kind(std::size_t curve) {
     switch (curve) {
-        case 0:
-            return {};
-        case 1:
-            return dashes();
-        case 2:
-            return dash_dot();
-        default:
-            return {0.6, 0.9};
+        case 0: return {};
+        case 1: return dashes();
+        case 2: return dash_dot();
+        default: return {0.6, 0.9};
     }
 }
 
 class PlotFigure {
 public:
-    PlotFigure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns, int number,
-               Spot room, const PlotNotes& notes)
+    PlotFigure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns,
+               int number, Spot room, const PlotNotes& notes)
         : context_(context),
           theme_(context.theme),
           table_(table),
@@ -61,13 +57,15 @@ public:
           id_("plot-" + std::to_string(number)),
           room_(room),
           over_(table.over()),
-          x_unit_(table.parameter ? table.parameter->unit : unit_of(table.columns[over_].unit, context.solution.mechanism)),
+          x_unit_(table.parameter ? table.parameter->unit
+                                  : unit_of(table.columns[over_].unit, context.solution.mechanism)),
           y_unit_(unit_of(table.columns[columns.front()].unit, context.solution.mechanism)) {
         for (const double end : {table.travel.at(0), table.travel.at(1)}) x_.take(in_x(end));
         for (const auto& row : table.rows)
             for (const std::size_t column : columns) y_.take(in_y(row[column]));
-        const bool is_flat = y_.most < y_.least || std::all_of(columns.begin(), columns.end(),
-                                                               [&](std::size_t column) { return is_constant(table, column); });
+        const bool is_flat = y_.most < y_.least || std::all_of(columns.begin(), columns.end(), [&](std::size_t column) {
+                                 return is_constant(table, column);
+                             });
         if (is_flat) {
             // A constant lies in the middle; what is rounding is zero.
             double middle = y_.most < y_.least ? 0 : (y_.most + y_.least) / 2;
@@ -80,7 +78,8 @@ public:
         y_ = {std::floor(y_.least / y_step_ - 1e-9) * y_step_, std::ceil(y_.most / y_step_ + 1e-9) * y_step_};
         // The least value stands below its mark, and not among the numbers of the axis.
         constexpr double letters = 4;
-        if (!is_flat && lowest < 0 && lowest - y_.least < letters / std::max(room.y - 15, 12.0) * y_.width()) y_.least -= y_step_;
+        if (!is_flat && lowest < 0 && lowest - y_.least < letters / std::max(room.y - 15, 12.0) * y_.width())
+            y_.least -= y_step_;
         x_step_ = tick_step(x_.width(), std::max(3, static_cast<int>(room.x / 11)), x_unit_.symbol == "°");
     }
 
@@ -126,7 +125,8 @@ private:
     void place_frame() {
         double widest = 0;
         for (double y = y_.least; y <= y_.most + y_step_ / 2; y += y_step_)
-            widest = std::max(widest, context_.fonts.shape(one_piece(tick(near_zero(y, y_step_), y_step_)), theme_.small).width);
+            widest = std::max(
+                widest, context_.fonts.shape(one_piece(tick(near_zero(y, y_step_), y_step_)), theme_.small).width);
         // Above the frame names and unit, below it the numbers and what they are.
         constexpr double above = 6, below = 9, beside = 2.5, right = 4;
         frame_ = rectangle(widest + beside, above, room_.x - right, std::max(room_.y - below, above + 12));
@@ -155,7 +155,8 @@ private:
         for (double x = std::ceil(x_.least / x_step_ - 1e-9) * x_step_; x <= x_.most + 1e-9 * x_step_; x += x_step_) {
             const Spot foot = at(x, y_.least);
             figure_.marks.emplace_back(line(foot, {foot.x, frame_.min.y}, faint));
-            text(one_piece(tick(near_zero(x, x_step_), x_step_)), theme_.small, {foot.x, foot.y + 3.6}, 0.5, theme_.text);
+            text(one_piece(tick(near_zero(x, x_step_), x_step_)), theme_.small, {foot.x, foot.y + 3.6}, 0.5,
+                 theme_.text);
         }
         RichText coordinate = name_of_coordinate();
         if (!x_unit_.symbol.empty()) append(coordinate, with_powers("  [" + x_unit_.symbol + "]"));
@@ -166,11 +167,13 @@ private:
             const Spot foot = at(x_.least, y);
             const bool is_zero = std::abs(y) < 1e-9 * y_step_;
             if (foot.y < frame_.max.y - 0.01)
-                figure_.marks.emplace_back(
-                    line(foot, {frame_.max.x, foot.y}, is_zero ? Pen{theme_.thin, theme_.secondary, {}, false} : faint));
-            text(one_piece(tick(near_zero(y, y_step_), y_step_)), theme_.small, {foot.x - 1.2, foot.y + 1.05}, 1, theme_.text);
+                figure_.marks.emplace_back(line(foot, {frame_.max.x, foot.y},
+                                                is_zero ? Pen{theme_.thin, theme_.secondary, {}, false} : faint));
+            text(one_piece(tick(near_zero(y, y_step_), y_step_)), theme_.small, {foot.x - 1.2, foot.y + 1.05}, 1,
+                 theme_.text);
         }
-        text(with_powers("[" + y_unit_.symbol + "]"), theme_.small, {frame_.min.x, frame_.min.y - 2.2}, 0.5, theme_.secondary);
+        text(with_powers("[" + y_unit_.symbol + "]"), theme_.small, {frame_.min.x, frame_.min.y - 2.2}, 0.5,
+             theme_.secondary);
         figure_.marks.emplace_back(GroupEnd{});
     }
 
@@ -207,11 +210,12 @@ private:
 
     void draw_curve(std::size_t curve) {
         const std::size_t column = columns_[curve];
-        figure_.marks.emplace_back(GroupBegin{"curve",
-                                              id_ + "-" + legal_id(table_.columns[column].name),
-                                              plain(name(curve)),
-                                              {{"data-name", table_.columns[column].name}, {"data-unit", y_unit_.symbol}},
-                                              none});
+        figure_.marks.emplace_back(
+            GroupBegin{"curve",
+                       id_ + "-" + legal_id(table_.columns[column].name),
+                       plain(name(curve)),
+                       {{"data-name", table_.columns[column].name}, {"data-unit", y_unit_.symbol}},
+                       none});
         Path path;
         path.stroked = true;
         path.pen = {theme_.vector, colour(curve), line_kind(curve), path.pen.dashes.empty()};
@@ -298,34 +302,25 @@ private:
 Unit unit_of(QuantityKind kind, const Mechanism& mechanism) {
     const Units& units = mechanism.units;
     switch (kind) {
-        case QuantityKind::length:
-            return units.length;
-        case QuantityKind::angle:
-            return {"°", pi() / 180};
-        case QuantityKind::angular_velocity:
-            return units.angular_velocity;
-        case QuantityKind::angular_acceleration:
-            return {"rad/s²", 1};
-        case QuantityKind::velocity:
-            return units.velocity;
-        case QuantityKind::acceleration:
-            return units.acceleration;
-        case QuantityKind::force:
-            return units.force;
-        case QuantityKind::moment:
-            return units.moment;
-        case QuantityKind::pressure:
-            return units.pressure;
-        case QuantityKind::time:
-            return {"s", 1};
-        default:
-            return {"", 1};
+        case QuantityKind::length: return units.length;
+        case QuantityKind::angle: return {"°", pi() / 180};
+        case QuantityKind::angular_velocity: return units.angular_velocity;
+        case QuantityKind::angular_acceleration: return {"rad/s²", 1};
+        case QuantityKind::velocity: return units.velocity;
+        case QuantityKind::acceleration: return units.acceleration;
+        case QuantityKind::force: return units.force;
+        case QuantityKind::moment: return units.moment;
+        case QuantityKind::pressure: return units.pressure;
+        case QuantityKind::time: return {"s", 1};
+        default: return {"", 1};
     }
 }
 
 RichText typeset(const Column& column, const Mechanism& mechanism, Language language) {
     const Quantity& q = column.quantity;
-    const std::string axis = q.component == Quantity::Component::whole ? "" : q.component == Quantity::Component::x ? "x" : "y";
+    const std::string axis = q.component == Quantity::Component::whole ? ""
+                             : q.component == Quantity::Component::x   ? "x"
+                                                                       : "y";
     const auto symbol = [](std::string letter, std::string sub, Face sub_face, int dots = 0) {
         Piece piece;
         piece.text = std::move(letter);
@@ -338,34 +333,23 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
     const auto body = [&](BodyIndex index) { return mechanism.body(index).name; };
     const auto along = [&](const std::string& of) { return of + (axis.empty() ? "" : " " + axis); };
     switch (column.kind) {
-        case Column::Kind::turn:
-            return symbol("φ", "", Face::regular);
-        case Column::Kind::time:
-            return symbol("t", "", Face::regular);
-        case Column::Kind::angle:
-            return symbol("φ", body(q.body), Face::regular);
-        case Column::Kind::place_x:
-            return symbol("x", mechanism.point(q.point).name, Face::italic);
-        case Column::Kind::place_y:
-            return symbol("y", mechanism.point(q.point).name, Face::italic);
-        case Column::Kind::slid:
-            return symbol("s", mechanism.joint(q.joint).name, Face::italic);
+        case Column::Kind::turn: return symbol("φ", "", Face::regular);
+        case Column::Kind::time: return symbol("t", "", Face::regular);
+        case Column::Kind::angle: return symbol("φ", body(q.body), Face::regular);
+        case Column::Kind::place_x: return symbol("x", mechanism.point(q.point).name, Face::italic);
+        case Column::Kind::place_y: return symbol("y", mechanism.point(q.point).name, Face::italic);
+        case Column::Kind::slid: return symbol("s", mechanism.joint(q.joint).name, Face::italic);
         case Column::Kind::along:
             return symbol(q.kind == Kind::sliding_velocity ? "v" : "a", mechanism.joint(q.joint).name, Face::italic);
-        case Column::Kind::named:
-            return with_powers(word(column.name, language));
-        case Column::Kind::result:
-            break;
+        case Column::Kind::named: return with_powers(word(column.name, language));
+        case Column::Kind::result: break;
     }
     switch (q.kind) {
-        case Kind::omega:
-            return symbol("ω", body(q.body), Face::regular);
+        case Kind::omega: return symbol("ω", body(q.body), Face::regular);
         case Kind::alpha:
             return symbol(notation(language).alpha, body(q.body), Face::regular, notation(language).alpha_dots);
-        case Kind::velocity:
-            return symbol("v", along(mechanism.point(q.point).name), Face::italic);
-        case Kind::acceleration:
-            return symbol("a", along(mechanism.point(q.point).name), Face::italic);
+        case Kind::velocity: return symbol("v", along(mechanism.point(q.point).name), Face::italic);
+        case Kind::acceleration: return symbol("a", along(mechanism.point(q.point).name), Face::italic);
         case Kind::force:
         case Kind::couple: {
             const std::string pair = (q.other == none ? "" : body(q.other)) + body(q.body);
@@ -381,8 +365,8 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
     }
 }
 
-Figure plot_figure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns, int number,
-                   double room_x, double room_y, const PlotNotes& notes) {
+Figure plot_figure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns,
+                   int number, double room_x, double room_y, const PlotNotes& notes) {
     Figure figure = PlotFigure(context, table, columns, number, {room_x, room_y}, notes).draw();
     place_labels(figure, context.fonts, Spot{room_x, room_y}, Labelling::strict, context.theme.secondary);
     figure.move(-figure.box.min.x, -figure.box.min.y);

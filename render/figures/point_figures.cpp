@@ -39,7 +39,11 @@ double size_of(const Box& box) { return std::max(box.width(), box.height()); }
 class PointPen {
 public:
     PointPen(const DrawingContext& context, Spot room)
-        : context_(context), theme_(context.theme), problem_(problem_of(context)), found_(solution_of(context)), room_(room) {}
+        : context_(context),
+          theme_(context.theme),
+          problem_(problem_of(context)),
+          found_(solution_of(context)),
+          room_(room) {}
 
 protected:
     const BodyColour& path() const { return theme_.body(BodyIndex(1)); }
@@ -56,14 +60,15 @@ protected:
                                   .toward = toward,
                                   .clearance = clearance});
     }
-    void vector(const std::string& data_name, const std::string& text, Spot tail, Spot reach, double value, const char* unit,
-                const BodyColour& colour, const std::vector<double>& kind = {}) {
+    void vector(const std::string& data_name, const std::string& text, Spot tail, Spot reach, double value,
+                const char* unit, const BodyColour& colour, const std::vector<double>& kind = {}) {
         if (length(reach) < 0.3) return;
-        figure_.marks.emplace_back(GroupBegin{"vector",
-                                              legal_id(figure_.id + "-" + data_name),
-                                              data_name,
-                                              {{"data-name", data_name}, {"data-value", shortest(value)}, {"data-unit", unit}},
-                                              none});
+        figure_.marks.emplace_back(
+            GroupBegin{"vector",
+                       legal_id(figure_.id + "-" + data_name),
+                       data_name,
+                       {{"data-name", data_name}, {"data-value", shortest(value)}, {"data-unit", unit}},
+                       none});
         draw_arrow(figure_.marks, tail, tail + reach, kind.empty() ? theme_.vector : theme_.outline, colour.line, kind);
         figure_.marks.emplace_back(Axis{tail, tail + reach});
         figure_.marks.emplace_back(GroupEnd{});
@@ -90,7 +95,8 @@ protected:
 
 class Trajectory : PointPen {
 public:
-    Trajectory(const DrawingContext& context, Spot room, bool as_question) : PointPen(context, room), as_question_(as_question) {}
+    Trajectory(const DrawingContext& context, Spot room, bool as_question)
+        : PointPen(context, room), as_question_(as_question) {}
 
     Figure draw() {
         measure();
@@ -105,8 +111,10 @@ public:
         draw_path();
         if (!as_question_) draw_vectors();
         figure_.marks.emplace_back(ring(at_, 1.1, theme_.paper, {2 * theme_.outline, path().line, {}, false}));
-        figure_.labels.push_back(
-            {.text = one_piece(problem_.point, Face::italic), .size = theme_.label, .colour = path().letter, .anchor = at_});
+        figure_.labels.push_back({.text = one_piece(problem_.point, Face::italic),
+                                  .size = theme_.label,
+                                  .colour = path().letter,
+                                  .anchor = at_});
         return finished(std::move(figure_), context_, room_);
     }
 
@@ -173,7 +181,8 @@ private:
 
     void draw_curvature() {
         if (found_.rests) return;
-        const Spot t = unit(spot_of(found_.velocity, 1)), n = found_.straight ? turned(t) : unit(spot_of(*found_.normal, 1));
+        const Spot t = unit(spot_of(found_.velocity, 1)),
+                   n = found_.straight ? turned(t) : unit(spot_of(*found_.normal, 1));
         constexpr double reach = 24;
         figure_.marks.emplace_back(line(at_ - 0.6 * reach * t, at_ + 1.2 * reach * t, thin()));
         name("{t}", at_ + 1.2 * reach * t, theme_.secondary, std::nullopt, 1.2);
@@ -215,7 +224,8 @@ private:
             const char* said = in_parts || found_.rests ? "{a}" : found_.straight ? "{a} = {a_t}" : "{a} = {a_n}";
             vector("a", said, at_, a, found_.acceleration_length, "m/s²", accelerations());
         }
-        if (found_.speed > 0) vector("v", "{v}", at_, spot_of(found_.velocity, speed_scale), found_.speed, "m/s", speeds());
+        if (found_.speed > 0)
+            vector("v", "{v}", at_, spot_of(found_.velocity, speed_scale), found_.speed, "m/s", speeds());
     }
     static double scale_for(double value, double longest, const Unit& unit) {
         if (value <= 0) return 1;
@@ -273,12 +283,13 @@ public:
         choose();
         const double metres = speed_scale_ * speed_scale_ / acceleration_scale_;
         figure_ = begun("curvature", "curvature-centre",
-                        {"The centre of curvature by similar triangles", "Il centro di curvatura per triangoli simili"}, metres,
-                        "m", context_.language);
+                        {"The centre of curvature by similar triangles", "Il centro di curvatura per triangoli simili"},
+                        metres, "m", context_.language);
         const Units& units = context_.solution.mechanism.units;
-        figure_.further_scale =
-            per_millimetre(speed_scale_, units.velocity) + ", " + per_millimetre(acceleration_scale_, units.acceleration);
-        const Spot p{0, 0}, v = spot_of(found_.velocity, speed_scale_), a = spot_of(*found_.normal, acceleration_scale_);
+        figure_.further_scale = per_millimetre(speed_scale_, units.velocity) + ", " +
+                                per_millimetre(acceleration_scale_, units.acceleration);
+        const Spot p{0, 0}, v = spot_of(found_.velocity, speed_scale_),
+                            a = spot_of(*found_.normal, acceleration_scale_);
         const Spot centre = (found_.radius / metres) * unit(a);
         figure_.marks.emplace_back(line(-0.35 * v, 1.35 * v, thin()));
         figure_.marks.emplace_back(line(-1.35 * a, centre + 5 * unit(a), thin(dash_dot())));
@@ -292,8 +303,10 @@ public:
         draw_arrow(figure_.marks, p, -1 * a, theme_.outline, accelerations().line, dashes());
         name("−{a_n}", -0.6 * a, accelerations().letter, -1 * a);
         figure_.marks.emplace_back(ring(p, 1.1, theme_.paper, {2 * theme_.outline, path().line, {}, false}));
-        figure_.labels.push_back(
-            {.text = one_piece(problem_.point, Face::italic), .size = theme_.label, .colour = path().letter, .anchor = p});
+        figure_.labels.push_back({.text = one_piece(problem_.point, Face::italic),
+                                  .size = theme_.label,
+                                  .colour = path().letter,
+                                  .anchor = p});
         figure_.marks.emplace_back(ring(centre, 0.9, theme_.paper, {theme_.outline, theme_.text, {}, false}));
         name("{C}", centre, theme_.text);
         name("{V}", v, theme_.text);
@@ -350,7 +363,8 @@ Figure over_time(const DrawingContext& context, const char* id, const Words& cap
     for (const Curve& curve : curves) {
         XyCurve drawn{symbol_of(curve.symbol), curve.symbol, {}};
         for (const auto& each : found.course)
-            if (kind != QuantityKind::acceleration || !each.rests) drawn.values.push_back({each.time, each.*curve.value / si});
+            if (kind != QuantityKind::acceleration || !each.rests)
+                drawn.values.push_back({each.time, each.*curve.value / si});
         if (drawn.values.empty()) drawn.values = {{found.course.front().time, 0}, {found.course.back().time, 0}};
         plot.curves.push_back(std::move(drawn));
         if (defined)
@@ -385,11 +399,12 @@ Figure speed_figure(const DrawingContext& context, double room_x, double room_y)
 }
 Figure components_figure(const DrawingContext& context, double room_x, double room_y) {
     const PointMotionSolution& found = solution_of(context);
-    return over_time(
-        context, "components", {"Components of the acceleration over time", "Componenti dell’accelerazione nel tempo"},
-        QuantityKind::acceleration,
-        {{"a_t", &PointMotionSolution::At::along, found.along}, {"a_n", &PointMotionSolution::At::across, found.across}},
-        {room_x, room_y});
+    return over_time(context, "components",
+                     {"Components of the acceleration over time", "Componenti dell’accelerazione nel tempo"},
+                     QuantityKind::acceleration,
+                     {{"a_t", &PointMotionSolution::At::along, found.along},
+                      {"a_n", &PointMotionSolution::At::across, found.across}},
+                     {room_x, room_y});
 }
 
 }  // namespace kinegraph::render

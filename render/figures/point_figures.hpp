@@ -1,5 +1,6 @@
-// The figures of the motion of a point: the trajectory to scale with what is known at the instant; the hodograph; the centre of
-// curvature by the altitude of a right triangle; the way, the speed and the components of the acceleration over the interval.
+// The figures of the motion of a point: the trajectory to scale with what is known at the instant; the hodograph; the
+// centre of curvature by the altitude of a right triangle; the way, the speed and the components of the acceleration
+// over the interval.
 #pragma once
 
 #include "render/page/figure.hpp"

@@ -1,6 +1,6 @@
-// Polygon figures: the scene of a polygon of motion to scale: pole, vectors, images of points, construction lines with their
-// direction. Owns how far they run and what is said beside them; knows no protocol, no sheet. The tip of every arrow lies exactly
-// on its vertex.
+// Polygon figures: the scene of a polygon of motion to scale: pole, vectors, images of points, construction lines with
+// their direction. Owns how far they run and what is said beside them; knows no protocol, no sheet. The tip of every
+// arrow lies exactly on its vertex.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,7 +27,8 @@ constexpr double coincident = 0.02;     // mm: drawn as one
 
 class Drawing {
 public:
-    Drawing(const DrawingContext& context, const PolygonScene& scene) : context_(context), scene_(scene), numbers_(scene) {}
+    Drawing(const DrawingContext& context, const PolygonScene& scene)
+        : context_(context), scene_(scene), numbers_(scene) {}
     /// One without letters, for what its strokes take.
     static Drawing of_strokes(const DrawingContext& context, const PolygonScene& scene) {
         Drawing drawing(context, scene);
@@ -94,14 +95,15 @@ private:
         if (scene_.point.empty()) return text;
         text.back().text += ": ";
         append(text, typeset(Symbol{Symbol::Letter::point, scene_.point, ""}, language));
-        append(text, " " + word(scene_.translating ? "seen from axes translating with" : "seen from body", language) + " ");
+        append(text,
+               " " + word(scene_.translating ? "seen from axes translating with" : "seen from body", language) + " ");
         append(text, scene_.translating ? typeset(Symbol{Symbol::Letter::point, scene_.observer, ""}, language)
                                         : one_piece(scene_.observer));
         return text;
     }
 
-    /// Similar to the body, turned and to another scale: a tint, and an edge where no vector is. Of points on one line the image
-    /// is a line, on which they divide it as they divide the body.
+    /// Similar to the body, turned and to another scale: a tint, and an edge where no vector is. Of points on one line
+    /// the image is a line, on which they divide it as they divide the body.
     void draw_images_of_bodies(Figure& figure) const {
         for (const SceneFace& face : scene_.faces) {
             std::vector<Spot> corners;
@@ -170,8 +172,8 @@ private:
             if (std::abs(reach) < coincident) drawn.from = support - overshoot * along;
             bool twice = false;
             for (std::size_t i = 0; i < reasons.size(); ++i)
-                twice = twice ||
-                        (length(parts.lines[first + i].to - drawn.to) < coincident && said(*reasons[i]) == said(each.reason));
+                twice = twice || (length(parts.lines[first + i].to - drawn.to) < coincident &&
+                                  said(*reasons[i]) == said(each.reason));
             if (twice) continue;
             reasons.push_back(&each.reason);
             drawn.pen = {context_.theme.thin, context_.theme.secondary, {}, false};
@@ -194,13 +196,14 @@ private:
         for (std::size_t i = 0; i < rays.size(); ++i)
             for (const Ray& other : rays) {
                 const double sine = std::abs(cross(rays[i].along, other.along));
-                if (length(rays[i].meet - other.meet) > coincident || overshoot * sine > seen_apart || sine < 1e-9) continue;
+                if (length(rays[i].meet - other.meet) > coincident || overshoot * sine > seen_apart || sine < 1e-9)
+                    continue;
                 parts.lines[first + i].to = rays[i].meet + std::min(seen_apart / sine, most_overshoot) * rays[i].along;
             }
     }
 
-    /// A line that is drawn ⟂ to a known vector through its tip, as a^t to a^n, or through its tail, as a^rel to a Coriolis term
-    /// that is set off last.
+    /// A line that is drawn ⟂ to a known vector through its tip, as a^t to a^n, or through its tail, as a^rel to a
+    /// Coriolis term that is set off last.
     static void add_corner(PolygonParts& parts, StatementIndex statement, Spot support, Spot along, double reach) {
         for (const PolygonVector& vector : parts.vectors) {
             if (!vector.has_right_angles) continue;
@@ -282,7 +285,8 @@ private:
     void draw_bar(Figure& figure) const {
         if (empty()) return;
         std::vector<Mark> bar;
-        draw_scale_bar(bar, context_.fonts, context_.theme, {0, 0}, 24, figure.scale, 1, figure.unit, context_.language);
+        draw_scale_bar(bar, context_.fonts, context_.theme, {0, 0}, 24, figure.scale, 1, figure.unit,
+                       context_.language);
         const Box size = box_of(bar);
         const Box box = figure.box;
         const double left = box.min.x - size.min.x, right = box.max.x - size.max.x;
@@ -318,8 +322,8 @@ private:
         draw_arrow(figure.marks, *origin, *origin + arm * along, theme.outline, colour.line);
         draw_arrow(figure.marks, *origin, *origin + arm * across, theme.outline, colour.line);
         const double from = std::atan2(along.y, along.x);
-        draw_arc_arrow(figure.marks, *origin, turn, from, from + (shown.counter_clockwise ? -0.5 : 0.5) * std::numbers::pi,
-                       theme.thin, guide.letter);
+        draw_arc_arrow(figure.marks, *origin, turn, from,
+                       from + (shown.counter_clockwise ? -0.5 : 0.5) * std::numbers::pi, theme.thin, guide.letter);
         belong(figure.marks, first, shown.statement);
         const auto name = [&](const Symbol& symbol, Spot at, Colour ink) {
             LabelRequest& label = figure.labels.emplace_back();
@@ -355,7 +359,8 @@ private:
                     pen = l->to;
                 }
                 if (const auto* a = std::get_if<ArcTo>(&segment))
-                    if (a->centre.x > box.min.x && a->centre.x < box.max.x && a->centre.y > box.min.y && a->centre.y < box.max.y)
+                    if (a->centre.x > box.min.x && a->centre.x < box.max.x && a->centre.y > box.min.y &&
+                        a->centre.y < box.max.y)
                         return false;
             }
         }
@@ -368,13 +373,15 @@ private:
     bool has_names_ = true;
 };
 
-// Where a room is too small for lettering at all, the smallest figure that still shows something is handed out: no smaller than
-// this, and no more than so many steps below the scale at which its strokes have room, for letters do not shrink.
+// Where a room is too small for lettering at all, the smallest figure that still shows something is handed out: no
+// smaller than this, and no more than so many steps below the scale at which its strokes have room, for letters do not
+// shrink.
 constexpr double least_shown = 12;
 constexpr int most_steps = 2;
 // Names that would take more of the room than this hardly ever find places: not worth trying where another room may do.
 constexpr double crowded = 0.25;
-// … and if they would take even more they are not tried at several scales: the smallest is taken, whatever places they find.
+// … and if they would take even more they are not tried at several scales: the smallest is taken, whatever places they
+// find.
 constexpr double hopeless = 0.4;
 // So many names leave no room beside the polygon, whatever the room.
 constexpr std::size_t most_names_with_details = 48;
@@ -404,7 +411,8 @@ public:
                                .least_shown = std::max(least_shown, smallest_worth_lettering())};
         const double names = room_of_names(strokes_at(policy.first), context_.fonts) / (room_.x * room_.y);
         if (!policy.asked && names > crowded && coarsest_ < any_scale) return Figure::empty_at(any_scale);
-        const bool may_have_details = names <= crowded && strokes_at(policy.first).labels.size() <= most_names_with_details;
+        const bool may_have_details =
+            names <= crowded && strokes_at(policy.first).labels.size() <= most_names_with_details;
         return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
             if (trial.asked) return as_asked(trial.scale);
             if (names > hopeless) return trial.last ? std::optional(as_it_comes(trial.scale)) : std::nullopt;
@@ -441,7 +449,9 @@ private:
         return made;
     }
     const Figure& strokes_at(double scale) const { return strokes(scale).figure; }
-    double first_scale() const { return choose_scale(drawing_.width(), drawing_.height(), room_.x, room_.y, std::nullopt); }
+    double first_scale() const {
+        return choose_scale(drawing_.width(), drawing_.height(), room_.x, room_.y, std::nullopt);
+    }
     double extent() const { return std::max(drawing_.width(), drawing_.height()); }
     /// So many steps below the scale at which the strokes have room, mm.
     double smallest_worth_lettering() const {
@@ -469,7 +479,8 @@ private:
         Figure figure = drawing_.with_parts(made.strokes.empty, parts, made.details);
         // Letters cost more than all else.
         if (!may_hold_details(figure, context_, made.details, room_)) return std::nullopt;
-        if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free, context_.theme.secondary) || !fits(figure))
+        if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free, context_.theme.secondary) ||
+            !fits(figure))
             return std::nullopt;
         figure.marks.emplace_back(GroupEnd{});
         std::size_t letters = made.letters;
@@ -525,7 +536,8 @@ Spot strokes_of_polygon(const DrawingContext& context, const PolygonScene& scene
     return {box.width(), box.height()};
 }
 
-Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y, double coarsest) {
+Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y,
+                      double coarsest) {
     return Fitting(Drawing(context, scene), context, {room_x, room_y}, coarsest).fitted();
 }
 

@@ -52,8 +52,12 @@ std::optional<std::pair<double, double>> within_circle(Spot from, Spot to, doubl
 }
 
 /// What a detail shows entirely, with some paper round it.
-bool is_in(const Detail& detail, Spot spot) { return length(spot - detail.centre) <= detail.radius - 2 / detail.magnification; }
-bool is_in(const Detail& detail, const PolygonVector& vector) { return is_in(detail, vector.tail) && is_in(detail, vector.tip); }
+bool is_in(const Detail& detail, Spot spot) {
+    return length(spot - detail.centre) <= detail.radius - 2 / detail.magnification;
+}
+bool is_in(const Detail& detail, const PolygonVector& vector) {
+    return is_in(detail, vector.tail) && is_in(detail, vector.tip);
+}
 template <class Part>
 bool is_in_any(const std::vector<Detail>& details, const Part& part) {
     return std::any_of(details.begin(), details.end(), [&](const Detail& detail) { return is_in(detail, part); });
@@ -75,7 +79,8 @@ bool hide_each_other(const PolygonVector& a, const PolygonVector& b) {
     constexpr double beside = 0.4, shared = 1;  // mm
     if (a.internal || b.internal || length(a.tip - a.tail) < shared || length(b.tip - b.tail) < shared) return false;
     const Spot along = unit(a.tip - a.tail);
-    if (std::abs(cross(along, b.tail - a.tail)) > beside || std::abs(cross(along, b.tip - a.tail)) > beside) return false;
+    if (std::abs(cross(along, b.tail - a.tail)) > beside || std::abs(cross(along, b.tip - a.tail)) > beside)
+        return false;
     const double from = dot(b.tail - a.tail, along), to = dot(b.tip - a.tail, along);
     return std::min(length(a.tip - a.tail), std::max(from, to)) - std::max(0.0, std::min(from, to)) > shared;
 }
@@ -104,7 +109,8 @@ Spot outward(const PolygonParts& parts, const PolygonVector& vector) {
 
 class Drawing {
 public:
-    Drawing(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details)
+    Drawing(Figure& figure, const DrawingContext& context, const PolygonParts& parts,
+            const std::vector<Detail>& details)
         : figure_(figure), context_(context), theme_(context.theme), parts_(parts), details_(details) {}
 
     void draw() {
@@ -121,7 +127,8 @@ public:
     }
 
 private:
-    LabelRequest& ask_label(RichText text, double size, Colour colour, Spot anchor, double clearance, StatementIndex statement) {
+    LabelRequest& ask_label(RichText text, double size, Colour colour, Spot anchor, double clearance,
+                            StatementIndex statement) {
         LabelRequest& label = figure_.labels.emplace_back();
         label.text = std::move(text);
         label.size = size;
@@ -137,7 +144,8 @@ private:
             figure_.marks.emplace_back(line(each.from, each.to, each.pen));
             belong(figure_.marks, figure_.marks.size() - 1, each.statement);
             if (each.mark.empty() || !parts_.has_names) continue;
-            LabelRequest& mark = ask_label(each.mark, theme_.small, theme_.secondary, each.mark_at, 1.2, each.statement);
+            LabelRequest& mark =
+                ask_label(each.mark, theme_.small, theme_.secondary, each.mark_at, 1.2, each.statement);
             mark.toward = each.mark_toward;
             mark.along = each.mark_along;
         }
@@ -157,16 +165,17 @@ private:
     void draw_corners() {
         for (const PolygonCorner& corner : parts_.corners) {
             if (corner.shorter_leg < 3 * corner_side || distance_to_pole(parts_, corner.at) < 2 * corner_side) continue;
-            const bool crossed = std::any_of(parts_.vectors.begin(), parts_.vectors.end(),
-                                             [&](const PolygonVector& v) { return runs_through(corner, v.tail, v.tip); }) ||
-                                 std::any_of(parts_.pieces.begin(), parts_.pieces.end(),
-                                             [&](const PolygonPiece& p) { return runs_through(corner, p.from, p.to); }) ||
-                                 std::any_of(parts_.lines.begin(), parts_.lines.end(),
-                                             [&](const PolygonLine& l) { return runs_through(corner, l.from, l.to); });
+            const bool crossed =
+                std::any_of(parts_.vectors.begin(), parts_.vectors.end(),
+                            [&](const PolygonVector& v) { return runs_through(corner, v.tail, v.tip); }) ||
+                std::any_of(parts_.pieces.begin(), parts_.pieces.end(),
+                            [&](const PolygonPiece& p) { return runs_through(corner, p.from, p.to); }) ||
+                std::any_of(parts_.lines.begin(), parts_.lines.end(),
+                            [&](const PolygonLine& l) { return runs_through(corner, l.from, l.to); });
             if (crossed) continue;
             const Spot u = corner_side * corner.first, v = corner_side * corner.second;
-            figure_.marks.emplace_back(
-                polyline({corner.at + u, corner.at + u + v, corner.at + v}, {theme_.thin, theme_.secondary, {}, false}));
+            figure_.marks.emplace_back(polyline({corner.at + u, corner.at + u + v, corner.at + v},
+                                                {theme_.thin, theme_.secondary, {}, false}));
             belong(figure_.marks, figure_.marks.size() - 1, corner.statement);
         }
     }
@@ -213,15 +222,16 @@ private:
         std::vector<Mark> broken, arrows;
         constexpr std::size_t of_a_vector = 5;
         arrows.reserve(of_a_vector * parts_.vectors.size());
-        for (const PolygonVector& vector : parts_.vectors) draw_vector(vector, drawn, vector.internal ? broken : arrows);
+        for (const PolygonVector& vector : parts_.vectors)
+            draw_vector(vector, drawn, vector.internal ? broken : arrows);
         for (std::vector<Mark>* const marks : {&broken, &arrows})
             figure_.marks.insert(figure_.marks.end(), std::make_move_iterator(marks->begin()),
                                  std::make_move_iterator(marks->end()));
     }
     void draw_vector(const PolygonVector& vector, std::vector<Drawn>& drawn, std::vector<Mark>& marks) {
-        // Of those that fall together the first is drawn, and their one label has its colour: a_A = a_A^n. A side of forces met
-        // again (a two-force body lies between) is one stroke with both names; an outer force is the arrow. Two outer forces
-        // stand side by side: one stroke with two heads says nothing.
+        // Of those that fall together the first is drawn, and their one label has its colour: a_A = a_A^n. A side of
+        // forces met again (a two-force body lies between) is one stroke with both names; an outer force is the arrow.
+        // Two outer forces stand side by side: one stroke with two heads says nothing.
         const auto with = std::find_if(drawn.begin(), drawn.end(), [&](const Drawn& other) {
             const bool one_stroke = parts_.opposites_share_label && (vector.internal || !other.arrow);
             return fall_together(*other.vector, vector) || (one_stroke && are_opposite(*other.vector, vector));
@@ -252,8 +262,8 @@ private:
         drawn.push_back({&vector, !vector.internal, std::nullopt});
         if (!parts_.has_names || is_in_any(details_, vector)) return;
         drawn.back().label = figure_.labels.size();
-        LabelRequest& label = ask_label(vector.text, vector.internal ? theme_.label : theme_.equation, vector.colour.letter,
-                                        0.5 * (tail + tip), 1.5, vector.statement);
+        LabelRequest& label = ask_label(vector.text, vector.internal ? theme_.label : theme_.equation,
+                                        vector.colour.letter, 0.5 * (tail + tip), 1.5, vector.statement);
         label.toward = tip;
         label.names = {vector.name};
     }
@@ -279,7 +289,8 @@ private:
     void draw_pole() {
         for (const PolygonImage& image : parts_.images)
             if (image.kind == PolygonImage::Kind::pole)
-                figure_.marks.emplace_back(ring(image.at, pole_radius, theme_.paper, {theme_.outline, theme_.text, {}, false}));
+                figure_.marks.emplace_back(
+                    ring(image.at, pole_radius, theme_.paper, {theme_.outline, theme_.text, {}, false}));
     }
 
     /// Images that fall together share a label: b ≡ c; those at the pole stand with it.
@@ -297,10 +308,11 @@ private:
             double near = coincident;
             for (const Detail& detail : details_)
                 if (is_in(detail, image.at)) near = coincident / detail.magnification;
-            const auto same =
-                std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return length(c.at - image.at) < near; });
+            const auto same = std::find_if(clusters.begin(), clusters.end(),
+                                           [&](const Cluster& c) { return length(c.at - image.at) < near; });
             if (same == clusters.end()) {
-                clusters.push_back({image.at, image.text, {image.name}, image.statement, image.kind == PolygonImage::Kind::pole});
+                clusters.push_back(
+                    {image.at, image.text, {image.name}, image.statement, image.kind == PolygonImage::Kind::pole});
             } else if (same->names.insert(image.name).second) {
                 append(same->text, one_piece(" ≡ "));
                 append(same->text, image.text);
@@ -320,8 +332,9 @@ private:
     bool is_named_in_detail_only(const std::vector<Cluster>& clusters, const Cluster& cluster) const {
         if (cluster.pole) return false;
         return std::any_of(details_.begin(), details_.end(), [&](const Detail& detail) {
-            return is_in(detail, cluster.at) &&
-                   std::count_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return is_in(detail, c.at); }) > 1;
+            return is_in(detail, cluster.at) && std::count_if(clusters.begin(), clusters.end(), [&](const Cluster& c) {
+                                                    return is_in(detail, c.at);
+                                                }) > 1;
         });
     }
     bool touched_by_vector(Spot at) const {
@@ -338,7 +351,8 @@ private:
             const double radius = std::max(detail.radius, least_circle);
             StatementIndex statement = none;
             for (const PolygonVector& vector : parts_.vectors)
-                if (is_in(detail, vector) && (statement == none || vector.statement < statement)) statement = vector.statement;
+                if (is_in(detail, vector) && (statement == none || vector.statement < statement))
+                    statement = vector.statement;
             const std::size_t first = figure_.marks.size();
             figure_.marks.emplace_back(
                 GroupBegin{"detail", "", word("detail", context_.language) + " " + detail.letter, {}, statement});
@@ -422,11 +436,13 @@ PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
                 return length(other.from - from) < coincident && length(other.to - to) < coincident;
             });
             if (!again)
-                all.pieces.push_back({from, to, chord->second == 1.0, each.colour, each.internal, each.statement, each.aside});
+                all.pieces.push_back(
+                    {from, to, chord->second == 1.0, each.colour, each.internal, each.statement, each.aside});
         }
     }
     for (const PolygonImage& each : parts.images)
-        if (each.kind == PolygonImage::Kind::pole ? length(larger(each.at)) < radius - pole_radius : is_in(detail, each.at)) {
+        if (each.kind == PolygonImage::Kind::pole ? length(larger(each.at)) < radius - pole_radius
+                                                  : is_in(detail, each.at)) {
             all.images.push_back(each);
             all.images.back().at = larger(each.at);
             // The pole is named in the polygon; here its ring says enough.
@@ -518,7 +534,8 @@ private:
         return inset;
     }
 
-    /// Where nothing is drawn yet: as little outside of the figure and as near to what it shows as can be. The centre it got.
+    /// Where nothing is drawn yet: as little outside of the figure and as near to what it shows as can be. The centre
+    /// it got.
     Spot place(Figure inset, const Detail& shown, Spot of) {
         const Box box = figure_.box;
         // What may be inked after all: the room about the figure as it stands, wherever the inset goes.
@@ -614,7 +631,8 @@ std::vector<Detail> details_of(const PolygonParts& parts, double scale, double m
             for (std::size_t j = i + 1; j < clusters.size() && !changed; ++j) {
                 std::vector<Spot> ends = clusters[i].ends;
                 ends.insert(ends.end(), clusters[j].ends.begin(), clusters[j].ends.end());
-                if (!overlap(detail_round(clusters[i].ends, scale, across), detail_round(clusters[j].ends, scale, across)) ||
+                if (!overlap(detail_round(clusters[i].ends, scale, across),
+                             detail_round(clusters[j].ends, scale, across)) ||
                     detail_round(ends, scale, across).magnification < least_magnified)
                     continue;
                 clusters[i] = {std::move(ends), std::min(clusters[i].shortest, clusters[j].shortest)};
@@ -643,11 +661,13 @@ std::vector<Detail> details_of(const PolygonParts& parts, double scale, double m
     return details;
 }
 
-void draw_parts(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details) {
+void draw_parts(Figure& figure, const DrawingContext& context, const PolygonParts& parts,
+                const std::vector<Detail>& details) {
     Drawing(figure, context, parts, details).draw();
 }
 
-bool may_hold_details(const Figure& strokes, const DrawingContext& context, const std::vector<Detail>& details, Spot room) {
+bool may_hold_details(const Figure& strokes, const DrawingContext& context, const std::vector<Detail>& details,
+                      Spot room) {
     const Box& box = strokes.box;
     if (!(box.width() > 0 && box.height() > 0)) return true;
     // Where an inset may stand, and what is kept round it. The figure only grows, and so does what is inked of it.
@@ -670,8 +690,8 @@ bool may_hold_details(const Figure& strokes, const DrawingContext& context, cons
     });
 }
 
-bool set_details(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details,
-                 Spot room, std::size_t& letters) {
+bool set_details(Figure& figure, const DrawingContext& context, const PolygonParts& parts,
+                 const std::vector<Detail>& details, Spot room, std::size_t& letters) {
     return Insets(figure, context, room, letters).set(parts, details);
 }
 
@@ -712,7 +732,8 @@ public:
 
 private:
     std::optional<std::size_t> lettered(const std::string& letter) const {
-        const auto found = std::find_if(was_.begin(), was_.end(), [&](const DetailOn& each) { return each.letter == letter; });
+        const auto found =
+            std::find_if(was_.begin(), was_.end(), [&](const DetailOn& each) { return each.letter == letter; });
         return found == was_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - was_.begin()));
     }
     std::optional<std::size_t> headed(const std::string& words) const {
@@ -729,7 +750,8 @@ private:
             }
     }
 
-    /// A longer letter may want another place beside its circle, and no leader or another one; a heading stays in the middle.
+    /// A longer letter may want another place beside its circle, and no leader or another one; a heading stays in the
+    /// middle.
     void set_letters_anew() {
         std::vector<Mark> kept;
         for (Mark& mark : figure_.marks) {

@@ -43,8 +43,8 @@ public:
         const Displacement& displacement = found_.displacements.at(index);
         const std::string both = std::to_string(displacement.from + 1) + std::to_string(displacement.to + 1);
         const bool shows = displacement.pole && include_if_near(*displacement.pole, 3);
-        begin("displacement-" + both, {"Displacement {0} → {1}", "Spostamento {0} → {1}", std::to_string(displacement.from + 1),
-                                       std::to_string(displacement.to + 1)});
+        begin("displacement-" + both, {"Displacement {0} → {1}", "Spostamento {0} → {1}",
+                                       std::to_string(displacement.from + 1), std::to_string(displacement.to + 1)});
         const std::optional<Spot> pole = shows ? std::optional<Spot>(spot(*displacement.pole)) : std::nullopt;
         for (std::size_t point = 0; point < 2; ++point) draw_way(displacement, point, pole);
         draw_body(displacement.from);
@@ -74,11 +74,17 @@ public:
 
 private:
     Spot spot(const Vector& v) const { return spot_of(v, scale_); }
-    Spot place(std::size_t position, std::size_t point) const { return spot(problem_.positions.at(position).places.at(point)); }
+    Spot place(std::size_t position, std::size_t point) const {
+        return spot(problem_.positions.at(position).places.at(point));
+    }
     Pen thin(const std::vector<double>& kind = {}) const { return {theme_.thin, theme_.secondary, kind, false}; }
     void name(const std::string& text, Spot at, Colour colour, std::optional<Spot> toward = std::nullopt) {
-        figure_.labels.push_back(
-            {.text = formula(text), .size = theme_.label, .colour = colour, .anchor = at, .toward = toward, .clearance = 2});
+        figure_.labels.push_back({.text = formula(text),
+                                  .size = theme_.label,
+                                  .colour = colour,
+                                  .anchor = at,
+                                  .toward = toward,
+                                  .clearance = 2});
     }
     std::string numbered(std::size_t point, std::size_t position) const {
         return "{" + problem_.points.at(point) + "_" + std::to_string(position + 1) + "}";
@@ -99,8 +105,8 @@ private:
     void draw_body(std::size_t position) {
         const BodyColour& colour = theme_.body(BodyIndex(position + 1));
         const Spot a = place(position, 0), b = place(position, 1);
-        figure_.marks.emplace_back(
-            GroupBegin{"link", figure_.id + "-" + std::to_string(position + 1), std::to_string(position + 1), {}, none});
+        figure_.marks.emplace_back(GroupBegin{
+            "link", figure_.id + "-" + std::to_string(position + 1), std::to_string(position + 1), {}, none});
         figure_.marks.emplace_back(line(a, b, {theme_.link, colour.line, {}, true}));
         for (const Spot pin : {a, b})
             figure_.marks.emplace_back(ring(pin, 1.2, theme_.paper, {theme_.outline, colour.line, {}, false}));
@@ -128,8 +134,8 @@ private:
         }
         figure_.marks.emplace_back(line(begin, end, thin(dash_dot())));
         const double side = goal && dot(*goal - middle, across) < 0 ? -corner : corner;
-        figure_.marks.emplace_back(
-            polyline({middle + corner * along, middle + corner * along + side * across, middle + side * across}, thin()));
+        figure_.marks.emplace_back(polyline(
+            {middle + corner * along, middle + corner * along + side * across, middle + side * across}, thin()));
     }
     void draw_translation(const Displacement& displacement, std::size_t point) {
         const Spot from = place(displacement.from, point), to = place(displacement.to, point);
@@ -167,7 +173,8 @@ private:
         }
         if (!pivot.centre || !shown) return;
         const Spot centre = spot(*pivot.centre);
-        for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) bisect(place(i, point), place(i + 1, point), centre);
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
+            bisect(place(i, point), place(i + 1, point), centre);
         // Only as far as the three places, and a little more.
         const double first = angle_of(place(0, point) - centre);
         double least = 0, most = 0;
@@ -176,14 +183,16 @@ private:
             least = std::min(least, turn);
             most = std::max(most, turn);
         }
-        figure_.marks.emplace_back(arc(centre, pivot.radius / scale_, first + least - 0.15, first + most + 0.15, thin(dashes())));
+        figure_.marks.emplace_back(
+            arc(centre, pivot.radius / scale_, first + least - 0.15, first + most + 0.15, thin(dashes())));
     }
     void draw_pivot(std::size_t point) {
         const Spot pin = spot(*found_.pivots.at(point).centre);
         figure_.marks.emplace_back(line(pin, place(0, point), {theme_.outline, theme_.text, {}, false}));
         figure_.marks.emplace_back(
             polyline({pin, pin + Spot{-3, 5}, pin + Spot{3, 5}}, {theme_.outline, theme_.text, {}, false}, true));
-        figure_.marks.emplace_back(line(pin + Spot{-4.5, 5}, pin + Spot{4.5, 5}, {2 * theme_.outline, theme_.text, {}, false}));
+        figure_.marks.emplace_back(
+            line(pin + Spot{-4.5, 5}, pin + Spot{4.5, 5}, {2 * theme_.outline, theme_.text, {}, false}));
         for (int i = -2; i <= 2; ++i)
             figure_.marks.emplace_back(
                 line(pin + Spot{1.8 * i, 5}, pin + Spot{1.8 * i - 1.4, 6.6}, {theme_.thin, theme_.text, {}, false}));
@@ -206,7 +215,8 @@ private:
 Figure positions_question_figure(const DrawingContext& context, double room_x, double room_y) {
     return PositionsFigure(context, {room_x, room_y}).question();
 }
-Figure finite_displacement_figure(const DrawingContext& context, std::size_t displacement, double room_x, double room_y) {
+Figure finite_displacement_figure(const DrawingContext& context, std::size_t displacement, double room_x,
+                                  double room_y) {
     return PositionsFigure(context, {room_x, room_y}).displacement(displacement);
 }
 Figure pivots_figure(const DrawingContext& context, double room_x, double room_y) {

@@ -8,7 +8,8 @@
 
 namespace kinegraph::render {
 
-Figure begun(const char* kind, const char* id, const Words& caption, double scale, const std::string& unit, Language language) {
+Figure begun(const char* kind, const char* id, const Words& caption, double scale, const std::string& unit,
+             Language language) {
     Figure figure;
     figure.kind = kind;
     figure.id = id;

@@ -50,10 +50,13 @@ private:
         pressure_scale_ = chosen * si;
         figure_.further_scale = "1 mm ≙ " + shortest(chosen, context_.language) + " " + unit.symbol;
     }
-    Pen pen(double width, Colour colour, const std::vector<double>& kind = {}) const { return {width, colour, kind, false}; }
+    Pen pen(double width, Colour colour, const std::vector<double>& kind = {}) const {
+        return {width, colour, kind, false};
+    }
     const BodyColour& colour() const { return theme_.body(BodyIndex(1)); }
     void add(Path path) { figure_.marks.emplace_back(std::move(path)); }
-    void name(const std::string& words, Spot anchor, std::optional<Spot> toward = std::nullopt, double clearance = 1.6) {
+    void name(const std::string& words, Spot anchor, std::optional<Spot> toward = std::nullopt,
+              double clearance = 1.6) {
         figure_.labels.push_back({.text = formula(words),
                                   .size = theme_.derived,
                                   .colour = theme_.text,
@@ -84,7 +87,8 @@ private:
         if (!as_question_) press_to_scale(std::max(sum, found_.greatest), std::max(room_.y - 52, 12.0));
         const double width = a / scale_;
         constexpr double high = 9;
-        add(panel({{0, -high}, {width, -high}, {width, 0}, {0, 0}}, colour().tint, pen(2 * theme_.outline, colour().line)));
+        add(panel({{0, -high}, {width, -high}, {width, 0}, {0, 0}}, colour().tint,
+                  pen(2 * theme_.outline, colour().line)));
         add(line({-6, 0}, {width + 6, 0}, pen(2 * theme_.outline, theme_.text)));
         const double at = found_.resultant->to_double() / scale_;
         arrow({at, -high - 11}, {at, -high}, theme_.vector, theme_.text);
@@ -112,7 +116,8 @@ private:
             if (p > 1.5 && std::abs(x - at) > 1.5) arrow({x, top + p}, {x, top}, theme_.thin, colour().line);
         }
         add(polyline(face, pen(theme_.outline, colour().line), true));
-        // Each parallel side made longer by the other, to opposite sides: the join meets the line of the middles in the centroid.
+        // Each parallel side made longer by the other, to opposite sides: the join meets the line of the middles in the
+        // centroid.
         const Pen thin = pen(theme_.thin, theme_.secondary);
         add(line({left, top + first}, {left, top + first + second}, thin));
         add(line({right, top}, {right, top - first}, thin));
@@ -149,7 +154,8 @@ private:
         };
         radius(inner, -0.75 * pi, "{r_1} = " + given(problem_.inner, QuantityKind::length));
         radius(outer, -0.2 * pi, "{r_2} = " + given(problem_.outer, QuantityKind::length));
-        draw_arc_arrow(figure_.marks, centre, 0.5 * (inner + outer) / scale_, 0.75 * pi, 0.35 * pi, theme_.vector, theme_.text);
+        draw_arc_arrow(figure_.marks, centre, 0.5 * (inner + outer) / scale_, 0.75 * pi, 0.35 * pi, theme_.vector,
+                       theme_.text);
         name("{M}", 0.5 * (inner + outer) / scale_ * polar_spot(0.55 * pi));
     }
 
@@ -174,11 +180,12 @@ private:
         add(ring(pin, 1.4, theme_.paper, pen(2 * theme_.outline, colour().line)));
         name("{h}", 0.5 * pin, pin);
         draw_shoe_force(pin, drum);
-        // Friction turns a leading shoe the way its force does: the pivot lies to the right, so one within the drum is turned
-        // clockwise.
+        // Friction turns a leading shoe the way its force does: the pivot lies to the right, so one within the drum is
+        // turned clockwise.
         const double middle = 1.25 * pi;
         const bool counter = problem_.leading != problem_.inside;
-        draw_arc_arrow(figure_.marks, {0, 0}, 0.6 * drum, -middle, -middle + (counter ? -0.8 : 0.8), theme_.outline, theme_.text);
+        draw_arc_arrow(figure_.marks, {0, 0}, 0.6 * drum, -middle, -middle + (counter ? -0.8 : 0.8), theme_.outline,
+                       theme_.text);
         name("{ω}", round(0.6 * drum, middle));
     }
     void draw_lining(double drum) {
@@ -186,7 +193,8 @@ private:
         const double side = problem_.inside ? -thick : thick, from = found_.begin, to = found_.end;
         std::vector<Spot> band;
         for (int i = 0; i <= steps; ++i) band.push_back(round(drum, from + (to - from) * i / steps));
-        for (int i = static_cast<int>(steps); i >= 0; --i) band.push_back(round(drum + side, from + (to - from) * i / steps));
+        for (int i = static_cast<int>(steps); i >= 0; --i)
+            band.push_back(round(drum + side, from + (to - from) * i / steps));
         add(panel(band, colour().tint, pen(theme_.outline, colour().line)));
     }
     /// On the other side of the lining than the shoe.
@@ -212,7 +220,8 @@ private:
         add(arc({0, 0}, found_.pressure_radius / scale_, angle - 0.35, angle + 0.35,
                 pen(theme_.thin, theme_.secondary, dashes())));
     }
-    /// At the arm's distance from the pivot: on the back of the shoe where that reaches so far, else on a lever past its toe.
+    /// At the arm's distance from the pivot: on the back of the shoe where that reaches so far, else on a lever past
+    /// its toe.
     Spot place_of_force(Spot pin, double drum, double arm) const {
         const double back = drum + (problem_.inside ? -3 : 3), across = length(pin);
         const double cosine = (across * across + back * back - arm * arm) / (2 * across * back);

@@ -6,8 +6,8 @@
 
 namespace kinegraph::render {
 
-/// A pad or block on its plane with the pressures below it and the centroid of their figure, found graphically; a disc's face
-/// with its radii; a shoe in or on its drum with the pressures and their resultant. Kind and id "contact".
+/// A pad or block on its plane with the pressures below it and the centroid of their figure, found graphically; a
+/// disc's face with its radii; a shoe in or on its drum with the pressures and their resultant. Kind and id "contact".
 Figure reye_contact_figure(const DrawingContext& context, double room_x, double room_y);
 /// The same as a question has it: without the pressures.
 Figure reye_question_figure(const DrawingContext& context, double room_x, double room_y);

@@ -20,8 +20,8 @@ void draw_strings(Sketch& sketch, const FreeBody::Funicular& funicular, const st
         sketch.over_bodies.emplace_back(line(a, b, {theme.thin, theme.text, std::move(dashed), false}));
         belong(sketch.over_bodies, sketch.over_bodies.size() - 1, funicular.statement);
         hang(sketch.over_bodies, sketch.over_bodies.size() - 1, held(from, to));
-        LabelRequest& label =
-            sketch.add_label(one_piece(std::to_string(number)), theme.secondary, 0.5 * (a + b), 1.0, funicular.statement);
+        LabelRequest& label = sketch.add_label(one_piece(std::to_string(number)), theme.secondary, 0.5 * (a + b), 1.0,
+                                               funicular.statement);
         label.size = theme.small;
         label.holds = held(from, to);
     };

@@ -21,7 +21,9 @@ constexpr double meets_seen = 1.1;  // how far off the truss a meet is shown, in
 
 enum class Sense { idle, tension, compression };
 
-double tension_of(const Solution& solution, std::size_t bar) { return solution.truss->tension(bar, solution.pose.points); }
+double tension_of(const Solution& solution, std::size_t bar) {
+    return solution.truss->tension(bar, solution.pose.points);
+}
 
 Sense sense_of(const Solution& solution, std::size_t bar) {
     if (solution.truss->bars[bar].force->is_zero()) return Sense::idle;
@@ -31,12 +33,9 @@ Sense sense_of(const Solution& solution, std::size_t bar) {
 /// Colours of the third and the first body, which differ most, in grey too; weights and line kinds tell without colour.
 Pen pen_of(const Theme& theme, Sense sense) {
     switch (sense) {
-        case Sense::tension:
-            return {theme.vector, theme.body(BodyIndex(3)).line, {}, false};
-        case Sense::compression:
-            return {2 * theme.vector, theme.body(BodyIndex(1)).line, {5, 1.4}, false};
-        case Sense::idle:
-            break;
+        case Sense::tension: return {theme.vector, theme.body(BodyIndex(3)).line, {}, false};
+        case Sense::compression: return {2 * theme.vector, theme.body(BodyIndex(1)).line, {5, 1.4}, false};
+        case Sense::idle: break;
     }
     return {theme.outline, theme.secondary, {0.8, 0.8}, false};
 }
@@ -47,15 +46,19 @@ Pen thin_pen_of(const Theme& theme, Sense sense) {
     return pen;
 }
 
-RichText letter_of(const Truss::Space& space) { return one_piece(space.letter, space.outside ? Face::italic : Face::regular); }
+RichText letter_of(const Truss::Space& space) {
+    return one_piece(space.letter, space.outside ? Face::italic : Face::regular);
+}
 
 PointIndex point_of(const Truss& truss, int pin) { return truss.structure.pins[at_index(pin)].point; }
 
-// --- the space diagram -------------------------------------------------------------------------------------------------------
+// --- the space diagram
+// -------------------------------------------------------------------------------------------------------
 
 class SpaceDiagram {
 public:
-    explicit SpaceDiagram(Sketch& sketch) : sketch_(sketch), solution_(sketch.subject.solution), truss_(*solution_.truss) {}
+    explicit SpaceDiagram(Sketch& sketch)
+        : sketch_(sketch), solution_(sketch.subject.solution), truss_(*solution_.truss) {}
 
     void draw() {
         draw_supports();
@@ -100,10 +103,11 @@ private:
         const Spot across = turned(down);
         const double high = 0.62 * sketch_.measures.triangle_height, half = 0.62 * sketch_.measures.triangle_half,
                      wheel = 0.9 * sketch_.measures.shrink;
-        sketch_.ground.emplace_back(
-            polyline({at, at + high * down + half * across, at + high * down - half * across}, sketch_.outline(), true));
+        sketch_.ground.emplace_back(polyline({at, at + high * down + half * across, at + high * down - half * across},
+                                             sketch_.outline(), true));
         for (const double side : {-0.6, 0.6})
-            sketch_.ground.emplace_back(circle(at + (high + wheel) * down + side * half * across, wheel, sketch_.outline()));
+            sketch_.ground.emplace_back(
+                circle(at + (high + wheel) * down + side * half * across, wheel, sketch_.outline()));
         const Spot foot = at + (high + 2 * wheel) * down;
         draw_wall(sketch_, {foot - 1.7 * half * across, foot + 1.7 * half * across}, down);
     }
@@ -111,12 +115,16 @@ private:
     void draw_bar(std::size_t bar) {
         const TrussStructure::Bar& own = truss_.structure.bars[bar];
         const double value = tension_of(solution_, bar) / unit().si.to_double();
-        sketch_.bodies.emplace_back(GroupBegin{
-            "bar", sketch_.id("bar", own.name), own.name, {{"data-name", own.name}, {"data-value", shortest(value)}}, none});
+        sketch_.bodies.emplace_back(GroupBegin{"bar",
+                                               sketch_.id("bar", own.name),
+                                               own.name,
+                                               {{"data-name", own.name}, {"data-value", shortest(value)}},
+                                               none});
         sketch_.bodies.emplace_back(
             line(spot(own.pins[0]), spot(own.pins[1]), {sketch_.theme.outline, sketch_.theme.skeleton, {}, false}));
         const std::size_t found = sketch_.bodies.size();
-        sketch_.bodies.emplace_back(line(spot(own.pins[0]), spot(own.pins[1]), pen_of(sketch_.theme, sense_of(solution_, bar))));
+        sketch_.bodies.emplace_back(
+            line(spot(own.pins[0]), spot(own.pins[1]), pen_of(sketch_.theme, sense_of(solution_, bar))));
         belong(sketch_.bodies, found, truss_.bars[bar].statement);
         sketch_.bodies.emplace_back(GroupEnd{});
     }
@@ -220,9 +228,11 @@ private:
         }
     }
     bool is_of_strings(const Truss::Whole::Meet& meet) const {
-        return std::any_of(solution_.taken_together.begin(), solution_.taken_together.end(), [&](const TakenTogether& together) {
-            return together.funicular && together.funicular->resultant && *together.funicular->resultant == *meet.place;
-        });
+        return std::any_of(solution_.taken_together.begin(), solution_.taken_together.end(),
+                           [&](const TakenTogether& together) {
+                               return together.funicular && together.funicular->resultant &&
+                                      *together.funicular->resultant == *meet.place;
+                           });
     }
     /// Culmann's line, which joins two meets, with what acts along it.
     void draw_line_of_meets(const AppliedForce& sum) {
@@ -231,7 +241,8 @@ private:
         const Spot at = sketch_.spot(sum.at), along = paper_direction(sum.force);
         std::vector<Spot> on;
         for (const Truss::Whole::Meet& meet : truss_.whole->meets)
-            if (const Spot spot = sketch_.spot(*meet.place); std::abs(cross(along, spot - at)) < 0.05 + 1e-9 * length(spot - at))
+            if (const Spot spot = sketch_.spot(*meet.place);
+                std::abs(cross(along, spot - at)) < 0.05 + 1e-9 * length(spot - at))
                 on.push_back(spot);
         if (on.size() < 2) return;
         const Box view = grown(sketch_.mechanism_box(), meets_seen * sketch_.size());
@@ -244,7 +255,8 @@ private:
             sketch_.construction.emplace_back(line(from - 6.0 * off, from + reach * off, sketch_.axis()));
         }
         const Spot tail = at + 2.0 * along;
-        draw_arrow(sketch_.construction, tail, tail + size * along, sketch_.theme.outline, sketch_.theme.text, dashes());
+        draw_arrow(sketch_.construction, tail, tail + size * along, sketch_.theme.outline, sketch_.theme.text,
+                   dashes());
         belong(sketch_.construction, first, sum.force_statement);
         LabelRequest& label = sketch_.add_label(typeset(sum.symbol, sketch_.context.language), sketch_.theme.text,
                                                 tail + 0.5 * size * along, 1.2, sum.force_statement);
@@ -256,8 +268,8 @@ private:
         const Spot through = sketch_.spot(*whole.through), along = paper_direction(*whole.force);
         if (std::abs(cross(along, at - through)) > 0.05) return;
         sketch_.construction.emplace_back(line(at - half * along, at + half * along, sketch_.axis()));
-        draw_arrow(sketch_.construction, at - half * along, at - 2.0 * along, sketch_.theme.outline, sketch_.theme.secondary,
-                   dashes());
+        draw_arrow(sketch_.construction, at - half * along, at - 2.0 * along, sketch_.theme.outline,
+                   sketch_.theme.secondary, dashes());
         const auto loads = std::count_if(truss_.externals.begin(), truss_.externals.end(),
                                          [](const Truss::External& external) { return external.joint == none; });
         if (loads < 2) return;  // it is that load, which has its letter
@@ -325,7 +337,8 @@ private:
         middles.insert(middles.begin(), past(middles[1], middles[0]));
         middles.push_back(past(middles[middles.size() - 2], middles.back()));
         const std::size_t first = sketch_.over_bodies.size();
-        sketch_.over_bodies.emplace_back(polyline(middles, {sketch_.theme.outline, sketch_.theme.accent, dash_dot(), false}));
+        sketch_.over_bodies.emplace_back(
+            polyline(middles, {sketch_.theme.outline, sketch_.theme.accent, dash_dot(), false}));
         belong(sketch_.over_bodies, first, cut.statement);
     }
     /// From where the others meet, at right angles to the bar.
@@ -348,7 +361,8 @@ private:
         arms_.push_back(across);
         RichText text = one_piece(letter_of_arms(), Face::italic);
         append(text, one_piece(" = " + number(arm, 4, sketch_.context.language) + " " + unit.symbol));
-        LabelRequest& label = sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (pivot + foot), 1, cut.statement);
+        LabelRequest& label =
+            sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (pivot + foot), 1, cut.statement);
         label.toward = foot;
         label.size = sketch_.theme.small;
         name_pivot(cut, pivot);
@@ -362,15 +376,16 @@ private:
         return "β";
     }
     void name_pivot(const Truss::Cut& cut, Spot pivot) {
-        const bool is_pin = std::any_of(truss_.structure.pins.begin(), truss_.structure.pins.end(),
-                                        [&](const auto& pin) { return length(sketch_.spot(pin.point) - pivot) < 0.05; });
+        const bool is_pin =
+            std::any_of(truss_.structure.pins.begin(), truss_.structure.pins.end(),
+                        [&](const auto& pin) { return length(sketch_.spot(pin.point) - pivot) < 0.05; });
         if (is_pin || std::find(named_.begin(), named_.end(), cut.pivot_name) != named_.end()) return;
         named_.push_back(cut.pivot_name);
         sketch_.centres.emplace_back(disc(pivot, 0.7, sketch_.theme.text));
         belong(sketch_.centres, sketch_.centres.size() - 1, cut.statement);
         sketch_
-            .add_label(typeset(Symbol{Symbol::Letter::point, cut.pivot_name, ""}, sketch_.context.language), sketch_.theme.text,
-                       pivot, 1.8, cut.statement)
+            .add_label(typeset(Symbol{Symbol::Letter::point, cut.pivot_name, ""}, sketch_.context.language),
+                       sketch_.theme.text, pivot, 1.8, cut.statement)
             .names = {cut.pivot_name};
     }
 
@@ -382,7 +397,8 @@ private:
     std::vector<Spot> arms_;                 // dimensioned
 };
 
-// --- the plan ----------------------------------------------------------------------------------------------------------------
+// --- the plan
+// ----------------------------------------------------------------------------------------------------------------
 
 class Plan {
 public:
@@ -412,12 +428,12 @@ public:
 
 private:
     static void open(Figure& figure) {
-        figure.marks.emplace_back(
-            GroupBegin{"figure",
-                       figure.id,
-                       plain(figure.caption),
-                       {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}},
-                       none});
+        figure.marks.emplace_back(GroupBegin{
+            "figure",
+            figure.id,
+            plain(figure.caption),
+            {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}},
+            none});
     }
     static Spot spot(double scale, Place p) { return {p.x / scale, -p.y / scale}; }
     const Polygon& polygon() const { return solution_.protocol.polygons[at_index(truss_.polygon)]; }
@@ -451,14 +467,16 @@ private:
             figure.axes.push_back({name, tail, tip, {}});
         }
     }
-    /// Forces from outside of one direction would lie on each other: each goes into the first column beside that is free there.
+    /// Forces from outside of one direction would lie on each other: each goes into the first column beside that is
+    /// free there.
     void draw_outer(Figure& figure) const {
         struct Column {
             Spot along, at;
             std::vector<std::vector<Interval>> taken;
         };
         std::vector<Column> columns;
-        const Spot middle = spot(figure.scale, {0.5 * (scene_.least.x + scene_.most.x), 0.5 * (scene_.least.y + scene_.most.y)});
+        const Spot middle =
+            spot(figure.scale, {0.5 * (scene_.least.x + scene_.most.x), 0.5 * (scene_.least.y + scene_.most.y)});
         for (const int v : polygon().vectors) {
             const DrawnVector& vector = solution_.protocol.vectors[at_index(v)];
             if (is_bar(vector) || vector.vanishes) continue;
@@ -474,8 +492,9 @@ private:
             const Interval own{std::min(a, b), std::max(a, b)};
             std::size_t place_in = 0;
             const auto is_free = [&](const std::vector<Interval>& taken) {
-                return std::none_of(taken.begin(), taken.end(),
-                                    [&](const Interval& each) { return each.from < own.to - 0.05 && each.to > own.from + 0.05; });
+                return std::none_of(taken.begin(), taken.end(), [&](const Interval& each) {
+                    return each.from < own.to - 0.05 && each.to > own.from + 0.05;
+                });
             };
             while (place_in < column->taken.size() && !is_free(column->taken[place_in])) ++place_in;
             if (place_in == column->taken.size()) column->taken.emplace_back();
@@ -490,15 +509,17 @@ private:
         const std::string name = name_of(vector.symbol);
         if (length(aside) > 0)
             for (const Spot end : {tail, tip}) {
-                figure.marks.emplace_back(line(end, end + aside, {context_.theme.thin, context_.theme.secondary, {}, false}));
+                figure.marks.emplace_back(
+                    line(end, end + aside, {context_.theme.thin, context_.theme.secondary, {}, false}));
                 belong(figure.marks, figure.marks.size() - 1, vector.statement);
             }
-        figure.marks.emplace_back(GroupBegin{
-            "vector",
-            "cremona-" + legal_id(name),
-            name,
-            {{"data-name", name}, {"data-value", shortest(solution_.protocol.modulus_of(vector) / scene_.unit.si.to_double())}},
-            vector.statement});
+        figure.marks.emplace_back(
+            GroupBegin{"vector",
+                       "cremona-" + legal_id(name),
+                       name,
+                       {{"data-name", name},
+                        {"data-value", shortest(solution_.protocol.modulus_of(vector) / scene_.unit.si.to_double())}},
+                       vector.statement});
         draw_arrow(figure.marks, tail + aside, tip + aside, context_.theme.vector, context_.theme.text);
         figure.marks.emplace_back(GroupEnd{});
         figure.axes.push_back({name, tail, tip, {}});
@@ -524,8 +545,8 @@ private:
         for (std::size_t s = 0; s < truss_.spaces.size(); ++s) {
             const Image& image = solution_.protocol.images[at_index(polygon().images[s])];
             const Spot at = spot(figure.scale, place(image.point));
-            auto known =
-                std::find_if(corners.begin(), corners.end(), [&](const Corner& each) { return length(each.at - at) < 0.02; });
+            auto known = std::find_if(corners.begin(), corners.end(),
+                                      [&](const Corner& each) { return length(each.at - at) < 0.02; });
             if (known == corners.end()) {
                 corners.push_back({at, letter_of(truss_.spaces[s]), statement_of(image.point)});
                 continue;
@@ -585,8 +606,8 @@ Box extent_of_plan(const Solution& solution) {
 Figure truss_figure(const DrawingContext& context, double room_x, double room_y) {
     const Subject subject(context.solution);
     const Box extent = extent_of_truss(context.solution);
-    const double first =
-        choose_scale(extent.width(), extent.height(), std::max(room_x - 30, 10.0), std::max(room_y - 40, 10.0), std::nullopt);
+    const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 30, 10.0),
+                                      std::max(room_y - 40, 10.0), std::nullopt);
     const FitPolicy policy{.room = Spot{room_x, room_y},
                            .first = first,
                            .asked = asked_scale(subject.mechanism, "mechanism"),
@@ -602,7 +623,8 @@ Figure truss_figure(const DrawingContext& context, double room_x, double room_y)
     });
 }
 
-Figure cremona_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least, bool fixed) {
+Figure cremona_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
+                      bool fixed) {
     const Plan plan(context);
     FitPolicy policy{.room = Spot{room_x, room_y},
                      .first = choose_scale(plan.width(), plan.height(), room_x, room_y, std::nullopt),
@@ -611,7 +633,8 @@ Figure cremona_figure(const DrawingContext& context, double room_x, double room_
     if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
         Figure figure = plan.at(trial.scale);
-        if (!trial.last && !trial.asked && (figure.box.width() > room_x || figure.box.height() > room_y - 8)) return std::nullopt;
+        if (!trial.last && !trial.asked && (figure.box.width() > room_x || figure.box.height() > room_y - 8))
+            return std::nullopt;
         place_labels(figure, context.fonts, Spot{room_x, room_y - 8});
         std::vector<Mark> bar;
         draw_scale_bar(bar, context.fonts, context.theme, {0, 0}, 24, figure.scale, 1, figure.unit, context.language);

@@ -81,7 +81,8 @@ public:
             const double unit = std::max(x_.width() / frame_.width(), y_.width() / frame_.height());
             frame_.max = {frame_.min.x + x_.width() / unit, frame_.min.y + y_.width() / unit};
         }
-        figure_.marks.emplace_back(GroupBegin{"figure", plot_.id, plain(figure_.caption), {{"data-figure", "plot"}}, none});
+        figure_.marks.emplace_back(
+            GroupBegin{"figure", plot_.id, plain(figure_.caption), {{"data-figure", "plot"}}, none});
         draw_x();
         draw_y();
         // The first lies on top.
@@ -171,8 +172,8 @@ private:
         // On a ground that the grid does not cross.
         const Box ground = ground_of(words, start);
         named_.push_back(ground);
-        figure_.marks.emplace_back(
-            tinted(filled({ground.min, {ground.max.x, ground.min.y}, ground.max, {ground.min.x, ground.max.y}}, theme_.paper)));
+        figure_.marks.emplace_back(tinted(filled(
+            {ground.min, {ground.max.x, ground.min.y}, ground.max, {ground.min.x, ground.max.y}}, theme_.paper)));
         set_text(figure_.marks, words, start, colour.letter, "label");
     }
     static Box ground_of(const ShapedLine& words, Spot start) {
@@ -213,7 +214,8 @@ private:
         };
         const auto x = [&](double place) { return value(x_, frame_.min.x, frame_.max.x, place); };
         const auto y = [&](double place) { return value(y_, frame_.max.y, frame_.min.y, place); };
-        return (is_crossed(x_, x(box.min.x), x(box.max.x)) ? 1U : 0U) + (is_crossed(y_, y(box.max.y), y(box.min.y)) ? 1U : 0U);
+        return (is_crossed(x_, x(box.min.x), x(box.max.x)) ? 1U : 0U) +
+               (is_crossed(y_, y(box.max.y), y(box.min.y)) ? 1U : 0U);
     }
     /// Pieces of curves, other marks' dots and words within a box; and the mark itself.
     std::size_t lines_through(const Box& box, Spot own) const {
@@ -229,7 +231,9 @@ private:
         for (const XyMark& other : plot_.marks)
             if (drawing::contains(box, at(other.at))) ++count;
         for (const Box& named : named_)
-            if (box.min.x < named.max.x && named.min.x < box.max.x && box.min.y < named.max.y && named.min.y < box.max.y) ++count;
+            if (box.min.x < named.max.x && named.min.x < box.max.x && box.min.y < named.max.y &&
+                named.min.y < box.max.y)
+                ++count;
         return count;
     }
     /// Names in rows above the frame, each with its line: as many in a row as have room.
@@ -257,8 +261,9 @@ private:
                 right -= name.width;
                 set_text(figure_.marks, name, {right, y}, theme_.body(BodyIndex(i + 1)).letter, "label");
                 right -= 9;
-                figure_.marks.emplace_back(line({right, y - 1}, {right + 7.5, y - 1},
-                                                {theme_.vector, theme_.body(BodyIndex(i + 1)).line, line_kind(i), false}));
+                figure_.marks.emplace_back(
+                    line({right, y - 1}, {right + 7.5, y - 1},
+                         {theme_.vector, theme_.body(BodyIndex(i + 1)).line, line_kind(i), false}));
                 right -= 4;
             }
         }

@@ -1,5 +1,5 @@
-// Holds: what a mark hangs on, for whoever moves the figure. Names are those of engine/solution/held.hpp; a drawing that stands still
-// needs none of it.
+// Holds: what a mark hangs on, for whoever moves the figure. Names are those of engine/solution/held.hpp; a drawing
+// that stands still needs none of it.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@ struct Holds {
     /// A place is one name. A direction is one name, of a vector; or two, of the places that it leads from and to.
     enum class Form : std::uint8_t {
         nothing,
-        at,       ///< goes with a place
-        with,     ///< goes with a place and turns with a direction
-        arrow,    ///< the same, as long as the vector is large
-        couple,   ///< goes with a place; its sense is that of a scalar
-        line,     ///< on the lines of forces, each as far as to the places on it: names of the forces, an empty one, those of the
-                  ///< places
+        at,      ///< goes with a place
+        with,    ///< goes with a place and turns with a direction
+        arrow,   ///< the same, as long as the vector is large
+        couple,  ///< goes with a place; its sense is that of a scalar
+        line,  ///< on the lines of forces, each as far as to the places on it: names of the forces, an empty one, those
+               ///< of the places
         segment,  ///< from place to place
         through,  ///< all that is seen of the line through two places
         normal,   ///< of the line through the first, normal to that

@@ -28,7 +28,8 @@ struct Pen {
     friend bool operator==(const Pen&, const Pen&) = default;
 };
 
-/// Segments of a path. An arc runs from `from` to `to` (radians, y downwards, so positive angles turn clockwise on paper).
+/// Segments of a path. An arc runs from `from` to `to` (radians, y downwards, so positive angles turn clockwise on
+/// paper).
 struct MoveTo {
     Spot to;
 };

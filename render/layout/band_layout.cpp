@@ -17,17 +17,19 @@ constexpr int most_beside = 3;          // columns of text
 constexpr int most_columns_more = 2;    // of a page of short lines, than the format has
 constexpr double room_of_a_name = 100;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
 
-/// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything. What is so long can be read
-/// to a hundredth or better: to be longer gains little.
+/// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything. What is so long can
+/// be read to a hundredth or better: to be longer gains little.
 double use_of(double size) {
     constexpr double long_enough = 80, of_more = 0.3;
     const double read = std::min(size, long_enough);
     return std::log(read) - 40 / read + of_more * std::log(size / read);
 }
 
-std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format, const WantedFigures& all, bool crowded) {
+std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format, const WantedFigures& all,
+                                 bool crowded) {
     std::vector<FigureSize> sizes;
-    // What stands round a figure may fill a page by itself (a hundred terms under each other): half a page is left to the figure.
+    // What stands round a figure may fill a page by itself (a hundred terms under each other): half a page is left to
+    // the figure.
     const Spot most_round{0.5 * format.content.width(), 0.5 * format.content.height()};
     const double rim_x = std::min(wanted.rim_x, most_round.x), rim_y = std::min(wanted.rim_y, most_round.y);
     const double extent = std::max(wanted.extent_x, wanted.extent_y);
@@ -98,7 +100,8 @@ const Passage& BandTexts::passage(const Band& band, std::size_t part, int divide
     else if (!cornered && planned_ != nullptr && kind != Band::Part::Kind::results)
         text.passages[part] = planned_->passage(band, part, divided, false);
     else
-        text.passages[part] = bands_.text(band.parts[part], format_.span(1, divided) / format_.text_size, cornered, results_);
+        text.passages[part] =
+            bands_.text(band.parts[part], format_.span(1, divided) / format_.text_size, cornered, results_);
     text.is_set[part] = true;
     return text.passages[part];
 }
@@ -127,7 +130,8 @@ std::size_t BandTexts::rows(const Band& band) {
 
 std::vector<std::size_t> BandTexts::rows_by_passage(const Band& band) {
     std::vector<std::size_t> rows;
-    for (const Passage& passage : own_rows(whole(band, format_.columns, false), band)) rows.push_back(passage.rows.size());
+    for (const Passage& passage : own_rows(whole(band, format_.columns, false), band))
+        rows.push_back(passage.rows.size());
     return rows;
 }
 
@@ -135,7 +139,8 @@ const Block& BandTexts::equations(const Band& band) {
     const auto [found, fresh] = equations_.try_emplace(band.question);
     constexpr double of_measure = 1.25;
     if (fresh)
-        found->second = scaled(bands_.equations(band, of_measure * format_.measure / format_.text_size), format_.text_size);
+        found->second =
+            scaled(bands_.equations(band, of_measure * format_.measure / format_.text_size), format_.text_size);
     return found->second;
 }
 
@@ -145,11 +150,16 @@ void BandTexts::forget(const std::string& question) {
     std::erase_if(texts_, [&](const auto& each) { return std::get<0>(std::get<0>(each.first)) == question; });
 }
 
-BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
-                         bool cornered, bool narrow)
-    : all_texts_(texts), band_(band), format_(format), narrow_(narrow), times_forgotten_(texts.times_forgotten(band.question)) {
+BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format,
+                         bool crowded, bool cornered, bool narrow)
+    : all_texts_(texts),
+      band_(band),
+      format_(format),
+      narrow_(narrow),
+      times_forgotten_(texts.times_forgotten(band.question)) {
     std::vector<std::vector<FigureSize>> sizes;
-    for (const std::size_t figure : band.figures) sizes.push_back(sizes_of(wanted.list[figure], format, wanted, crowded));
+    for (const std::size_t figure : band.figures)
+        sizes.push_back(sizes_of(wanted.list[figure], format, wanted, crowded));
     if (cornered && sizes.size() == 1) {
         const Wanted& polygon = wanted.list[band.figures.front()];
         if (polygon.wider_for && !polygon.empty)
@@ -172,7 +182,8 @@ bool BandLayouts::may_be_narrow(int divided, bool cornered) const {
     const std::size_t index = 2 * static_cast<std::size_t>(divided) + (cornered ? 1 : 0);
     if (may_be_narrow_.size() <= index) may_be_narrow_.resize(index + 1);
     std::optional<bool>& known = may_be_narrow_[index];
-    if (!known) known = narrow_ && !all_texts_.has_too_wide(band_, divided, cornered) && !text(divided, cornered).is_too_wide();
+    if (!known)
+        known = narrow_ && !all_texts_.has_too_wide(band_, divided, cornered) && !text(divided, cornered).is_too_wide();
     return *known;
 }
 
@@ -223,7 +234,8 @@ bool BandLayouts::improves(const Best& best, const Arrangement& layout, Spot roo
     return false;
 }
 
-void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, double spare, double share_of_height) const {
+void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, double spare,
+                              double share_of_height) const {
     if (!may_improve(best, layout)) return;
     for (const bool stacked : {false, true}) {
         if (stacked && figures_.sizes().size() < 2) break;
@@ -270,18 +282,19 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
         const Best best = best_in(width, static_cast<double>(height) * step, notch);
         worth[height] = best.layout.worth;
         constexpr double rounding = 1e-6;
-        const auto lower = static_cast<std::size_t>(std::max(0.0, best.spare / step + (best.lasts ? -rounding : rounding)));
+        const auto lower =
+            static_cast<std::size_t>(std::max(0.0, best.spare / step + (best.lasts ? -rounding : rounding)));
         const std::size_t least = std::max<std::size_t>(height - std::min(lower, height), 1);
         if (best.lasts && least < height)
-            std::fill(worth.begin() + static_cast<std::ptrdiff_t>(least), worth.begin() + static_cast<std::ptrdiff_t>(height),
-                      worth[height]);
+            std::fill(worth.begin() + static_cast<std::ptrdiff_t>(least),
+                      worth.begin() + static_cast<std::ptrdiff_t>(height), worth[height]);
         return {least, best.lasts};
     };
     // Between two heights that are known.
     const std::function<void(std::size_t, std::size_t)> fill = [&](std::size_t low, std::size_t high) {
         if (worth[low] == worth[high])
-            std::fill(worth.begin() + static_cast<std::ptrdiff_t>(low), worth.begin() + static_cast<std::ptrdiff_t>(high),
-                      worth[low]);
+            std::fill(worth.begin() + static_cast<std::ptrdiff_t>(low),
+                      worth.begin() + static_cast<std::ptrdiff_t>(high), worth[low]);
         if (worth[low] == worth[high] || high - low < 2) return;
         const std::size_t middle = (low + high) / 2;
         const Asked asked = ask(middle);

@@ -1,5 +1,5 @@
-// How a band stands in a room: its figures left and its text right of them, or its text under them. Owns what a room is worth to
-// a band; draws nothing.
+// How a band stands in a room: its figures left and its text right of them, or its text under them. Owns what a room is
+// worth to a band; draws nothing.
 #pragma once
 
 #include <map>
@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "render/content/bands.hpp"
+#include "render/content/sheet_parts.hpp"
 #include "render/layout/column_text.hpp"
 #include "render/layout/figure_shares.hpp"
-#include "render/content/sheet_parts.hpp"
 
 namespace kinegraph::render {
 
@@ -29,7 +29,8 @@ struct Notch {
     double high = 0;
 };
 
-/// How figures and text of a band stand to each other. (A plan compares tens of thousands: nothing here asks for memory.)
+/// How figures and text of a band stand to each other. (A plan compares tens of thousands: nothing here asks for
+/// memory.)
 struct Arrangement {
     static constexpr double impossible = -1e300, possible = 0.5 * impossible;
     double worth = impossible;
@@ -40,7 +41,8 @@ struct Arrangement {
     bool stacked = false;   ///< the figures stand one under the other
     bool cornered = false;  ///< the equations stand in a corner of the figure
 
-    /// The columns of its text, in a room so wide of which the title block takes a corner; `figures`: how high these are.
+    /// The columns of its text, in a room so wide of which the title block takes a corner; `figures`: how high these
+    /// are.
     TextColumns text_columns(double whole, double measure, double figures, const Notch& notch) const;
 };
 struct BandLayout : Arrangement {
@@ -51,13 +53,14 @@ struct BandLayout : Arrangement {
 class BandTexts {
 public:
     /// `planned`: the same with other results, of which the rest is taken.
-    BandTexts(const Bands& bands, const std::vector<ResultRow>& results, const SheetFormat& format, BandTexts* planned = nullptr)
+    BandTexts(const Bands& bands, const std::vector<ResultRow>& results, const SheetFormat& format,
+              BandTexts* planned = nullptr)
         : bands_(bands), results_(results), format_(format), planned_(planned) {}
 
     /// In the columns of a page divided by so many; `cornered`: without its equations.
     const ColumnText& of(const Band& band, int divided, bool cornered);
-    /// Whether some of it, a table, is found to be too wide for such columns: then the rest need not be set for them. Of a text
-    /// that goes on over pages nothing is said.
+    /// Whether some of it, a table, is found to be too wide for such columns: then the rest need not be set for them.
+    /// Of a text that goes on over pages nothing is said.
     bool has_too_wide(const Band& band, int divided, bool cornered);
     /// How many rows it has.
     std::size_t rows(const Band& band);
@@ -95,16 +98,17 @@ private:
     std::map<std::string, int> forgotten_;
 };
 
-/// What a band is worth in rooms of one width, by their height in steps. It never falls with the height: between two heights at
-/// which it is the same it need not be asked for.
+/// What a band is worth in rooms of one width, by their height in steps. It never falls with the height: between two
+/// heights at which it is the same it need not be asked for.
 using WorthByHeight = std::vector<double>;
 
 class BandLayouts {
 public:
     /// `force_scale`: no force polygon is drawn larger. `crowded`: figures may be so small that they are hard to read;
-    /// `cornered`: equations may stand in a corner of their polygon; `narrow`: columns may be narrower than the format's.
-    BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
-                bool cornered, bool narrow);
+    /// `cornered`: equations may stand in a corner of their polygon; `narrow`: columns may be narrower than the
+    /// format's.
+    BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format,
+                bool crowded, bool cornered, bool narrow);
 
     /// The best in a room so high.
     BandLayout in(Width width, double height, Notch notch = {}) const;

@@ -12,8 +12,9 @@ namespace {
 bool is_free(const std::vector<Spot>& spots, Spot moved, const Box& box, double margin) {
     const Box wide = rectangle(box.min.x - margin - moved.x, box.min.y - margin - moved.y, box.max.x + margin - moved.x,
                                box.max.y + margin - moved.y);
-    return std::none_of(spots.begin(), spots.end(),
-                        [&](Spot s) { return s.x > wide.min.x && s.x < wide.max.x && s.y > wide.min.y && s.y < wide.max.y; });
+    return std::none_of(spots.begin(), spots.end(), [&](Spot s) {
+        return s.x > wide.min.x && s.x < wide.max.x && s.y > wide.min.y && s.y < wide.max.y;
+    });
 }
 
 }  // namespace
@@ -28,10 +29,10 @@ bool set_beside(std::vector<Mark>& marks, Figure& figure, const Block& block, co
             for (const bool bottom : {false, true})
                 for (const bool right : {false, true}) {
                     const double across = right ? 1 - aside : aside;
-                    const Spot corner{right ? room.max.x - block.width : room.min.x,
-                                      bottom
-                                          ? std::min(room.max.y, room.min.y + down * spare_y + figure.box.height()) - block.height
-                                          : room.min.y};
+                    const Spot corner{
+                        right ? room.max.x - block.width : room.min.x,
+                        bottom ? std::min(room.max.y, room.min.y + down * spare_y + figure.box.height()) - block.height
+                               : room.min.y};
                     const Spot moved{room.min.x - figure.box.min.x + across * spare_x,
                                      room.min.y - figure.box.min.y + down * spare_y};
                     const Box box = rectangle(corner.x, corner.y, corner.x + block.width, corner.y + block.height);

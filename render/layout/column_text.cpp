@@ -1,5 +1,5 @@
-// Column text: a heading never parts from the lines below it, no line stands alone in a column, and a table that goes on has its
-// head again.
+// Column text: a heading never parts from the lines below it, no line stands alone in a column, and a table that goes
+// on has its head again.
 #include "render/layout/column_text.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 constexpr double passage_gap = 3.5, grace = 1e-6;
 constexpr double two_lines = 7.5;  // mm; rows lower than this do not stand alone in a column
 
-/// Where the rows from one on that stay together end: the first ones of a passage stay with its heading, no line by itself, and
-/// none by itself in the end.
+/// Where the rows from one on that stay together end: the first ones of a passage stay with its heading, no line by
+/// itself, and none by itself in the end.
 std::size_t end_of_group(const std::vector<SharedBlock>& rows, double scale, std::size_t first) {
     std::size_t end = first + 1;
     double height = rows[first].height() * scale;
@@ -84,7 +84,9 @@ double ColumnText::whole_height() const {
     return whole_;
 }
 
-double ColumnText::least_height(int columns) const { return whole_height() - (columns - 1) * passage_gap - columns * grace; }
+double ColumnText::least_height(int columns) const {
+    return whole_height() - (columns - 1) * passage_gap - columns * grace;
+}
 
 double ColumnText::height(const TextColumns& columns) const {
     double taken = 0, first = 1e300;

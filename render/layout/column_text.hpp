@@ -1,4 +1,5 @@
-// Column text: passages set in columns side by side, as even as their rows let them. Knows rows and headings, no sentence.
+// Column text: passages set in columns side by side, as even as their rows let them. Knows rows and headings, no
+// sentence.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
@@ -45,8 +46,8 @@ public:
     double least_height(int columns) const;
 
 private:
-    /// Rows that no column parts, and how high they are with what stands over them: the heading over the first ones of a passage,
-    /// the head over these and where a column begins.
+    /// Rows that no column parts, and how high they are with what stands over them: the heading over the first ones of
+    /// a passage, the head over these and where a column begins.
     struct Group {
         std::size_t passage, first, end;
         double on, anew;  ///< going on in a column, beginning one

@@ -1,4 +1,5 @@
-// Each figure is drawn once for all rooms that let it be as large; what the figures of a band leave of their rooms is shared out.
+// Each figure is drawn once for all rooms that let it be as large; what the figures of a band leave of their rooms is
+// shared out.
 #include "render/layout/drawn_figures.hpp"
 
 #include <algorithm>
@@ -6,9 +7,9 @@
 
 #include "render/figures/caption.hpp"
 #include "render/figures/polygon_parts.hpp"
-#include "render/page/shapes.hpp"
 #include "render/layout/beside.hpp"
 #include "render/layout/crew.hpp"
+#include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -90,14 +91,16 @@ void DrawnFigures::draw_each(const std::vector<InItsRoom>& all, bool refuse) {
         const bool may_refuse = refuse && wanted.draw_or_refuse && needs_.may_refuse(wanted);
         tasks.push_back({each.drawn, may_refuse ? each.drawn->promised * (1 + rounding) : any_scale});
     }
-    share_out(crew_, tasks.size(), [&](std::size_t i) { draw_into(*tasks[i].drawn, tasks[i].drawn->own, tasks[i].coarsest); });
+    share_out(crew_, tasks.size(),
+              [&](std::size_t i) { draw_into(*tasks[i].drawn, tasks[i].drawn->own, tasks[i].coarsest); });
 }
 
 void DrawnFigures::draw_what_fills_its_room() {
     std::vector<DrawnFigure*> in_order;
     for (auto& [band, figures] : by_band_)
         for (DrawnFigure& drawn : figures) in_order.push_back(&drawn);
-    std::sort(in_order.begin(), in_order.end(), [](const auto* one, const auto* other) { return one->number < other->number; });
+    std::sort(in_order.begin(), in_order.end(),
+              [](const auto* one, const auto* other) { return one->number < other->number; });
     share_out(crew_, in_order.size(), [&](std::size_t i) {
         DrawnFigure& drawn = *in_order[i];
         if (std::exchange(drawn.waits, false)) draw_into(drawn, {drawn.room.width(), drawn.room.height()}, any_scale);
@@ -183,9 +186,9 @@ bool DrawnFigures::set_in_corner(DrawnFigure& drawn, const Block& equations) con
     return true;
 }
 
-/// Drawn once for all rooms between the one it was drawn for and what it takes: its scale is the finest that fits. A room that
-/// holds it only smaller than at `coarsest` is refused, which costs less than to letter it there: the figure is empty then and at
-/// any_scale.
+/// Drawn once for all rooms between the one it was drawn for and what it takes: its scale is the finest that fits. A
+/// room that holds it only smaller than at `coarsest` is refused, which costs less than to letter it there: the figure
+/// is empty then and at any_scale.
 const Figure& DrawnFigures::figure_in(std::size_t index, Spot room, double coarsest) {
     const Wanted& wanted = wanted_.list[index];
     std::vector<Known>& known = known_[index];  // no other thread asks for this figure
@@ -213,12 +216,15 @@ bool DrawnFigures::serves(const Known& known, const Wanted& wanted, Spot room, d
     const Box& box = known.figure.box;
     const bool fits = box.width() <= room.x + rounding && box.height() <= room.y + rounding;
     if (fits && wanted_.are_crowded()) return true;
-    return fits && (wanted.fills ? is_hardly_other(known.room, room) : !larger || gains_nothing(wanted, known.figure, room));
+    return fits &&
+           (wanted.fills ? is_hardly_other(known.room, room) : !larger || gains_nothing(wanted, known.figure, room));
 }
 
 void DrawnFigures::draw_into(DrawnFigure& drawn, Spot room, double coarsest) {
     constexpr double least_room = 10;
-    const auto below = [&](double taken) { return Spot{std::max(room.x, least_room), std::max(room.y - taken, least_room)}; };
+    const auto below = [&](double taken) {
+        return Spot{std::max(room.x, least_room), std::max(room.y - taken, least_room)};
+    };
     drawn.wide_enough = 0;
     drawn.figure = figure_in(drawn.wanted, below(caption_line), coarsest);
     drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
@@ -227,7 +233,8 @@ void DrawnFigures::draw_into(DrawnFigure& drawn, Spot room, double coarsest) {
     if (drawn.caption > caption_line && drawn.height() > room.y && !wanted_.are_crowded()) {
         constexpr double widest_caption = 120;
         const double left = room.y - drawn.figure.box.height();
-        if (left >= caption_line) drawn.wide_enough = width_for_caption(drawn, left, room.x, std::max(room.x, widest_caption));
+        if (left >= caption_line)
+            drawn.wide_enough = width_for_caption(drawn, left, room.x, std::max(room.x, widest_caption));
         drawn.figure = figure_in(drawn.wanted, below(drawn.caption), coarsest);
     }
     drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};

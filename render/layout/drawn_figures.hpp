@@ -1,5 +1,5 @@
-// Drawn figures: those of a plan, each in the room that is its own. Owns what was drawn before, so that nothing is drawn twice;
-// chooses no room, but that figures of one band share out what they leave.
+// Drawn figures: those of a plan, each in the room that is its own. Owns what was drawn before, so that nothing is
+// drawn twice; chooses no room, but that figures of one band share out what they leave.
 #pragma once
 
 #include <map>
@@ -17,14 +17,15 @@ class DrawnFigures {
 public:
     using ByBand = std::map<std::size_t, std::vector<DrawnFigure>>;
 
-    DrawnFigures(const DrawingContext& context, const WantedFigures& wanted, const Bands& bands, FigureNeeds& needs, Crew* crew)
+    DrawnFigures(const DrawingContext& context, const WantedFigures& wanted, const Bands& bands, FigureNeeds& needs,
+                 Crew* crew)
         : context_(context), wanted_(wanted), bands_(bands), needs_(needs), crew_(crew), known_(wanted.list.size()) {}
 
-    /// All that the plan shows, but for what fills whatever room is left. `refuse`: figures may refuse a room that is less than
-    /// their plan promised. False where equations found no corner beside their figure; the plan is told.
+    /// All that the plan shows, but for what fills whatever room is left. `refuse`: figures may refuse a room that is
+    /// less than their plan promised. False where equations found no corner beside their figure; the plan is told.
     bool draw(SheetPlan& plan, bool refuse);
-    /// Those that fill their rooms, once the rooms are those that all others are content with; then the letters of details are
-    /// known.
+    /// Those that fill their rooms, once the rooms are those that all others are content with; then the letters of
+    /// details are known.
     void draw_what_fills_its_room();
     /// With what else has room in the rooms that they have.
     void enrich();

@@ -51,7 +51,8 @@ bool FigureNeeds::may_refuse(const Wanted& wanted) {
 void FigureNeeds::learn_from(const DrawnFigure& drawn) {
     Wanted& wanted = wanted_.list[drawn.wanted];
     if (!wanted.tells_its_extents() || wanted.asked) return;
-    const Spot taken{with_air(drawn.size.x, drawn.room.width()), with_air(drawn.height(), drawn.room.height()) - caption_line};
+    const Spot taken{with_air(drawn.size.x, drawn.room.width()),
+                     with_air(drawn.height(), drawn.room.height()) - caption_line};
     const Spot guess = wanted.strokes_at(drawn.figure.scale) + Spot{wanted.rim_x, wanted.rim_y};
     const auto [known, fresh] = wanted.taken.try_emplace(drawn.figure.scale, taken);
     if (fresh) spared_ = std::max({spared_, guess.x - taken.x, guess.y - taken.y});
@@ -79,7 +80,8 @@ void FigureNeeds::wants_more_than_its_room(const DrawnFigure& drawn) {
         return;
     }
     constexpr double more = 3;
-    known->second = {std::max(known->second.x, drawn.own.x + more), std::max(known->second.y, drawn.own.y - caption_line + more)};
+    known->second = {std::max(known->second.x, drawn.own.x + more),
+                     std::max(known->second.y, drawn.own.y - caption_line + more)};
 }
 
 bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
@@ -96,7 +98,8 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
         fills_a_larger_room(drawn, drawn.is_too_wide(), drawn.is_too_high());
     } else {
         // What cannot be read on paper anyway is drawn once.
-        if (wanted_.are_crowded() && !wanted.to_force_scale) wanted.finest = std::max(wanted.finest, drawn.figure.scale);
+        if (wanted_.are_crowded() && !wanted.to_force_scale)
+            wanted.finest = std::max(wanted.finest, drawn.figure.scale);
         wanted.rim_x += std::max(drawn.figure.box.width() - drawn.room.width(), 0.0);
         wanted.rim_y += std::max(drawn.height() - drawn.room.height(), 0.0);
         learn_from(drawn);  // its caption may have more lines by now
@@ -104,9 +107,9 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
     return true;
 }
 
-/// Only the way in which it was too large: the other way it may have filled its room with a larger body. A wider room may do with
-/// fewer lines of its caption. One that outgrows one room after the other gets what it took; where that is of no avail it
-/// shrinks.
+/// Only the way in which it was too large: the other way it may have filled its room with a larger body. A wider room
+/// may do with fewer lines of its caption. One that outgrows one room after the other gets what it took; where that is
+/// of no avail it shrinks.
 void FigureNeeds::fills_a_larger_room(const DrawnFigure& drawn, bool too_wide, bool too_high) {
     constexpr int without_avail = 2;
     Wanted& wanted = wanted_.list[drawn.wanted];
@@ -153,7 +156,8 @@ void FigureNeeds::give_up(const Tried& tried) {
 bool FigureNeeds::is_planned_as_it_came(const DrawnFigure& drawn) {
     if (wanted_.are_crowded()) return false;
     Wanted& wanted = wanted_.list[drawn.wanted];
-    if (wanted.to_force_scale || wanted.finest > 0 || drawn.is_refused() || !is_coarser_than_promised(drawn)) return false;
+    if (wanted.to_force_scale || wanted.finest > 0 || drawn.is_refused() || !is_coarser_than_promised(drawn))
+        return false;
     // At first it is said to take more there, by what its letters took at the coarser scale.
     if (said_to_take_more_.insert(wanted.name).second) {
         const Spot letters = drawn.size - wanted.strokes_at(drawn.figure.scale);

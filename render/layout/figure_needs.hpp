@@ -1,5 +1,5 @@
-// Figure needs: what figures turn out to take once they are lettered, and what they refuse. Owns how a room that was thought to
-// do grows with what the drawing taught; draws nothing and plans nothing.
+// Figure needs: what figures turn out to take once they are lettered, and what they refuse. Owns how a room that was
+// thought to do grows with what the drawing taught; draws nothing and plans nothing.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "render/content/wanted_figures.hpp"
 #include "render/page/figure.hpp"
 #include "render/page/scale.hpp"
-#include "render/content/wanted_figures.hpp"
 
 namespace kinegraph::render {
 
@@ -50,15 +50,16 @@ public:
     void learn_from(const DrawnFigure& drawn);
     /// Whether it is coarser than its room was to let it be, and is given more room for that: a few times.
     bool asks_for_more_room(const DrawnFigure& drawn);
-    /// Whether it takes more than its room. It is known now what its letters take; where it refused, that they take more.
+    /// Whether it takes more than its room. It is known now what its letters take; where it refused, that they take
+    /// more.
     bool has_outgrown(const DrawnFigure& drawn);
     /// Whether it missed the scale that the file asks for.
     bool misses_its_scale(const DrawnFigure& drawn) const;
     /// … and is given more room for that: once.
     bool gives_room_for_its_scale(const DrawnFigure& drawn);
-    /// Where the figures that refused their rooms in the last round want pages more for their letters, they take the rooms that
-    /// they had, as they come, but for those that may refuse without a page more, the weightiest first. `has_room`: whether all
-    /// has room now.
+    /// Where the figures that refused their rooms in the last round want pages more for their letters, they take the
+    /// rooms that they had, as they come, but for those that may refuse without a page more, the weightiest first.
+    /// `has_room`: whether all has room now.
     template <class HasRoom>
     void take_back_until(HasRoom has_room) {
         if (const auto tried = std::exchange(tried_, std::nullopt)) {
@@ -78,10 +79,11 @@ public:
         }
         if (!settled) has_room();
     }
-    /// Whether a figure came coarser than its room was planned for and is planned for more room, or, where that did not help, no
-    /// larger from now on: what it does not use of its room is for others.
+    /// Whether a figure came coarser than its room was planned for and is planned for more room, or, where that did not
+    /// help, no larger from now on: what it does not use of its room is for others.
     bool is_planned_as_it_came(const DrawnFigure& drawn);
-    /// Whether letters take so much less than was set aside for them that another plan may do with less paper; a few times.
+    /// Whether letters take so much less than was set aside for them that another plan may do with less paper; a few
+    /// times.
     bool take_less_than_thought();
 
 private:
@@ -89,7 +91,8 @@ private:
     void fills_a_larger_room(const DrawnFigure& drawn, bool too_wide, bool too_high);
     void wants_more_than_its_room(const DrawnFigure& drawn);
 
-    /// Of a room in the last round, by a figure: its rim there, and how often it is said to have refused where it takes it.
+    /// Of a room in the last round, by a figure: its rim there, and how often it is said to have refused where it takes
+    /// it.
     struct Refusal {
         std::size_t wanted = 0;
         double rim_x = 0, rim_y = 0;

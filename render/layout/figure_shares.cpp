@@ -62,8 +62,8 @@ std::optional<FigureShares::Share> FigureShares::in(Spot room, Order order) cons
     Way& way = ways_[(order.stacked ? 2 : 0) + (order.cornered ? 1 : 0)][reached];
     go_until(way, whole, wide, order);
     if (way.shares.empty() || way.shares.back().length > whole) return std::nullopt;
-    const auto found =
-        std::partition_point(way.shares.begin(), way.shares.end(), [&](const Share& share) { return share.length > whole; });
+    const auto found = std::partition_point(way.shares.begin(), way.shares.end(),
+                                            [&](const Share& share) { return share.length > whole; });
     return *found;
 }
 

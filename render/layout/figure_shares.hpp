@@ -1,5 +1,5 @@
-// Figure shares: how the figures of a band share one room, beside or under each other. Owns at which of its scales each figure
-// stands in it; knows no text and no page.
+// Figure shares: how the figures of a band share one room, beside or under each other. Owns at which of its scales each
+// figure stands in it; knows no text and no page.
 #pragma once
 
 #include <array>
@@ -18,9 +18,10 @@ struct FigureSize {
     bool operator==(const FigureSize&) const = default;
 };
 
-/// Each figure begins as large as the room is wide enough for; that which loses least for what it gives becomes smaller until all
-/// have room beside each other. Which one gives way next does not hang on how long the room is. A plan asks thousands of times:
-/// so these steps are gone once, as far as some room was short, and a room is answered by the first that it is long enough for.
+/// Each figure begins as large as the room is wide enough for; that which loses least for what it gives becomes smaller
+/// until all have room beside each other. Which one gives way next does not hang on how long the room is. A plan asks
+/// thousands of times: so these steps are gone once, as far as some room was short, and a room is answered by the first
+/// that it is long enough for.
 class FigureShares {
 public:
     /// Figures stand one under the other, or side by side; they have their equations in a corner.
@@ -37,8 +38,8 @@ public:
     explicit FigureShares(std::vector<std::vector<FigureSize>> sizes = {});
 
     const std::vector<std::vector<FigureSize>>& sizes() const { return sizes_; }
-    /// No share of a room, or of a part of it, is worth more: each figure as it would be worth most had it the room to itself.
-    /// Less than any worth where the room is too small for one of them.
+    /// No share of a room, or of a part of it, is worth more: each figure as it would be worth most had it the room to
+    /// itself. Less than any worth where the room is too small for one of them.
     double most_worth_in(Spot room) const;
     /// Nothing where the room is too small.
     std::optional<Share> in(Spot room, Order order) const;

@@ -37,7 +37,9 @@ void shares(int of, std::size_t bands, std::vector<int>& now, std::vector<std::v
 int steps_of(const SheetFormat& format, bool first_page) {
     return static_cast<int>(content_of(format, first_page).height() / step);
 }
-double taken_by_block(const SheetFormat& format) { return content_of(format, true).max.y - format.block.min.y + above_block; }
+double taken_by_block(const SheetFormat& format) {
+    return content_of(format, true).max.y - format.block.min.y + above_block;
+}
 /// What the title block takes of a cell of the lowest row of the first page.
 Notch notch_of(const SheetFormat& format, double left, Width width) {
     const double free = format.block.min.x - above_block - left;
@@ -93,7 +95,8 @@ public:
                     if (all > rest[first].worth) rest[first].worth = all, rest[first].end = end;
                 });
         PagePlan plan{{}, rest[0].worth};
-        for (std::size_t first = 0; first < n; first = rest[first].end) plan.pages.push_back(page(first, rest[first].end));
+        for (std::size_t first = 0; first < n; first = rest[first].end)
+            plan.pages.push_back(page(first, rest[first].end));
         return plan;
     }
 
@@ -142,7 +145,8 @@ private:
     void for_each_page(const std::vector<Rest>& rest, std::size_t first, Look look) const {
         const std::vector<State>& ends = tables_[first].second;
         for (std::size_t k = 1; k < ends.size(); ++k)
-            if (ends[k].worth >= possible && rest[first + k].pages == rest[first].pages - 1) look(first + k, ends[k].worth);
+            if (ends[k].worth >= possible && rest[first + k].pages == rest[first].pages - 1)
+                look(first + k, ends[k].worth);
     }
     std::vector<Rest> fewest_pages() const {
         const std::size_t n = bands_.size();
@@ -156,12 +160,13 @@ private:
         }
         rest[0].is_reached = rest[0].pages < Rest::none;
         for (std::size_t first = 0; first < n; ++first)
-            if (rest[first].is_reached) for_each_page(rest, first, [&](std::size_t end, double) { rest[end].is_reached = true; });
+            if (rest[first].is_reached)
+                for_each_page(rest, first, [&](std::size_t end, double) { rest[end].is_reached = true; });
         return rest;
     }
 
-    /// A page before the last that is half empty looks like a mistake: to fill it is worth smaller figures, of which a step of
-    /// the scale is worth 0.7. One that is very empty is worse than two that are a little.
+    /// A page before the last that is half empty looks like a mistake: to fill it is worth smaller figures, of which a
+    /// step of the scale is worth 0.7. One that is very empty is worse than two that are a little.
     double price_of_emptiness(std::size_t first, std::size_t end) {
         constexpr double price_of_an_empty_page = 100;
         const Box content = content_of(format_, first == 0);
@@ -206,7 +211,8 @@ private:
     const Curve& curve(std::size_t band, std::size_t stand) {
         Curve& known = curves_[band * stands_.size() + stand];
         if (known.worth != nullptr) return known;
-        known.worth = &layouts_[band].worth(stands_[stand].width, stands_[stand].notch, step, static_cast<int>(heights_) - 1);
+        known.worth =
+            &layouts_[band].worth(stands_[stand].width, stands_[stand].notch, step, static_cast<int>(heights_) - 1);
         for (std::size_t height = 1; height < heights_; ++height) {
             const double before = (*known.worth)[height - 1], here = (*known.worth)[height];
             if (here != before) known.changes.push_back(static_cast<int>(height));
@@ -351,7 +357,8 @@ private:
             PlannedCell& bands = cells.emplace_back();
             for (int k = 0; k < count; ++k) {
                 if (k > 0) y += (height + gap_steps) * step, height = state.height - height - gap_steps;
-                bands.push_back({band++, width, rectangle(left, y, right, y + height * step), k + 1 == count ? notch : Notch{}});
+                bands.push_back(
+                    {band++, width, rectangle(left, y, right, y + height * step), k + 1 == count ? notch : Notch{}});
             }
         }
         return cells;
@@ -367,7 +374,7 @@ private:
     std::vector<std::pair<Table, std::vector<State>>> tables_;  // by the first band
     std::vector<Curve> curves_;                                 // by band and stand
     std::vector<Pair> pairs_;                                   // by the upper band and stand
-    std::vector<std::vector<Row>> rows_;                        // by the first band, count, whether at the block; by height
+    std::vector<std::vector<Row>> rows_;  // by the first band, count, whether at the block; by height
 };
 
 }  // namespace
@@ -384,7 +391,8 @@ double worth_of_a_page(const BandLayouts& layouts, const SheetFormat& format, bo
     return layouts.in(whole, steps_of(format, first_page) * step, notch).worth;
 }
 
-PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format) {
+PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands,
+                    const SheetFormat& format) {
     return Planner(layouts, bands, format).plan();
 }
 

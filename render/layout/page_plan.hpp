@@ -1,5 +1,5 @@
-// Page plan: which bands share a page, in which rows, how wide and how high. Sets bands in their order onto the fewest pages, and
-// on these so that their figures are worth most. Draws nothing.
+// Page plan: which bands share a page, in which rows, how wide and how high. Sets bands in their order onto the fewest
+// pages, and on these so that their figures are worth most. Draws nothing.
 #pragma once
 
 #include <vector>

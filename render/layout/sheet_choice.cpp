@@ -55,14 +55,17 @@ private:
     static int count(double length) { return std::max(0, static_cast<int>((length - 2 * off_frame) / square)); }
     void ink(Spot spot) {
         const int column = column_of(spot.x), row = row_of(spot.y);
-        if (column >= 0 && column < columns_ && row >= 0 && row < rows_) inked_[at_index(row * columns_ + column)] = true;
+        if (column >= 0 && column < columns_ && row >= 0 && row < rows_)
+            inked_[at_index(row * columns_ + column)] = true;
     }
     void ink_between(Spot from, Spot to) {
         constexpr double apart = 2;  // mm: no corner that is cut off counts
         const auto steps = static_cast<int>(std::min(length(to - from), 1e4) / apart);
         for (int i = 1; i <= steps; ++i) ink(from + (static_cast<double>(i) / (steps + 1)) * (to - from));
     }
-    int column_of(double x) const { return static_cast<int>(std::floor(std::clamp((x - corner_.x) / square, -1.0, 1e3))); }
+    int column_of(double x) const {
+        return static_cast<int>(std::floor(std::clamp((x - corner_.x) / square, -1.0, 1e3)));
+    }
     int row_of(double y) const { return static_cast<int>(std::floor(std::clamp((y - corner_.y) / square, -1.0, 1e3))); }
     /// The squares whose middle lies inside.
     void fill(const std::vector<Spot>& corners) {
@@ -81,7 +84,8 @@ private:
         bool inside = false;
         for (std::size_t i = 0, before = corners.size() - 1; i < corners.size(); before = i++) {
             const Spot &a = corners[i], &b = corners[before];
-            if ((a.y > spot.y) != (b.y > spot.y) && spot.x < a.x + (spot.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+            if ((a.y > spot.y) != (b.y > spot.y) && spot.x < a.x + (spot.y - a.y) / (b.y - a.y) * (b.x - a.x))
+                inside = !inside;
         }
         return inside;
     }
@@ -101,7 +105,8 @@ std::size_t known_and_unknown(const std::vector<Page>& pages) {
     std::size_t count = 0;
     for (const Page& page : pages)
         for (const Mark& mark : page.marks)
-            if (const auto* text = std::get_if<TextMark>(&mark); text && (text->words == "✓" || text->words == "?")) ++count;
+            if (const auto* text = std::get_if<TextMark>(&mark); text && (text->words == "✓" || text->words == "?"))
+                ++count;
     return count;
 }
 
@@ -142,7 +147,8 @@ void SheetChoice::offer(DrawnSheet sheet) {
     Sizes sizes;
     std::map<std::string, int> times;  // of two pages each may have a "mechanism"
     for (const Figure& figure : sheet.figures)
-        sizes[{figure.id, times[figure.id]++}] = {std::max({figure.box.width(), figure.box.height(), dot}), is_polygon(figure)};
+        sizes[{figure.id, times[figure.id]++}] = {std::max({figure.box.width(), figure.box.height(), dot}),
+                                                  is_polygon(figure)};
     double worth = -price_of_a_page * static_cast<double>(sheet.pages.size());
     for (const auto& [id, own] : sizes) worth += use_of(own.size);
     double least = 1;

@@ -1,5 +1,5 @@
-// Sheet choice: of several layouts of one solution the one that a reader would rather have. Owns what pages and the size of
-// figures are worth against each other; lays nothing out.
+// Sheet choice: of several layouts of one solution the one that a reader would rather have. Owns what pages and the
+// size of figures are worth against each other; lays nothing out.
 #pragma once
 
 #include <map>
@@ -12,8 +12,8 @@
 
 namespace kinegraph::render {
 
-/// The share (0 to 1) of squares of 10 mm within a frame on which a page has anything, tints included; 1: a frame of less than a
-/// square.
+/// The share (0 to 1) of squares of 10 mm within a frame on which a page has anything, tints included; 1: a frame of
+/// less than a square.
 double fill_of(const Page& page, const Box& frame);
 
 class SheetChoice {
@@ -21,11 +21,11 @@ public:
     /// `frame`: of each page.
     explicit SheetChoice(const Box& frame) : frame_(frame) {}
 
-    /// The first one is what the others are held against: they are not taken where they show its figures much smaller, nor
-    /// where figures leave their rooms or tables of equations were left out.
+    /// The first one is what the others are held against: they are not taken where they show its figures much smaller,
+    /// nor where figures leave their rooms or tables of equations were left out.
     void offer(DrawnSheet sheet);
-    /// Whether all pages of the best one are full, but for the last, which ends where the solution does; or figures leave the
-    /// rooms of the first one, as they would those of another.
+    /// Whether all pages of the best one are full, but for the last, which ends where the solution does; or figures
+    /// leave the rooms of the first one, as they would those of another.
     bool is_settled() const { return is_settled_; }
     /// Of those offered, one at least.
     DrawnSheet best() && { return std::move(*best_); }

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double grace = 0.05;
 
-/// What two figures of a page both show, as the mechanism and the mechanism with its lines of action do, has one name by the
-/// file: in the second figure it begins with that figure's own, which is "mechanism-2".
+/// What two figures of a page both show, as the mechanism and the mechanism with its lines of action do, has one name
+/// by the file: in the second figure it begins with that figure's own, which is "mechanism-2".
 void tell_apart(std::vector<Mark>& figure, const std::string& name, std::set<std::string>& names_on_page) {
     const auto for_each_name = [&](auto look) {
         for (Mark& mark : figure)
@@ -48,13 +48,14 @@ std::vector<Page> SheetPages::set(std::size_t after) {
     for (std::size_t p = 0; p < own; ++p) {
         std::optional<double> scale_of_mechanism;
         std::vector<Mark> marks = marks_on(p, scale_of_mechanism);
-        pages.push_back(
-            framed_page(context_, format_, signature_, std::move(marks), scale_of_mechanism, p + 1, own + after, p == 0));
+        pages.push_back(framed_page(context_, format_, signature_, std::move(marks), scale_of_mechanism, p + 1,
+                                    own + after, p == 0));
     }
     return pages;
 }
 
-// --- heights ----------------------------------------------------------------------------------------------------------------
+// --- heights
+// ----------------------------------------------------------------------------------------------------------------
 
 SheetPages::Standing SheetPages::standing(const PlacedBand& placed) const {
     Standing band{&placed, contents_.plan.layout_of(placed)};
@@ -73,7 +74,8 @@ SheetPages::Standing SheetPages::standing(const PlacedBand& placed) const {
         band.words = text.height(layout.text_columns(placed.room.width(), text.measure(), band.figures, placed.notch));
     } else {
         if (has_text)
-            band.words = contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered).height(layout.columns);
+            band.words =
+                contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered).height(layout.columns);
         if (!layout.beside) band.above = band.figures + (band.figures > 0 && has_text ? text_gap : 0);
         band.below = placed.notch.high;
     }
@@ -81,7 +83,9 @@ SheetPages::Standing SheetPages::standing(const PlacedBand& placed) const {
     return band;
 }
 
-double SheetPages::Standing::height(double loose) const { return std::max(figures, above + (1 + loose) * words + below); }
+double SheetPages::Standing::height(double loose) const {
+    return std::max(figures, above + (1 + loose) * words + below);
+}
 /// Bands one under the other.
 double SheetPages::height_of(const StandingCell& cell, double loose) {
     double height = -row_gap;
@@ -110,7 +114,8 @@ double SheetPages::looseness_of(const std::vector<StandingRow>& rows, double hei
     return low;
 }
 
-// --- what stands where ------------------------------------------------------------------------------------------------------
+// --- what stands where
+// ------------------------------------------------------------------------------------------------------
 
 std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& scale_of_mechanism) {
     std::vector<Mark> marks;
@@ -127,7 +132,8 @@ std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& 
     // What is left loosens the text, and a little of it the rows.
     constexpr double most_air = 6;
     const double loose = looseness_of(rows, content.height());
-    const double air = std::clamp((content.height() - height_of(rows, loose)) / static_cast<double>(rows.size()), 0.0, most_air);
+    const double air =
+        std::clamp((content.height() - height_of(rows, loose)) / static_cast<double>(rows.size()), 0.0, most_air);
     double y = content.min.y;
     for (const StandingRow& row : rows) {
         const double height = height_of(row, loose);
@@ -143,8 +149,8 @@ std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& 
     return marks;
 }
 
-void SheetPages::set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const Standing& band, Spot at,
-                          double loose) {
+void SheetPages::set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const Standing& band,
+                          Spot at, double loose) {
     const std::size_t index = band.placed->band;
     marks.emplace_back(GroupBegin{"band", "", "", {{"data-question", contents_.bands.list[index].question}}});
     double below = 0;
@@ -164,7 +170,8 @@ double SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& 
         set_caption(marks, context_, drawn.figure, drawn.number, corner, drawn.room.width());
         if (drawn.number == 1) first_caption_ = corner, first_caption_width_ = drawn.room.width();
         const Box& box = drawn.figure.box;
-        const Spot by{corner.x - box.min.x + 0.5 * (drawn.room.width() - box.width()), corner.y + drawn.caption - box.min.y};
+        const Spot by{corner.x - box.min.x + 0.5 * (drawn.room.width() - box.width()),
+                      corner.y + drawn.caption - box.min.y};
         drawn.figure.move(by.x, by.y);
         tell_apart(drawn.figure.marks, drawn.figure.id, names_on_page_);
         marks.insert(marks.end(), drawn.figure.marks.begin(), drawn.figure.marks.end());
@@ -183,11 +190,12 @@ void SheetPages::set_text(std::vector<Mark>& marks, const Standing& band, Spot a
     const ColumnText& planned = contents_.plan.layouts(placed.band).text(layout.divided, layout.cornered);
     const ColumnText& measured = contents_.text.of(contents_.bands.list[placed.band], layout);
     if (layout.under > 0) {
-        measured.set(marks, at, layout.text_columns(placed.room.width(), planned.measure(), below, placed.notch), loose);
+        measured.set(marks, at, layout.text_columns(placed.room.width(), planned.measure(), below, placed.notch),
+                     loose);
     } else {
         const double width = layout.columns * (planned.measure() + gap) - gap;
-        const Spot corner =
-            layout.beside ? Spot{placed.room.max.x - width, at.y} : Spot{at.x, at.y + below + (below > 0 ? text_gap : 0)};
+        const Spot corner = layout.beside ? Spot{placed.room.max.x - width, at.y}
+                                          : Spot{at.x, at.y + below + (below > 0 ? text_gap : 0)};
         measured.set(marks, corner, layout.columns, gap, loose);
     }
 }

@@ -1,5 +1,5 @@
-// Sheet pages: the bands of a plan with their drawn figures and their text, set on pages with frame and title block. Owns what is
-// set where; plans nothing.
+// Sheet pages: the bands of a plan with their drawn figures and their text, set on pages with frame and title block.
+// Owns what is set where; plans nothing.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "render/page/page.hpp"
-#include "render/layout/drawn_figures.hpp"
 #include "render/content/title_block.hpp"
+#include "render/layout/drawn_figures.hpp"
+#include "render/page/page.hpp"
 
 namespace kinegraph::render {
 
@@ -20,7 +20,9 @@ public:
     DrawnText(const DrawnText&) = delete;  // its texts refer to its results
     DrawnText& operator=(const DrawnText&) = delete;
 
-    const ColumnText& of(const Band& band, const BandLayout& layout) { return texts_.of(band, layout.divided, layout.cornered); }
+    const ColumnText& of(const Band& band, const BandLayout& layout) {
+        return texts_.of(band, layout.divided, layout.cornered);
+    }
 
 private:
     std::vector<ResultRow> results_;
@@ -37,7 +39,8 @@ struct SheetContents {
 
 class SheetPages {
 public:
-    SheetPages(const DrawingContext& context, const SheetFormat& format, const Signature& signature, SheetContents contents)
+    SheetPages(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
+               SheetContents contents)
         : context_(context), format_(format), signature_(signature), contents_(contents) {}
 
     /// Figures are moved to where they stand. `after`: how many pages are bound behind these.
@@ -68,8 +71,8 @@ private:
     std::vector<Mark> marks_on(std::size_t page, std::optional<double>& scale_of_mechanism);
     void set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const Standing& band, Spot at,
                   double loose);
-    double set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, std::vector<DrawnFigure>& figures,
-                       bool stacked, Spot at);
+    double set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism,
+                       std::vector<DrawnFigure>& figures, bool stacked, Spot at);
     void set_text(std::vector<Mark>& marks, const Standing& band, Spot at, double below, double loose);
 
     const DrawingContext& context_;

@@ -71,12 +71,13 @@ void SheetPlan::plan_all() {
     worth_ = plan.worth;
 }
 
-// --- what no page holds -----------------------------------------------------------------------------------------------------
+// --- what no page holds
+// -----------------------------------------------------------------------------------------------------
 
 namespace {
 
-/// So many rows, or some fewer: neither the last row of a list or table stands alone on the page that follows, nor its first one
-/// on this; never fewer than `fewest`.
+/// So many rows, or some fewer: neither the last row of a list or table stands alone on the page that follows, nor its
+/// first one on this; never fewer than `fewest`.
 std::size_t without_widows(const std::vector<std::size_t>& passages, std::size_t rows, std::size_t fewest) {
     std::size_t first = 0;
     for (const std::size_t own : passages) {
@@ -179,10 +180,11 @@ void SheetPlan::part_figures(std::size_t index) {
     bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
 }
 
-// --- one scale for all forces -----------------------------------------------------------------------------------------------
+// --- one scale for all forces
+// -----------------------------------------------------------------------------------------------
 
-/// Triangles and closed polygon have one scale: the finest at which all of them have room on as few pages, unless it costs the
-/// other figures, polygons of motion among them, more than forces are worth.
+/// Triangles and closed polygon have one scale: the finest at which all of them have room on as few pages, unless it
+/// costs the other figures, polygons of motion among them, more than forces are worth.
 void SheetPlan::share_force_scale(double least) {
     double finest = std::max(least, least_force_scale_.value_or(0));
     for (const Band& band : bands_.list)
@@ -190,7 +192,8 @@ void SheetPlan::share_force_scale(double least) {
             const Wanted& each = wanted_.list[figure];
             if (!each.to_force_scale) continue;
             if (each.asked) return;
-            finest = std::max(finest, choose_scale(each.extent_x, each.extent_y, each.enough, each.enough, std::nullopt));
+            finest =
+                std::max(finest, choose_scale(each.extent_x, each.extent_y, each.enough, each.enough, std::nullopt));
         }
     const double coarsest = coarsest_of_forces();
     if (!(coarsest > 0)) return;

@@ -1,5 +1,5 @@
-// Sheet plan: the bands of a solution on pages, divided where no page holds one, with one scale for all force polygons. Owns what
-// the drawing has taught so far about each band's place; draws nothing.
+// Sheet plan: the bands of a solution on pages, divided where no page holds one, with one scale for all force polygons.
+// Owns what the drawing has taught so far about each band's place; draws nothing.
 #pragma once
 
 #include <optional>
@@ -17,11 +17,11 @@ public:
     SheetPlan(WantedFigures& wanted, Bands& bands, const SheetFormat& format)
         : wanted_(wanted), bands_(bands), format_(format), texts_(bands, bands.results(), format) {}
 
-    /// Anew, by what is known of the figures by now. The text of what no page holds goes on over pages; where that alone does not
-    /// help the figures are shown smaller.
+    /// Anew, by what is known of the figures by now. The text of what no page holds goes on over pages; where that
+    /// alone does not help the figures are shown smaller.
     void make();
-    /// Another plan by what is known now, at every scale of the force polygons; false where it took more pages: then all is
-    /// as it was. The next make() takes it.
+    /// Another plan by what is known now, at every scale of the force polygons; false where it took more pages: then
+    /// all is as it was. The next make() takes it.
     bool makes_another();
     /// All is planned anew the next time, were it only for another scale of the force polygons.
     void look_again() { looks_again_ = true; }

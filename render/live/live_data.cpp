@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/sentences/centre_symbol.hpp"
 #include "engine/file/json_text.hpp"
+#include "engine/sentences/centre_symbol.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/page/figure.hpp"
 #include "render/text/formula.hpp"
@@ -130,14 +130,16 @@ public:
             json_.open('{').key("name").text(each.name).key("unit").text(unit.symbol);
             json_.key("size").number(unit.si.to_double()).key("value").number(each.value);
             if (each.kind == MovingSetting::Kind::bar) json_.key("bar").number(each.of);
-            if (each.unit == QuantityKind::length) json_.key("ends").open('[').all(each.ends[0], each.ends[1]).close(']');
+            if (each.unit == QuantityKind::length)
+                json_.key("ends").open('[').all(each.ends[0], each.ends[1]).close(']');
             if (each.kind == MovingSetting::Kind::parameter) json_.key("parameter").truth(true);
             if (each.radians != 0) json_.key("radians").number(each.radians);
             json_.close('}');
         });
         json_.list("effects", moving_.effects, [&](const MovingEffect& each) { write(each); });
-        json_.list("fixed", moving_.fixed,
-                   [&](const Moving::Fixed& each) { json_.open('[').all(std::string(name_of(each.why)), each.name).close(']'); });
+        json_.list("fixed", moving_.fixed, [&](const Moving::Fixed& each) {
+            json_.open('[').all(std::string(name_of(each.why)), each.name).close(']');
+        });
         json_.list("columns", moving_.columns, [&](const Column& each) { write(each); });
         json_.list("plans", moving_.plans, [&](const MovingPlan& each) { write(each); });
         json_.list("courses", moving_.courses, [&](const MovingCourse& each) { write(each); });
@@ -147,12 +149,14 @@ public:
 private:
     void write_closure() {
         json_.list("rows", moving_.rows, [&](const ClosureRowOf<double>& row) {
-            json_.open('[').all(static_cast<int>(row.kind), row.i, row.j, row.p, row.q, row.along, row.offset, row.lever,
-                                row.share_i, row.share_j, row.driver);
+            json_.open('[').all(static_cast<int>(row.kind), row.i, row.j, row.p, row.q, row.along, row.offset,
+                                row.lever, row.share_i, row.share_j, row.driver);
             json_.close(']');
         });
         json_.list("bodies", moving_.bodies, [&](const Closure::Body& body) {
-            json_.open('[').all(body.reference.x.to_double(), body.reference.y.to_double(), body.x, body.turn).close(']');
+            json_.open('[')
+                .all(body.reference.x.to_double(), body.reference.y.to_double(), body.x, body.turn)
+                .close(']');
         });
         json_.list("frozen", moving_.frozen, [&](bool each) { json_.truth(each); });
         json_.list("points", moving_.points, [&](const Positions::PointRule& point) {
@@ -161,7 +165,9 @@ private:
         json_.list("joints", moving_.joints, [&](const Positions::JointRule& joint) { write(joint); });
     }
     void write(const Positions::JointRule& joint) {
-        const auto spot = [&](const char* name, const VectorOf<double>& at) { json_.key(name).open('[').all(at).close(']'); };
+        const auto spot = [&](const char* name, const VectorOf<double>& at) {
+            json_.key(name).open('[').all(at).close(']');
+        };
         json_.open('{').key("turnsWith").all(joint.turns_with).key("bodies").open('[');
         json_.all(joint.bodies[0], joint.bodies[1]).close(']');
         spot("guide", joint.guide);
@@ -172,13 +178,26 @@ private:
         json_.close(']').key("reaches").open('[').all(joint.reaches[0], joint.reaches[1]).close(']');
         json_.key("straight").open('[').all(joint.is_straight[0], joint.is_straight[1]).close(']');
         json_.key("circle").number(joint.first_circle).key("point").all(joint.point);
-        json_.key("arc").truth(joint.is_arc).key("touches").truth(joint.touches).key("meshes").truth(joint.meshes).close('}');
+        json_.key("arc")
+            .truth(joint.is_arc)
+            .key("touches")
+            .truth(joint.touches)
+            .key("meshes")
+            .truth(joint.meshes)
+            .close('}');
     }
     void write(const Column& column) {
         const Quantity& q = column.quantity;
         const Unit unit = unit_of_column(column, solution_.mechanism.units);
-        json_.open('{').key("name").text(column.name).key("kind").text(name_of(column.kind)).key("unit").text(unit.symbol);
-        if (q.kind == Quantity::Kind::effort) json_.key("symbol").text(plain(typeset(column, solution_.mechanism, Language::en)));
+        json_.open('{')
+            .key("name")
+            .text(column.name)
+            .key("kind")
+            .text(name_of(column.kind))
+            .key("unit")
+            .text(unit.symbol);
+        if (q.kind == Quantity::Kind::effort)
+            json_.key("symbol").text(plain(typeset(column, solution_.mechanism, Language::en)));
         json_.key("size").number(unit.si.to_double()).key("body").all(q.body).key("point").all(q.point);
         json_.key("joint").all(q.joint).key("component");
         json_.text(q.component == Quantity::Component::y   ? "y"
@@ -198,39 +217,17 @@ private:
         const auto way = [&](const auto&... steps) { json_.open('[').open('[').all(steps...).close(']'); };
         const std::string rows = "rows", bodies = "bodies", points = "points", joints = "joints", plans = "plans";
         switch (effect.list) {
-            case List::row:
-                way(rows, item, first_of_row + part);
-                break;
-            case List::body:
-                way(bodies, item, part);
-                break;
-            case List::point:
-                way(points, item, 1 + part);
-                break;
-            case List::local:
-                way(joints, item, std::string("locals"), part / 2, part % 2);
-                break;
-            case List::reach:
-                way(joints, item, std::string("reaches"), part);
-                break;
-            case List::guide:
-                way(joints, item, std::string("guide"), part);
-                break;
-            case List::tangent:
-                way(joints, item, std::string("tangent"), part);
-                break;
-            case List::setting:
-                way(std::string("settings"), item, std::string("value"));
-                break;
-            case List::given:
-                way(plans, effect.plan, std::string("givens"), item, part);
-                break;
-            case List::given_factor:
-                way(plans, effect.plan, std::string("moving"), item, std::string("factor"));
-                break;
-            case List::given_offset:
-                way(plans, effect.plan, std::string("moving"), item, std::string("offset"));
-                break;
+            case List::row: way(rows, item, first_of_row + part); break;
+            case List::body: way(bodies, item, part); break;
+            case List::point: way(points, item, 1 + part); break;
+            case List::local: way(joints, item, std::string("locals"), part / 2, part % 2); break;
+            case List::reach: way(joints, item, std::string("reaches"), part); break;
+            case List::guide: way(joints, item, std::string("guide"), part); break;
+            case List::tangent: way(joints, item, std::string("tangent"), part); break;
+            case List::setting: way(std::string("settings"), item, std::string("value")); break;
+            case List::given: way(plans, effect.plan, std::string("givens"), item, part); break;
+            case List::given_factor: way(plans, effect.plan, std::string("moving"), item, std::string("factor")); break;
+            case List::given_offset: way(plans, effect.plan, std::string("moving"), item, std::string("offset")); break;
         }
         for (const MovingEffect::Term& term : effect.terms) json_.all(term.first, term.second, term.by);
         json_.close(']');
@@ -256,7 +253,8 @@ private:
             json_.number(source.known ? source.element.number() : -2);  // -1: an element that is none
         });
         json_.list("vectors", plan.vectors, [&](const MovingPlan::Vector& vector) {
-            if (!vector.vanishes) json_.open('[').all(legal_id(vector.figure), vector.name, vector.tail, vector.tip).close(']');
+            if (!vector.vanishes)
+                json_.open('[').all(legal_id(vector.figure), vector.name, vector.tail, vector.tip).close(']');
         });
         json_.list("spots", plan.spots, [&](const MovingPlan::Spot& spot) {
             json_.open('[').all(legal_id(spot.figure), spot.name, spot.point).close(']');
@@ -276,15 +274,35 @@ private:
     void write(const VectorOf<double>& vector) { json_.all(vector); }
     void write(double scalar) { json_.number(scalar); }
     void write(const MovingGiven& given) {
-        json_.open('{').key("rule").text(name_of(given.rule)).key("given").number(given.given).key("index").number(given.index);
+        json_.open('{')
+            .key("rule")
+            .text(name_of(given.rule))
+            .key("given")
+            .number(given.given)
+            .key("index")
+            .number(given.index);
         json_.key("ends").open('[').all(given.ends[0], given.ends[1]).close(']');
         json_.key("bodies").open('[').all(given.bodies[0], given.bodies[1]).close(']');
         json_.key("factor").number(given.factor).key("offset").number(given.offset).close('}');
     }
     void write(const MovingCourse& course) {
-        json_.open('{').key("driver").number(course.driver).key("name").text(course.name).key("turns").truth(course.turns);
-        json_.key("rate").number(course.rate).key("from").number(course.travel.at(0)).key("to").number(course.travel.at(1));
-        json_.key("startsAtLimit").truth(course.travel.starts_at_limit).key("endsAtLimit").truth(course.travel.ends_at_limit);
+        json_.open('{')
+            .key("driver")
+            .number(course.driver)
+            .key("name")
+            .text(course.name)
+            .key("turns")
+            .truth(course.turns);
+        json_.key("rate")
+            .number(course.rate)
+            .key("from")
+            .number(course.travel.at(0))
+            .key("to")
+            .number(course.travel.at(1));
+        json_.key("startsAtLimit")
+            .truth(course.travel.starts_at_limit)
+            .key("endsAtLimit")
+            .truth(course.travel.ends_at_limit);
         json_.list("changePoints", course.travel.change_points, [&](double each) { json_.number(each); });
         json_.key("byLaw").truth(course.by_law);
         json_.list("shares", course.shares, [&](double each) { json_.number(each); });
@@ -334,7 +352,12 @@ std::string names_json(const Solution& solution) {
         const bool guided = joint.pair().has_guide() && joint.arc == none;
         json.open('{').key("id").text(legal_id(joint.name)).key("point").all(joint.point);
         json.key("turnsWith").number(guided ? joint.bodies[1].number() : -1);
-        json.key("bodies").open('[').number(joint.bodies[0].number()).number(joint.bodies[1].number()).close(']').close('}');
+        json.key("bodies")
+            .open('[')
+            .number(joint.bodies[0].number())
+            .number(joint.bodies[1].number())
+            .close(']')
+            .close('}');
     });
     json.list("points", m.points, [&](const NamedPoint& point) {
         json.open('{').key("label").text(label(Symbol::Letter::point, point.name)).close('}');

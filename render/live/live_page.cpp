@@ -13,12 +13,12 @@
 #include "engine/file/json_text.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "render/backends/backends.hpp"
+#include "render/content/title_block.hpp"
+#include "render/equations/equation_text.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/live/live_data.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/figure_alone.hpp"
-#include "render/content/title_block.hpp"
-#include "render/equations/equation_text.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -27,18 +27,10 @@ std::string escaped(std::string_view text) {
     std::string out;
     for (const char c : text) {
         switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
+            case '&': out += "&amp;"; break;
+            case '<': out += "&lt;"; break;
+            case '>': out += "&gt;"; break;
+            case '"': out += "&quot;"; break;
             default:
                 if (c == '\n' || c == '\t' || static_cast<unsigned char>(c) >= 0x20) out += c;
         }
@@ -66,8 +58,9 @@ bool has_slash_of_its_own(const std::string& line) {
         if (at == 0 || at + 1 == line.size() || line[at - 1] != ' ' || line[at + 1] != ' ') return true;
     return false;
 }
-/// A line of the script without the blanks that it is read with, beside signs that part words anyhow; two signs like + + stay
-/// two. Strings in single quotes stay as they are; so does a line with other strings, a pattern or a comment in it.
+/// A line of the script without the blanks that it is read with, beside signs that part words anyhow; two signs like +
+/// + stay two. Strings in single quotes stay as they are; so does a line with other strings, a pattern or a comment in
+/// it.
 std::string without_blanks(const std::string& line) {
     if (line.find_first_of("\\\"`") != std::string::npos || std::count(line.begin(), line.end(), '\'') % 2 != 0 ||
         has_slash_of_its_own(line))
@@ -97,8 +90,8 @@ std::string without_blanks_of_style(std::string line) {
     return line;
 }
 
-/// The script and the style sheet as they are sent: without the comments and the indentation that they are read with. Their
-/// comments are whole lines, after two blanks, or in slashes and stars, which no string of theirs holds.
+/// The script and the style sheet as they are sent: without the comments and the indentation that they are read with.
+/// Their comments are whole lines, after two blanks, or in slashes and stars, which no string of theirs holds.
 std::string without_comments(std::string_view source, bool is_script) {
     std::string out;
     bool in_comment = false;
@@ -120,8 +113,10 @@ std::string without_comments(std::string_view source, bool is_script) {
 
 std::string in_face(const std::string& text, Face face) {
     if (text.empty()) return {};
-    const bool italic = face == Face::italic || face == Face::bold_italic, bold = face == Face::bold || face == Face::bold_italic;
-    return (bold ? "<b>" : "") + std::string(italic ? "<i>" : "") + escaped(text) + (italic ? "</i>" : "") + (bold ? "</b>" : "");
+    const bool italic = face == Face::italic || face == Face::bold_italic,
+               bold = face == Face::bold || face == Face::bold_italic;
+    return (bold ? "<b>" : "") + std::string(italic ? "<i>" : "") + escaped(text) + (italic ? "</i>" : "") +
+           (bold ? "</b>" : "");
 }
 std::string html(const RichText& text) {
     std::string out;
@@ -139,11 +134,12 @@ std::string element(const std::string& tag, const std::string& attributes, const
     return "<" + tag + (attributes.empty() ? "" : " " + attributes) + ">" + content + "</" + tag + ">\n";
 }
 
-// --- figures ------------------------------------------------------------------------------------------------------------------
+// --- figures
+// ------------------------------------------------------------------------------------------------------------------
 
-/// Figures as they stand in HTML: outlines shared by all of them once, ids of the drawing as data, so that none comes twice. What
-/// the second language draws as the first did is not sent again: in its place stands the first one's number among the elements of
-/// all figures, `data-as`, and the page puts it there.
+/// Figures as they stand in HTML: outlines shared by all of them once, ids of the drawing as data, so that none comes
+/// twice. What the second language draws as the first did is not sent again: in its place stands the first one's number
+/// among the elements of all figures, `data-as`, and the page puts it there.
 class Drawings {
 public:
     /// `svg` of a page, under what a reader hears it called.
@@ -171,14 +167,17 @@ public:
         return printed(root);
     }
     std::string outlines() const {
-        return "<svg class=\"outlines\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>" + outlines_ + "</defs></svg>\n";
+        return "<svg class=\"outlines\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>" + outlines_ +
+               "</defs></svg>\n";
     }
 
 private:
     static std::string printed(const pugi::xml_node& node) {
         struct Sink : pugi::xml_writer {
             std::string out;
-            void write(const void* data, std::size_t size) override { out.append(static_cast<const char*>(data), size); }
+            void write(const void* data, std::size_t size) override {
+                out.append(static_cast<const char*>(data), size);
+            }
         } sink;
         // No empty element's end may be left out: in HTML that is so for SVG alone, and there it is understood.
         node.print(sink, "", pugi::format_raw, pugi::encoding_utf8);
@@ -246,7 +245,8 @@ private:
     int count_ = 0;
 };
 
-// --- themes -------------------------------------------------------------------------------------------------------------------
+// --- themes
+// -------------------------------------------------------------------------------------------------------------------
 
 std::string hex(Colour c) {
     static constexpr char digits[] = "0123456789abcdef";
@@ -261,7 +261,9 @@ std::string hex(Colour c) {
 /// For a dark screen every colour of the drawing becomes that which has its role in the dark theme.
 std::string dark_rules(const Theme& light, const Theme& dark, const std::string& scope) {
     std::map<std::pair<std::string, std::string>, std::string> rules;  // attribute, colour: the other
-    const auto pair = [&](const char* attribute, Colour from, Colour to) { rules.try_emplace({attribute, hex(from)}, hex(to)); };
+    const auto pair = [&](const char* attribute, Colour from, Colour to) {
+        rules.try_emplace({attribute, hex(from)}, hex(to));
+    };
     for (const char* attribute : {"stroke", "fill"}) {
         pair(attribute, light.text, dark.text);
         pair(attribute, light.paper, dark.paper);
@@ -289,7 +291,8 @@ std::string style_of(const Theme& theme, const std::optional<Theme>& dark) {
     std::string css = ":root{" + variables(theme) + "}";
     if (dark) {
         const std::string on_dark = variables(*dark) + ";color-scheme:dark";
-        css += "@media screen{:root[data-theme=dark]{" + on_dark + "}" + dark_rules(theme, *dark, ":root[data-theme=dark]") + "}";
+        css += "@media screen{:root[data-theme=dark]{" + on_dark + "}" +
+               dark_rules(theme, *dark, ":root[data-theme=dark]") + "}";
         css += "@media screen and (prefers-color-scheme:dark){:root:not([data-theme]){" + on_dark + "}" +
                dark_rules(theme, *dark, ":root:not([data-theme])") + "}";
     }
@@ -313,11 +316,13 @@ std::string document(const std::string& title, Language language, const std::str
     return page + "</body>\n</html>\n";
 }
 
-// --- text ---------------------------------------------------------------------------------------------------------------------
+// --- text
+// ---------------------------------------------------------------------------------------------------------------------
 
 class Writer {
 public:
-    Writer(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options, const Fonts& fonts)
+    Writer(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options,
+           const Fonts& fonts)
         : solution_(solution), moving_(moving), options_(options), fonts_(fonts) {}
 
     std::string write(const std::optional<Theme>& dark, int served) {
@@ -327,7 +332,8 @@ public:
         std::stable_partition(all.begin(), all.end(), [&](Language language) { return language == first; });
         for (const Language language : all) {
             sheets += sheet(language);
-            figures += (figures.empty() ? "" : ",") + std::string("\"") + code_of(language) + "\":[" + figures_json_ + "]";
+            figures +=
+                (figures.empty() ? "" : ",") + std::string("\"") + code_of(language) + "\":[" + figures_json_ + "]";
         }
         std::string data = "{\"words\":" + words_json() + ",\"figures\":{" + figures + "}";
         if (served > 0) data += ",\"served\":" + std::to_string(served);
@@ -345,10 +351,13 @@ private:
         std::string out = "<header id=\"controls\">\n";
         if (moving_) {
             out +=
-                "<div class=\"row\" id=\"moving\"><label data-word-in=\"driver\"><span data-word=\"driver\"></span> <select "
+                "<div class=\"row\" id=\"moving\"><label data-word-in=\"driver\"><span data-word=\"driver\"></span> "
+                "<select "
                 "id=\"driver\"></select></label>\n<button id=\"play\" type=\"button\" data-word=\"play\"></button>\n"
-                "<label class=\"wide\"><span data-word=\"position\"></span> <input id=\"position\" type=\"range\" step=\"any\"></label>\n"
-                "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as drawn\"></button>\n"
+                "<label class=\"wide\"><span data-word=\"position\"></span> <input id=\"position\" type=\"range\" "
+                "step=\"any\"></label>\n"
+                "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as "
+                "drawn\"></button>\n"
                 "<label><input id=\"fit\" type=\"checkbox\" checked> <span data-word=\"fit\"></span></label>\n"
                 "<label><input id=\"values\" type=\"checkbox\"> <span data-word=\"values beside\"></span></label>\n"
                 "<label><span data-word=\"trace\"></span> <select id=\"trace\"></select></label>\n"
@@ -364,13 +373,15 @@ private:
             "<option value=\"it\">Italiano</option></select></label>\n";
         if (has_dark)
             out +=
-                "<label><span data-word=\"theme\"></span> <select id=\"theme\"><option value=\"\" data-word=\"theme system\"></option>"
-                "<option value=\"light\" data-word=\"theme light\"></option><option value=\"dark\" data-word=\"theme dark\"></option>"
+                "<label><span data-word=\"theme\"></span> <select id=\"theme\"><option value=\"\" data-word=\"theme "
+                "system\"></option>"
+                "<option value=\"light\" data-word=\"theme light\"></option><option value=\"dark\" data-word=\"theme "
+                "dark\"></option>"
                 "</select></label>\n";
         if (moving_) out += "<button id=\"try\" type=\"button\" data-word=\"try\" aria-pressed=\"false\"></button>\n";
         out += "<button id=\"ruler\" type=\"button\" data-word=\"ruler\" aria-pressed=\"false\"></button>\n";
-        return out + "<button id=\"print\" type=\"button\" data-word=\"print\"></button></div>\n" + (moving_ ? exercise() : "") +
-               "</header>\n";
+        return out + "<button id=\"print\" type=\"button\" data-word=\"print\"></button></div>\n" +
+               (moving_ ? exercise() : "") + "</header>\n";
     }
 
     /// What a student draws a line with; hidden until it is asked for.
@@ -383,15 +394,16 @@ private:
         };
         return "<div class=\"row\" id=\"trying\" hidden>" + choice("try-figure", "polygon") +
                "<span id=\"try-task\" aria-live=\"polite\"></span>\n" + choice("try-point", "from") +
-               choice("try-direction", "direction") + "<output id=\"try-length\"></output>\n" + button("try-check", "check") +
-               button("try-hint", "hint") + button("try-show", "show it") +
+               choice("try-direction", "direction") + "<output id=\"try-length\"></output>\n" +
+               button("try-check", "check") + button("try-hint", "hint") + button("try-show", "show it") +
                "<span id=\"try-score\"></span><p id=\"try-verdict\" role=\"status\"></p></div>\n";
     }
 
     std::string sheet(Language language) {
         std::string out = element("h1", "", escaped(title_of(solution_, language)));
         out += element("div", "class=\"figures\"", figures(language));
-        out += element("div", "class=\"text\"", steps(language) + equations(language) + values(language) + results(language));
+        out += element("div", "class=\"text\"",
+                       steps(language) + equations(language) + values(language) + results(language));
         const bool first = language == options_.language;
         return element("main", "lang=\"" + code_of(language) + "\"" + (first ? "" : " hidden"), out);
     }
@@ -408,9 +420,11 @@ private:
             const std::string svg =
                 drawings_.add(to_svg(figure.page, fonts_), plain(figure.caption), language != options_.language);
             std::string caption = html(figure.caption);
-            if (!figure.scale_in_words.empty()) caption += " <span class=\"scale\">" + html(figure.scale_in_words) + "</span>";
-            out += element("figure", "data-figure-name=\"" + escaped(figure.name) + "\"",
-                           svg + element("figcaption", "", caption) + "<p class=\"note\" data-word=\"not followed\" hidden></p>");
+            if (!figure.scale_in_words.empty())
+                caption += " <span class=\"scale\">" + html(figure.scale_in_words) + "</span>";
+            out += element(
+                "figure", "data-figure-name=\"" + escaped(figure.name) + "\"",
+                svg + element("figcaption", "", caption) + "<p class=\"note\" data-word=\"not followed\" hidden></p>");
         }
         return out;
     }
@@ -426,7 +440,8 @@ private:
             if (topic != statement.section) {
                 topic = statement.section;
                 if (is_open) out += "</ol>\n";
-                if (*topic != Topic::unnamed) out += element("h2", "", word("steps " + std::string(name_of(*topic)), language));
+                if (*topic != Topic::unnamed)
+                    out += element("h2", "", word("steps " + std::string(name_of(*topic)), language));
                 out += "<ol class=\"steps\">\n";
                 is_open = true;
             }
@@ -457,9 +472,9 @@ private:
         const auto row = [&](const std::string& head, const std::string& cells) {
             return element("tr", "", (head.empty() ? "<td></td>" : element("th", "scope=\"row\"", head)) + cells);
         };
-        return element(
-            "table", "class=\"equation\"",
-            row("", terms) + row(word("magnitude", language), magnitudes) + row(word("direction", language), directions));
+        return element("table", "class=\"equation\"",
+                       row("", terms) + row(word("magnitude", language), magnitudes) +
+                           row(word("direction", language), directions));
     }
 
     std::string equations(Language language) const {
@@ -491,7 +506,8 @@ private:
                element("table", "class=\"values\"", element("thead", "", head) + element("tbody", "", rows));
     }
     std::string results(Language language) const {
-        return element("h2", "", word("results", language) + (moving_ ? " (" + word("live drawn", language) + ")" : "")) +
+        return element("h2", "",
+                       word("results", language) + (moving_ ? " (" + word("live drawn", language) + ")" : "")) +
                element("pre", "tabindex=\"0\"", escaped(results_table(solution_, language)));
     }
 
@@ -512,7 +528,8 @@ std::string live_page(const Solution& solution, const std::optional<Moving>& mov
 
 std::string waiting_page(const std::string& name, const SheetOptions& options, const std::optional<Theme>& dark) {
     const std::string data = "{\"words\":" + words_json() + ",\"served\":0}";
-    return document(name, options.language, style_of(options.theme, dark), without_comments(live_watch_script, true), data, true,
+    return document(name, options.language, style_of(options.theme, dark), without_comments(live_watch_script, true),
+                    data, true,
                     element("main", "lang=\"" + code_of(options.language) + "\"", element("h1", "", escaped(name))));
 }
 

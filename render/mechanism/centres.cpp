@@ -1,5 +1,5 @@
-// Instant centres on the mechanism: the lines of Kennedy and the normals that find them, the dots, the arrows to those that are
-// far or at infinity. Owns what is shown of them and where it ends; finds no centre itself.
+// Instant centres on the mechanism: the lines of Kennedy and the normals that find them, the dots, the arrows to those
+// that are far or at infinity. Owns what is shown of them and where it ends; finds no centre itself.
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +34,8 @@ public:
             sketch_.construction.emplace_back(line(ray.at + from * ray.along, ray.at + to * ray.along, sketch_.thin()));
             belong(sketch_.construction, sketch_.construction.size() - 1, ray.statement);
         }
-        // Centres at one place are one dot with one label. Bodies that do not move against each other have none to show.
+        // Centres at one place are one dot with one label. Bodies that do not move against each other have none to
+        // show.
         std::vector<bool> done(all_.size(), false);
         for (const std::size_t c : order_) {
             if (where_[c] == Where::nowhere || done[c] || !drawn_[c]) continue;
@@ -191,7 +192,8 @@ private:
         draw_once(ray);
     }
 
-    /// The line runs on towards a centre that is far (to the edge of the view) or at infinity (a little), and says where to.
+    /// The line runs on towards a centre that is far (to the edge of the view) or at infinity (a little), and says
+    /// where to.
     void leave_the_drawing(std::size_t c, Ray& ray) {
         const Interval seen = within(view_, ray.at, ray.along);
         bool forward = dot(place_[c] - ray.at, ray.along) > 0;
@@ -205,9 +207,11 @@ private:
         }
         constexpr double beyond = 16, both_seen = 9;
         if (forward)
-            ray.to = where_[c] == Where::far ? std::max(seen.to - 0.6 * broken_end, ray.to + both_seen) : ray.to + beyond;
+            ray.to =
+                where_[c] == Where::far ? std::max(seen.to - 0.6 * broken_end, ray.to + both_seen) : ray.to + beyond;
         else
-            ray.from = where_[c] == Where::far ? std::min(seen.from + 0.6 * broken_end, ray.from - both_seen) : ray.from - beyond;
+            ray.from = where_[c] == Where::far ? std::min(seen.from + 0.6 * broken_end, ray.from - both_seen)
+                                               : ray.from - beyond;
         arrows_[c].push_back({ray.at + (forward ? ray.to : ray.from) * ray.along, (forward ? 1.0 : -1.0) * ray.along});
     }
     double obstruction(const Ray& ray, double end, double sense) const {
@@ -223,7 +227,8 @@ private:
 
     void draw_once(const Ray& added) {
         for (Ray& ray : rays_)
-            if (std::abs(cross(ray.along, added.along)) < 1e-6 && std::abs(cross(ray.along, added.at - ray.at)) < 1e-3) {
+            if (std::abs(cross(ray.along, added.along)) < 1e-6 &&
+                std::abs(cross(ray.along, added.at - ray.at)) < 1e-3) {
                 const double a = dot(added.at + added.from * added.along - ray.at, ray.along);
                 const double b = dot(added.at + added.to * added.along - ray.at, ray.along);
                 ray.from = std::min({ray.from, a, b});
@@ -327,7 +332,8 @@ private:
         std::vector<Mark>& marks = sketch_.construction;
         for (const std::size_t d : cluster) {
             marks.emplace_back(group(d));
-            draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary, shaft.broken ? dashes() : std::vector<double>{});
+            draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary,
+                       shaft.broken ? dashes() : std::vector<double>{});
             // Both lines say where they go.
             for (std::size_t k = 1; k < arrows_[d].size(); ++k)
                 draw_arrow(marks, arrows_[d][k].base, arrows_[d][k].base + 3.0 * arrows_[d][k].along, theme.thin,
@@ -337,8 +343,8 @@ private:
         LabelRequest label = label_of(cluster, false);
         if (where_[c] == Where::far && counted_from_[c] && all_[c].first == frame) {
             // "P_13 (O4 P_13 = 1.84 m)": the segment that the drawing cannot hold.
-            append(label.text,
-                   how_far(sketch_, counted_from_[c]->name, name_of_centre(c), length(place_[c] - counted_from_[c]->at)));
+            append(label.text, how_far(sketch_, counted_from_[c]->name, name_of_centre(c),
+                                       length(place_[c] - counted_from_[c]->at)));
         }
         label.anchor = tip;
         label.clearance = 1.2;

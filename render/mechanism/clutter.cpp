@@ -10,8 +10,8 @@ void Clutter::add(const Bar& bar, double half) {
     const double near = half + 1.2;
     const auto [tail, tip] = bar;
     strokes_.push_back({bar, near,
-                        rectangle(std::min(tail.x, tip.x) - near, std::min(tail.y, tip.y) - near, std::max(tail.x, tip.x) + near,
-                                  std::max(tail.y, tip.y) + near)});
+                        rectangle(std::min(tail.x, tip.x) - near, std::min(tail.y, tip.y) - near,
+                                  std::max(tail.x, tip.x) + near, std::max(tail.y, tip.y) + near)});
 }
 
 void Clutter::add(const std::vector<Mark>& marks) {
@@ -54,7 +54,8 @@ double Clutter::along(Spot from, Spot to) const {
     const Spot high{std::max(from.x, to.x) + rounding, std::max(from.y, to.y) + rounding};
     boost::container::small_vector<const Stroke*, 32> about;
     for (const Stroke& stroke : strokes_)
-        if (high.x > stroke.box.min.x && low.x < stroke.box.max.x && high.y > stroke.box.min.y && low.y < stroke.box.max.y)
+        if (high.x > stroke.box.min.x && low.x < stroke.box.max.x && high.y > stroke.box.min.y &&
+            low.y < stroke.box.max.y)
             about.push_back(&stroke);
     if (about.empty()) return 0;
     int met = 0;

@@ -1,4 +1,5 @@
-// Clutter: the strokes of a drawing, to see where an arrow would stand in the way. Mechanisms only; labels have their ink map.
+// Clutter: the strokes of a drawing, to see where an arrow would stand in the way. Mechanisms only; labels have their
+// ink map.
 #pragma once
 
 #include <vector>

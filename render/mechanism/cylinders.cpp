@@ -35,7 +35,8 @@ std::optional<double> farthest_on_axis(const Layout& layout, const Joint& slide,
 std::optional<Cylinder> cylinder_at(const Layout& layout, const Joint& joint) {
     const JointIndex index = layout.mechanism.index_of(joint);
     if (!is_slide(joint) || joint.connects(frame) || !is_driven(layout.mechanism, index)) return std::nullopt;
-    const auto rod = farthest_on_axis(layout, joint, joint.bodies[0]), barrel = farthest_on_axis(layout, joint, joint.bodies[1]);
+    const auto rod = farthest_on_axis(layout, joint, joint.bodies[0]),
+               barrel = farthest_on_axis(layout, joint, joint.bodies[1]);
     if (!rod || !barrel) return std::nullopt;
     const double shrink = layout.measures.shrink;
     const double sense = *rod > *barrel ? 1 : -1, whole = sense * (*rod - *barrel);
@@ -43,10 +44,12 @@ std::optional<Cylinder> cylinder_at(const Layout& layout, const Joint& joint) {
     // The piston is the joint's point, where that lies well within.
     const double wanted = -sense * *barrel;
     const double piston = wanted > 0.25 * whole && wanted < 0.75 * whole ? wanted : 0.5 * whole;
-    const double open_end = std::min(piston + 0.2 * whole, whole - 5 * shrink), closed_end = std::min(5.0 * shrink, piston - 2);
+    const double open_end = std::min(piston + 0.2 * whole, whole - 5 * shrink),
+                 closed_end = std::min(5.0 * shrink, piston - 2);
     const Spot at = layout.spot(joint), along = layout.guide(joint);
     const Spot foot = at + *barrel * along, onward = sense * along;
-    return Cylinder{index, at + *rod * along, foot + piston * onward, {foot + closed_end * onward, foot + open_end * onward}};
+    return Cylinder{
+        index, at + *rod * along, foot + piston * onward, {foot + closed_end * onward, foot + open_end * onward}};
 }
 
 }  // namespace

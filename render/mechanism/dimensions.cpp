@@ -1,5 +1,6 @@
-// Dimensions of the given data on the mechanism (ISO 129): lengths, radii and angles as the file states them, each where it is in
-// nobody's way. Owns which data are dimensioned and where; measures nothing, all values are those of the file.
+// Dimensions of the given data on the mechanism (ISO 129): lengths, radii and angles as the file states them, each
+// where it is in nobody's way. Owns which data are dimensioned and where; measures nothing, all values are those of the
+// file.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,7 +27,9 @@ struct DrawnLayers {
 std::size_t end_of_mark(std::span<const Mark> marks, std::size_t first) {
     std::size_t end = first + 1;
     for (int depth = std::holds_alternative<GroupBegin>(marks[first]) ? 1 : 0; depth > 0; ++end)
-        depth += std::holds_alternative<GroupBegin>(marks[end]) ? 1 : std::holds_alternative<GroupEnd>(marks[end]) ? -1 : 0;
+        depth += std::holds_alternative<GroupBegin>(marks[end]) ? 1
+                 : std::holds_alternative<GroupEnd>(marks[end]) ? -1
+                                                                : 0;
     return end;
 }
 /// Of a closed figure, where its labels begin.
@@ -47,9 +50,11 @@ public:
     /// Before there are names. `room`: for all that is drawn.
     DimensionsDrawing(Sketch& sketch, Spot room, const DimensionWish& wish)
         : sketch_(sketch), room_(room - for_names), wish_(wish), box_(sketch.mechanism_box()) {
-        const DrawnLayers layers{sketch.construction, sketch.ground, sketch.bodies, sketch.pins, sketch.arrows, sketch.centres};
+        const DrawnLayers layers{sketch.construction, sketch.ground, sketch.bodies,
+                                 sketch.pins,         sketch.arrows, sketch.centres};
         keep_off(layers);
-        for (const std::span<const Mark> layer : {layers.ground, layers.bodies, layers.pins, layers.arrows, layers.construction})
+        for (const std::span<const Mark> layer :
+             {layers.ground, layers.bodies, layers.pins, layers.arrows, layers.construction})
             if (!layer.empty()) box_.include(box_of(layer));
         gather();
         gather_offsets();
@@ -115,7 +120,7 @@ private:
     };
 
     double price_of_letters() const { return wish_.sought_far ? 12 : 4; }  ///< nothing may run over them
-    static constexpr Spot for_names{10, 18};                               ///< they need a rim, the scale bar its place below
+    static constexpr Spot for_names{10, 18};  ///< they need a rim, the scale bar its place below
 
     Pen thin() const { return {sketch_.theme.thin, sketch_.theme.text, {}, false}; }
 
@@ -132,8 +137,10 @@ private:
     /// A mark in the way: links, pins, ground and arrows always, construction lines for the figures.
     void keep_off(const DrawnLayers& layers) {
         const bool through_ground = wish_.all || wish_.sought_far;
-        for (const std::span<const Mark> layer : {layers.bodies, layers.pins, layers.arrows, layers.centres}) add(layer, heavy_);
-        // What leads from a point of the frame to its dimension may pass through the ground there where all data are wanted.
+        for (const std::span<const Mark> layer : {layers.bodies, layers.pins, layers.arrows, layers.centres})
+            add(layer, heavy_);
+        // What leads from a point of the frame to its dimension may pass through the ground there where all data are
+        // wanted.
         crossed_ = heavy_;
         add(layers.ground, heavy_);
         if (!through_ground) crossed_ = heavy_;
@@ -235,15 +242,16 @@ private:
                            name_of(vertex) + "." + name_of(to)});
     }
 
-    /// Of a line on which a point lies, from the place that the line goes through; behind that place the angle is another, and
-    /// that a line stands upright or lies is seen.
+    /// Of a line on which a point lies, from the place that the line goes through; behind that place the angle is
+    /// another, and that a line stands upright or lies is seen.
     void add_angle_of(const LineCurve& line, PointIndex point) {
         const auto* through = std::get_if<PointIndex>(&line.through);
         if (through == nullptr || line.by != LineCurve::By::angle) return;
         const Spot along = paper_direction(direction_of(Bearing{line.angle}, sketch_.subject.solution.pose));
         constexpr double seen_upright = 1e-6;
         if (std::min(std::abs(along.x), std::abs(along.y)) < seen_upright) return;
-        if (dot(along, sketch_.spot(point) - sketch_.spot(*through)) > 1) add_angle(*through, point, line.angle, std::nullopt);
+        if (dot(along, sketch_.spot(point) - sketch_.spot(*through)) > 1)
+            add_angle(*through, point, line.angle, std::nullopt);
     }
 
     void gather() {
@@ -279,7 +287,8 @@ private:
     void gather_coordinates() {
         std::vector<PointIndex> fixed;
         for (const Joint& joint : sketch_.mechanism.joints)
-            if (is_fixed_pin(joint) && std::holds_alternative<Coordinates>(sketch_.mechanism.point(joint.point).placement) &&
+            if (is_fixed_pin(joint) &&
+                std::holds_alternative<Coordinates>(sketch_.mechanism.point(joint.point).placement) &&
                 std::find(fixed.begin(), fixed.end(), joint.point) == fixed.end())
                 fixed.push_back(joint.point);
         for (std::size_t i = 1; i < fixed.size(); ++i) {
@@ -319,7 +328,8 @@ private:
             const Spot aside = lying ? Spot{a.x - block.x, 0} : Spot{0, a.y - block.y};
             const Spot b = block + std::min(beyond, length(aside)) * unit(aside);
             const Spot along = lying ? Spot{0, b.y > a.y ? 1.0 : -1.0} : Spot{b.x > a.x ? 1.0 : -1.0, 0};
-            add_length({a, b, along, std::abs(offset.to_double()), name_of(pin->point) + "." + name_of(joint.point) + ".offset"});
+            add_length({a, b, along, std::abs(offset.to_double()),
+                        name_of(pin->point) + "." + name_of(joint.point) + ".offset"});
         }
     }
     /// A place on a guide that the file gives by its coordinates.
@@ -335,7 +345,8 @@ private:
             std::optional<Vector> place;
             if (const auto* bare = std::get_if<Vector>(&line->through)) place = *bare;
             if (const auto* point = std::get_if<PointIndex>(&line->through))
-                if (const auto* at = std::get_if<Coordinates>(&sketch_.mechanism.point(*point).placement)) place = at->at;
+                if (const auto* at = std::get_if<Coordinates>(&sketch_.mechanism.point(*point).placement))
+                    place = at->at;
             if (place && (lying ? place->y - here.y : place->x - here.x).is_zero()) return place;
         }
         return std::nullopt;
@@ -344,7 +355,8 @@ private:
     // ---- where ----
 
     /// Signed gap between a bar and obstacles: how many are nearer than `gap`.
-    static int count_near(const Bar& bar, const std::vector<Obstacle>& obstacles, double gap, const std::array<Spot, 2>& except) {
+    static int count_near(const Bar& bar, const std::vector<Obstacle>& obstacles, double gap,
+                          const std::array<Spot, 2>& except) {
         int count = 0;
         Box near = box_round(bar);
         near = {near.min - Spot{gap, gap}, near.max + Spot{gap, gap}};
@@ -427,7 +439,8 @@ private:
     }
     double toll(const Bar& bar, const std::vector<Obstacle>& heavy_bars, Rate heavy, Rate light, Rate taken,
                 const std::array<Spot, 2>& ends) const {
-        return price_of_letters() * count_letters_near(bar) + heavy.price * count_near(bar, heavy_bars, heavy.distance, ends) +
+        return price_of_letters() * count_letters_near(bar) +
+               heavy.price * count_near(bar, heavy_bars, heavy.distance, ends) +
                light.price * count_near(bar, light_, light.distance, ends) +
                taken.price * count_near(bar, taken_, taken.distance, nowhere);
     }
@@ -437,12 +450,14 @@ private:
         const double on_text = price_of_letters();
         for (const Bar& stroke : trial.strokes)
             if (price < enough)
-                price += toll(stroke, {3, 1.2}, {0.6, 0.3}, {3, 1.0}, ends) + on_text * count_near(stroke, words_, 0.4, nowhere) +
+                price += toll(stroke, {3, 1.2}, {0.6, 0.3}, {3, 1.0}, ends) +
+                         on_text * count_near(stroke, words_, 0.4, nowhere) +
                          1.2 * count_near(stroke, led_, 0.4, nowhere);
         for (const Bar& extension : trial.extensions)
             if (price < enough)
                 price += toll(extension, crossed_, {1.5, 0.4}, {0.3, 0.2}, {1.5, 0.4}, ends) +
-                         on_text * count_near(extension, words_, 0.4, nowhere) + 0.6 * count_near(extension, led_, 0.2, ends);
+                         on_text * count_near(extension, words_, 0.4, nowhere) +
+                         0.6 * count_near(extension, led_, 0.2, ends);
         for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width()))
             if (price < enough)
                 price += toll(bar, {on_text, 1.5}, {on_text, 0.6}, {on_text, 0.9}, nowhere) +
@@ -450,7 +465,8 @@ private:
         if (price >= enough) return price;
         if (wish_.within) return price + (stays_within(trial, text) ? 0 : leaves_its_paper);
         const Box box = with(box_, trial, text.width());
-        if (box.width() > std::max(room_.x, box_.width()) || box.height() > std::max(room_.y, box_.height())) price += 10;
+        if (box.width() > std::max(room_.x, box_.width()) || box.height() > std::max(room_.y, box_.height()))
+            price += 10;
         return price;
     }
 
@@ -530,7 +546,8 @@ private:
 
     std::string with_unit(double metres) const {
         const Unit& unit_of_length = sketch_.mechanism.units.length;
-        return given_number(metres / unit_of_length.si.to_double(), sketch_.context.language) + " " + unit_of_length.symbol;
+        return given_number(metres / unit_of_length.si.to_double(), sketch_.context.language) + " " +
+               unit_of_length.symbol;
     }
 
     /// A trial of a length with its dimension line: arrows and text between its ends.
@@ -568,7 +585,8 @@ private:
     struct Level {
         double at, side, reach;
     };
-    /// Beyond both ends; of ends that lie far from each other across the run also between them, near the one or the other.
+    /// Beyond both ends; of ends that lie far from each other across the run also between them, near the one or the
+    /// other.
     std::vector<Level> levels_of(double rise) const {
         const double near = std::min(0.0, rise), far = std::max(0.0, rise);
         std::vector<Level> levels;
@@ -635,7 +653,8 @@ private:
     /// From the centre to the rim, the text along it.
     Trial from_centre(const Radius& datum, double angle, double price) const {
         const Spot out = polar_spot(angle);
-        const Spot rim = datum.centre + datum.radius * out, foot = datum.centre + (sketch_.measures.pin_radius + 0.7) * out;
+        const Spot rim = datum.centre + datum.radius * out,
+                   foot = datum.centre + (sketch_.measures.pin_radius + 0.7) * out;
         Trial trial;
         trial.draw = [this, foot, rim](std::vector<Mark>& marks) {
             draw_arrow(marks, foot, rim, sketch_.theme.thin, sketch_.theme.text);
@@ -651,20 +670,22 @@ private:
         const Text text = text_of(words);
         if (datum.radius < (wish_.sought_far ? 2 : 5)) return false;
         std::vector<Trial> trials;
-        for (int i = 0; i < 12; ++i) trials.push_back(from_outside(datum, leader_angle(i), 6.5, text.width(), 0.02 * i));
+        for (int i = 0; i < 12; ++i)
+            trials.push_back(from_outside(datum, leader_angle(i), 6.5, text.width(), 0.02 * i));
         if (wish_.sought_far)
             for (const double half : {0.0, 0.5})
                 for (int i = 0; i < 12; ++i) {
                     for (const double length : {6.5, 11.0, 16.0, 22.0})
-                        trials.push_back(
-                            from_outside(datum, leader_angle(i + half), length, text.width(), 0.02 * i + 0.06 * length));
+                        trials.push_back(from_outside(datum, leader_angle(i + half), length, text.width(),
+                                                      0.02 * i + 0.06 * length));
                     if (datum.radius > text.width() + 8)
                         trials.push_back(from_centre(datum, leader_angle(i + half), 0.6 + 0.02 * i));
                 }
         return draw_best(trials, text, {datum.centre, datum.centre}, drawn_as(datum.name), words, all);
     }
 
-    /// A trial of a narrow angle with its arc, which begins before the line that it is counted from, and its text there.
+    /// A trial of a narrow angle with its arc, which begins before the line that it is counted from, and its text
+    /// there.
     Trial beside_base(Trial trial, const AngleOf& datum, double radius, double width) const {
         const double turn = datum.sweep > 0 ? 1 : -1;
         const auto at = [&](double angle) { return datum.vertex + radius * polar_spot(datum.from + angle); };
@@ -672,8 +693,8 @@ private:
         const double half = std::abs(tangent.x) * width / 2 + std::abs(tangent.y) * cap_height / 2;
         const double begin = -turn * 4 / radius, middle = begin - turn * (half + 1) / radius;
         trial.draw = [this, &datum, radius, begin](std::vector<Mark>& marks) {
-            draw_arc_arrow(marks, datum.vertex, radius, datum.from + begin, datum.from + datum.sweep, sketch_.theme.thin,
-                           sketch_.theme.text);
+            draw_arc_arrow(marks, datum.vertex, radius, datum.from + begin, datum.from + datum.sweep,
+                           sketch_.theme.thin, sketch_.theme.text);
         };
         trial.strokes.push_back({at(begin), at(0)});
         trial.text_at = at(middle) + Spot{0, cap_height / 2};
@@ -681,8 +702,8 @@ private:
         return trial;
     }
 
-    /// A trial of an angle with its arc, its text on a shelf to which a leader goes from the arc: where the lines that it is
-    /// between leave no room for letters.
+    /// A trial of an angle with its arc, its text on a shelf to which a leader goes from the arc: where the lines that
+    /// it is between leave no room for letters.
     Trial led_out(Trial trial, const AngleOf& datum, double radius, double share, double reach, double width) const {
         const Spot out = polar_spot(datum.from + share * datum.sweep), shelf{out.x >= 0 ? 1.0 : -1.0, 0};
         const Spot foot = datum.vertex + radius * out, knee = foot + reach * out, end = knee + (width + 0.8) * shelf;
@@ -709,10 +730,12 @@ private:
         // Where arc and link meet is meant: it ends a little before.
         const double shy = std::min(0.3, 2.4 / radius) * turn;
         for (int i = 0; i < parts; ++i)
-            trial.strokes.push_back({datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * i / parts),
-                                     datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * (i + 1) / parts)});
+            trial.strokes.push_back(
+                {datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * i / parts),
+                 datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * (i + 1) / parts)});
         const Spot base = polar_spot(datum.from);
-        trial.extensions = {{datum.vertex + (sketch_.measures.pin_radius + 0.7) * base, datum.vertex + (radius + 2.5) * base}};
+        trial.extensions = {
+            {datum.vertex + (sketch_.measures.pin_radius + 0.7) * base, datum.vertex + (radius + 2.5) * base}};
         return trial;
     }
 
@@ -749,7 +772,8 @@ private:
                     trials.push_back(led_out(arc, datum, radius, share, reach, text.width()));
         }
         Drawn as = drawn_as(datum);
-        as.free_enough = 18;  // a leader may cross what letters may not, and a link it crosses counts by each of its strokes
+        as.free_enough =
+            18;  // a leader may cross what letters may not, and a link it crosses counts by each of its strokes
         return draw_best(trials, text, {datum.vertex, datum.vertex}, std::move(as), datum.text, all);
     }
 
@@ -781,7 +805,9 @@ struct DimensionPath {
 
 }  // namespace
 
-void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish) { DimensionsDrawing(sketch, room, wish).draw(); }
+void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish) {
+    DimensionsDrawing(sketch, room, wish).draw();
+}
 
 void add_dimensions(Sketch& sketch, Figure& figure, Spot room, const DimensionWish& wish) {
     DimensionsDrawing(sketch, figure, room, wish).draw();
@@ -837,7 +863,8 @@ std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& font
     for (const DimensionText& text : texts) {
         InkMap of_other_dimensions(figure.box);
         for (const DimensionPath& path : paths)
-            if (path.dimension != text.dimension && !covered.contains(path.dimension)) of_other_dimensions.ink(*path.path);
+            if (path.dimension != text.dimension && !covered.contains(path.dimension))
+                of_other_dimensions.ink(*path.path);
         if (others.touches(text.box) || of_other_dimensions.touches(text.box)) covered.insert(text.dimension);
     }
     return covered;

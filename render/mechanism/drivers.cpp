@@ -1,4 +1,5 @@
-// Arrows of motion on the mechanism: drivers as the file gives them, angular velocities and accelerations as they are found.
+// Arrows of motion on the mechanism: drivers as the file gives them, angular velocities and accelerations as they are
+// found.
 #include <algorithm>
 #include <cmath>
 
@@ -80,7 +81,8 @@ void draw_turning(Sketch& sketch, const Turning& turning, Clutter* clutter) {
 
 std::optional<Spot> pivot_of_driver(const Layout& layout, const SpinDriver& spin) {
     for (const Joint& joint : layout.mechanism.joints)
-        if (joint.pair().is_hinge() && joint.connects(spin.body) && joint.connects(spin.relative_to)) return layout.spot(joint);
+        if (joint.pair().is_hinge() && joint.connects(spin.body) && joint.connects(spin.relative_to))
+            return layout.spot(joint);
     const std::vector<PointIndex>& corners = layout.subject.corners[at_index(spin.body)];
     if (corners.empty()) return std::nullopt;
     return layout.spot(corners.front());
@@ -151,12 +153,13 @@ void draw_straight(Sketch& sketch, Spot start, const Straight& arrow, Clutter* c
     const Colour colour = sketch.theme.colour_of(arrow.body).letter;
     draw_arrow(sketch.arrows, start - half, start + half, sketch.theme.outline, colour);
     if (clutter) clutter->add(start - half, start + half);
-    sketch.add_label(given_value(sketch, arrow.symbol, arrow.value, arrow.unit), colour, start, 1.5).toward = start + half;
+    sketch.add_label(given_value(sketch, arrow.symbol, arrow.value, arrow.unit), colour, start, 1.5).toward =
+        start + half;
 }
 
 /// Where the least is in the way of an arrow; each place has a price of its own.
-Spot free_place(const Sketch& sketch, Spot at, const Straight& arrow, const std::vector<std::pair<Spot, double>>& places,
-                const Clutter* clutter) {
+Spot free_place(const Sketch& sketch, Spot at, const Straight& arrow,
+                const std::vector<std::pair<Spot, double>>& places, const Clutter* clutter) {
     Cheapest<Spot> best;
     for (auto [aside, price] : places) {
         const Spot half = half_of_straight * arrow.along, start = at + aside;
@@ -185,12 +188,15 @@ void draw_driver(Sketch& sketch, const SlideDriver& slide, Given given, Clutter*
 
 /// Ahead of the point, or beside it where a body or a line runs that way.
 void draw_driver(Sketch& sketch, const PointDriver& point, Given given, Clutter* clutter) {
-    const Spot along = paper_direction(direction_of(point.along, sketch.subject.solution.pose)), at = sketch.spot(point.at);
+    const Spot along = paper_direction(direction_of(point.along, sketch.subject.solution.pose)),
+               at = sketch.spot(point.at);
     const Symbol::Letter letter = given == Given::rate ? Symbol::Letter::v : Symbol::Letter::a;
-    const Straight arrow = straight(sketch, given, along, point, point.body, along_drive(letter, point, sketch.mechanism));
+    const Straight arrow =
+        straight(sketch, given, along, point, point.body, along_drive(letter, point, sketch.mechanism));
     if (arrow.value == 0) return;
     std::vector<std::pair<Spot, double>> places;
-    for (const Spot aside : {11.0 * along, 5.0 * turned(along), -5.0 * turned(along), 8.0 * turned(along), -8.0 * turned(along)})
+    for (const Spot aside :
+         {11.0 * along, 5.0 * turned(along), -5.0 * turned(along), 8.0 * turned(along), -8.0 * turned(along)})
         places.emplace_back(aside, 0.1 * length(aside - 11.0 * along));
     draw_straight(sketch, free_place(sketch, at, arrow, places, clutter), arrow, clutter);
 }
@@ -228,7 +234,8 @@ StatementIndex statement_of_turning(const Solution& solution, const Quantity& so
 void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
     const Solution& solution = sketch.subject.solution;
     Clutter clutter = clutter_of(sketch);
-    for (const BodyIndex body : indices(std::min(sketch.mechanism.bodies.size(), solution.bodies.size()), frame.next())) {
+    for (const BodyIndex body :
+         indices(std::min(sketch.mechanism.bodies.size(), solution.bodies.size()), frame.next())) {
         const BodyMotion& motion = solution.bodies[at_index(body)];
         const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
         if (!value || value->is_zero()) continue;
@@ -236,7 +243,8 @@ void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
         const auto kind = letter == Symbol::Letter::omega ? Quantity::Kind::omega : Quantity::Kind::alpha;
         const StatementIndex statement = statement_of_turning(solution, {.kind = kind, .body = body});
         if (statement == none) continue;
-        const Unit& unit = kind == Quantity::Kind::omega ? sketch.mechanism.units.angular_velocity : per_second_squared();
+        const Unit& unit =
+            kind == Quantity::Kind::omega ? sketch.mechanism.units.angular_velocity : per_second_squared();
         const RichText text = found_value(sketch, symbol, value->to_double(), unit);
         draw_turning(sketch, {body, pivot_of(sketch, body), value->sign() > 0, text, statement}, &clutter);
     }

@@ -1,5 +1,6 @@
-// The equivalent linkages of contacts on the mechanism: the imaginary link between two centres of curvature, or the centre as a
-// pin on its straight path, thin and broken, so that they are not taken for bodies. Which there are is the solution's to say.
+// The equivalent linkages of contacts on the mechanism: the imaginary link between two centres of curvature, or the
+// centre as a pin on its straight path, thin and broken, so that they are not taken for bodies. Which there are is the
+// solution's to say.
 #include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {

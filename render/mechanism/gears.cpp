@@ -36,13 +36,14 @@ Mesh mesh_of(const Layout& layout, const PitchCurve& curve, const Touch& touch, 
         const bool about = curve.hollow || !(curve.round() && dot(centre - at, curve.origin - at) > 0);
         curvature += (about ? 1 : -1) / length(at - centre);
     }
-    const double half = std::sqrt(4 * layout.module() / std::max(std::abs(curvature), 1e-3)) + pi_number * layout.module();
-    return {curve.round() ? angle_of(off) : dot(off, layout.subject.tangent(joint)), curve.round() ? half / curve.radius : half,
-            joint.bodies[0] == body};
+    const double half =
+        std::sqrt(4 * layout.module() / std::max(std::abs(curvature), 1e-3)) + pi_number * layout.module();
+    return {curve.round() ? angle_of(off) : dot(off, layout.subject.tangent(joint)),
+            curve.round() ? half / curve.radius : half, joint.bodies[0] == body};
 }
 
-/// Where the spaces between teeth are, near each mesh. A tooth of the joint's first body stands at the pitch point, a space of
-/// its second.
+/// Where the spaces between teeth are, near each mesh. A tooth of the joint's first body stands at the pitch point, a
+/// space of its second.
 std::vector<double> tooth_spaces(const Layout& layout, const PitchCurve& curve, const std::vector<Touch>& touches,
                                  BodyIndex body) {
     std::vector<Mesh> meshes;
@@ -84,7 +85,8 @@ Path contour_of(const Layout& layout, const Rim& rim, BodyIndex body, double tip
         contour.segments.emplace_back(LineTo{at(tip, space + a)});
         on_tip = space + a;
     }
-    if (start + 2 * pi_number > on_tip) contour.segments.emplace_back(ArcTo{rim.centre, tip, on_tip, start + 2 * pi_number});
+    if (start + 2 * pi_number > on_tip)
+        contour.segments.emplace_back(ArcTo{rim.centre, tip, on_tip, start + 2 * pi_number});
     contour.segments.emplace_back(Close{});
     return contour;
 }
@@ -101,7 +103,8 @@ std::vector<Spot> teeth_of_rack(const Layout& layout, const Flat& flat, BodyInde
         const double middle = space * (dot(tangent, along) < 0 ? -1 : 1);
         const double a = half_space_at_tip * module, b = half_space_at_root * module;
         if (middle - a < 0 || middle + a > whole) continue;
-        for (const Spot corner : {at(middle - a, 1), at(middle - b, -dedendum), at(middle + b, -dedendum), at(middle + a, 1)})
+        for (const Spot corner :
+             {at(middle - a, 1), at(middle - b, -dedendum), at(middle + b, -dedendum), at(middle + a, 1)})
             contour.push_back(corner);
     }
     contour.push_back(at(whole, 1));

@@ -40,7 +40,8 @@ void hatch_arc(Sketch& sketch, const Arc& along, bool outwards) {
 
 namespace {
 
-/// Where the triangle of a fixed pin hangs: down first, then the sides, then up; away from links and from the arrow of a crank.
+/// Where the triangle of a fixed pin hangs: down first, then the sides, then up; away from links and from the arrow of
+/// a crank.
 Spot side_of_ground(const Sketch& sketch, PointIndex point) {
     const Spot at = sketch.spot(point);
     const double reach = sketch.measures.triangle_height + sketch.measures.hatch_depth + 2;
@@ -48,7 +49,9 @@ Spot side_of_ground(const Sketch& sketch, PointIndex point) {
     for (const Joint& joint : sketch.mechanism.joints)
         if (const Spot d = sketch.spot(joint) - at; length(d) > same_place && length(d) < reach)
             links.push_back(unit(d));  // a pin where the triangle would stand
-    const auto nearness = [](Spot a, Spot b) { return std::max(0.0, 1.2 - std::acos(std::clamp(dot(a, b), -1.0, 1.0))); };
+    const auto nearness = [](Spot a, Spot b) {
+        return std::max(0.0, 1.2 - std::acos(std::clamp(dot(a, b), -1.0, 1.0)));
+    };
     constexpr std::array<std::pair<Spot, double>, 4> choices{
         {{Spot{0, 1}, 0.0}, {Spot{1, 0}, 0.35}, {Spot{-1, 0}, 0.35}, {Spot{0, -1}, 0.6}}};
     Cheapest<Spot> best;
@@ -62,10 +65,10 @@ Spot side_of_ground(const Sketch& sketch, PointIndex point) {
     return best.choice;
 }
 
-/// What is left of a wall beside a guide where links pass; one that passes beside the block would leave a stub: that side stays
-/// open.
-std::vector<Interval> open_where_links_pass(const std::vector<Spot>& links, Interval wall, Spot along, Spot away, double aside,
-                                            double block_half) {
+/// What is left of a wall beside a guide where links pass; one that passes beside the block would leave a stub: that
+/// side stays open.
+std::vector<Interval> open_where_links_pass(const std::vector<Spot>& links, Interval wall, Spot along, Spot away,
+                                            double aside, double block_half) {
     std::vector<Interval> pieces{wall};
     for (const Spot link : links) {
         const double rise = dot(link, away), run = dot(link, along);
@@ -89,7 +92,8 @@ void draw_walls(Sketch& sketch, const Joint& guide, double aside, double half, b
         const Spot away = side * turned(along);
         for (const auto& [from, to] :
              open_where_links_pass(links, {-half, half}, along, away, aside, sketch.measures.slider_half))
-            if (to - from > 6) draw_wall(sketch, {at + from * along + aside * away, at + to * along + aside * away}, away);
+            if (to - from > 6)
+                draw_wall(sketch, {at + from * along + aside * away, at + to * along + aside * away}, away);
     }
 }
 
@@ -118,8 +122,9 @@ void draw_fixed_pin(Sketch& sketch, PointIndex point) {
     const Measures& measures = sketch.measures;
     const Spot at = sketch.spot(point), down = side_of_ground(sketch, point), across = turned(down);
     const Spot base = at + measures.triangle_height * down;
-    sketch.ground.emplace_back(panel({at, base + measures.triangle_half * across, base - measures.triangle_half * across},
-                                     sketch.theme.paper, sketch.outline()));
+    sketch.ground.emplace_back(
+        panel({at, base + measures.triangle_half * across, base - measures.triangle_half * across}, sketch.theme.paper,
+              sketch.outline()));
     draw_wall(sketch, {base + measures.base_half * across, base - measures.base_half * across}, down);
 }
 
@@ -131,8 +136,8 @@ void draw_guides(Sketch& sketch) {
         const bool on_frame = joint.bodies[1] == frame;
         if (joint.pair().is_sleeve() && on_frame) {
             draw_axis_of_guide(sketch, joint);
-            draw_walls(sketch, joint, measures.slider_side + theme.vector / 2 + theme.outline / 2, reach_of_wall(sketch, joint),
-                       true);
+            draw_walls(sketch, joint, measures.slider_side + theme.vector / 2 + theme.outline / 2,
+                       reach_of_wall(sketch, joint), true);
         } else if (joint.pair().is_sleeve() && joint.bodies[0] == frame) {
             draw_walls(sketch, joint, theme.link / 2 + 0.5, measures.sleeve_half, false);
         } else if (joint.pair().is_slot() && on_frame) {

@@ -81,7 +81,8 @@ void draw_clamp(Sketch& sketch, const Joint& joint) {
         return;
     }
     // The corner between two links filled; in line, a patch over both.
-    const auto other = std::find_if(links.begin(), links.end(), [&](Spot link) { return std::abs(cross(link, along)) > 0.2; });
+    const auto other =
+        std::find_if(links.begin(), links.end(), [&](Spot link) { return std::abs(cross(link, along)) > 0.2; });
     constexpr double leg = 5, half = 1.7;
     const std::vector<Spot> patch = other != links.end() ? std::vector<Spot>{at, at + leg * along, at + leg * *other}
                                                          : corners_about(at, half * along, half * turned(along));

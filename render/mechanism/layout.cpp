@@ -18,8 +18,9 @@ Layout::Layout(const Subject& of, const Theme& look, double metres_per_millimetr
 }
 
 const Cylinder* Layout::cylinder_of(const Joint& joint) const {
-    const auto found = std::find_if(cylinders_.begin(), cylinders_.end(),
-                                    [&](const Cylinder& cylinder) { return cylinder.joint == mechanism.index_of(joint); });
+    const auto found = std::find_if(cylinders_.begin(), cylinders_.end(), [&](const Cylinder& cylinder) {
+        return cylinder.joint == mechanism.index_of(joint);
+    });
     return found == cylinders_.end() ? nullptr : &*found;
 }
 
@@ -66,7 +67,8 @@ double Layout::crowding(Spot spot, Spot besides) const {
         for (const Bar& stroke : shape.strokes) crowd += distance(spot, stroke) < theme.link / 2 + 1;
         for (const Flat& flat : shape.flats) crowd += distance(spot, flat.bar) < theme.link + 1;
         for (const Rim& rim : shape.rims)
-            if (rim.form != Rim::Form::arc) crowd += std::abs(length(spot - rim.centre) - rim.radius) < theme.link / 2 + 1;
+            if (rim.form != Rim::Form::arc)
+                crowd += std::abs(length(spot - rim.centre) - rim.radius) < theme.link / 2 + 1;
     }
     for (const Joint& joint : mechanism.joints) crowd += crowding_of_joint(joint, spot, besides);
     return crowd;

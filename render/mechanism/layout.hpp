@@ -1,5 +1,5 @@
-// The layout of a mechanism at one scale: where its points stand on paper (mm), how large its symbols are and what each body is
-// made of. Draws nothing; whatever draws reads it.
+// The layout of a mechanism at one scale: where its points stand on paper (mm), how large its symbols are and what each
+// body is made of. Draws nothing; whatever draws reads it.
 #pragma once
 
 #include <vector>
@@ -55,9 +55,11 @@ struct Shape {
 /// Measures of the symbols, mm; they shrink where the links are short.
 struct Measures {
     double shrink;
-    double pin_radius = 1.5 * shrink, triangle_height = 6.2 * shrink, triangle_half = 3.6 * shrink, base_half = 5.4 * shrink;
+    double pin_radius = 1.5 * shrink, triangle_height = 6.2 * shrink, triangle_half = 3.6 * shrink,
+           base_half = 5.4 * shrink;
     double hatch_depth = 2.2 * shrink, hatch_pitch = 1.5 * shrink;
-    double slider_half = 8.0 * shrink, slider_side = 4.4 * shrink, sleeve_half = 7.5 * shrink, sleeve_side = 3.6 * shrink;
+    double slider_half = 8.0 * shrink, slider_side = 4.4 * shrink, sleeve_half = 7.5 * shrink,
+           sleeve_side = 3.6 * shrink;
     double wall_beyond = 9.0 * shrink, axis_beyond = 14.0 * shrink, rod_beyond = 9.0 * shrink;
     double slot_half = 10.0 * shrink, slot_side = 2.2 * shrink;
 };
@@ -98,8 +100,8 @@ public:
     Arc curved_slot(const Joint& joint) const;
     /// Unit directions in which strokes leave a point.
     std::vector<Spot> leaving(PointIndex point) const;
-    /// How much a small symbol at `spot` would be in the way of strokes, blocks and pins other than that at `besides`: 0 not at
-    /// all.
+    /// How much a small symbol at `spot` would be in the way of strokes, blocks and pins other than that at `besides`:
+    /// 0 not at all.
     double crowding(Spot spot, Spot besides) const;
     /// Whether a straight link lies along a longer one (and does not slide on it).
     bool lies_on(BodyIndex body, BodyIndex longer) const;

@@ -77,7 +77,8 @@ void draw_crossings(Sketch& sketch, BodyIndex body, const std::vector<BodyIndex>
         for (const Bar& under : sketch.shape(lower).strokes)
             for (const Bar& over : sketch.shape(body).strokes)
                 if (const auto bar = gap_at_crossing(sketch, under, over, gap))
-                    gaps.push_back(line(bar->from, bar->to, {sketch.theme.link + 2 * gap, sketch.theme.paper, {}, false}));
+                    gaps.push_back(
+                        line(bar->from, bar->to, {sketch.theme.link + 2 * gap, sketch.theme.paper, {}, false}));
         if (gaps.empty()) continue;
         const std::string names = sketch.mechanism.body(lower).name + "." + sketch.mechanism.body(body).name;
         marks.emplace_back(GroupBegin{"crossing", sketch.id("crossing", names), {}, {}});
@@ -185,7 +186,8 @@ Stand stand_at_line(const Layout& layout, BodyIndex body, const Bar& longest) {
     Cheapest<Stand> best;
     for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
         const Spot at = middle(longest) + (share - 0.5) * (longest.to - longest.from);
-        const bool is_free = !is_on_other_wheel(layout, body, at + across) || !is_on_other_wheel(layout, body, at - across);
+        const bool is_free =
+            !is_on_other_wheel(layout, body, at + across) || !is_on_other_wheel(layout, body, at - across);
         best.offer(std::abs(share - 0.5) + (is_free ? 0 : 1), {at, longest.to, off});
     }
     return best.choice;
@@ -198,7 +200,8 @@ Stand stand_of(const Sketch& sketch, BodyIndex body) {
         return stand_at_line(sketch, body, longest_of(shape.strokes));
     // A block or a wheel: beside it.
     if (data.circle)
-        return stand_at_wheel(sketch, body, sketch.spot(data.circle->centre), data.circle->radius.to_double() / sketch.scale());
+        return stand_at_wheel(sketch, body, sketch.spot(data.circle->centre),
+                              data.circle->radius.to_double() / sketch.scale());
     Stand stand{shape.middle};
     for (const Joint& joint : sketch.mechanism.joints) {
         if (!joint.pair().is_sleeve() || joint.bodies[0] != body) continue;

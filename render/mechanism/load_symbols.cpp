@@ -1,5 +1,5 @@
-// Symbols of loads that belong to the mechanism's own drawing: gas springs, torsion springs, distributed loads. Owns their
-// geometry.
+// Symbols of loads that belong to the mechanism's own drawing: gas springs, torsion springs, distributed loads. Owns
+// their geometry.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,9 +17,11 @@ void draw_gas_spring(Sketch& sketch, const SpringLoad& spring) {
     const Spot bottom = from + eye * along, top = from + 0.55 * whole * along, head = top - 0.12 * whole * along;
     const Pen pen = sketch.outline();
     sketch.ground.emplace_back(GroupBegin{"gas-spring", sketch.id("spring", spring.name), spring.name, {}});
-    sketch.ground.emplace_back(line(head, to - eye * along, {1.6 * sketch.theme.outline, sketch.theme.text, {}, false}));
-    sketch.ground.emplace_back(panel({bottom + bore * across, top + bore * across, top - bore * across, bottom - bore * across},
-                                     sketch.theme.paper, pen));
+    sketch.ground.emplace_back(
+        line(head, to - eye * along, {1.6 * sketch.theme.outline, sketch.theme.text, {}, false}));
+    sketch.ground.emplace_back(
+        panel({bottom + bore * across, top + bore * across, top - bore * across, bottom - bore * across},
+              sketch.theme.paper, pen));
     sketch.ground.emplace_back(line(head + bore * across, head - bore * across, pen));
     sketch.ground.emplace_back(line(head, top, pen));
     for (const Spot end : {from, to}) sketch.ground.emplace_back(ring(end, eye, sketch.theme.paper, pen));

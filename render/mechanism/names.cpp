@@ -47,7 +47,8 @@ RichText how_far(const Sketch& sketch, const RichText& from, const RichText& to,
     RichText text = one_piece("  (");
     append(text, from);
     append(text, to);
-    append(text, with_powers(" = " + number(metres / unit.si.to_double(), 3, sketch.context.language) + " " + unit.symbol + ")"));
+    append(text, with_powers(" = " + number(metres / unit.si.to_double(), 3, sketch.context.language) + " " +
+                             unit.symbol + ")"));
     return text;
 }
 

@@ -39,7 +39,8 @@ double distance(Spot spot, const Bar& bar) {
 }
 
 const Bar& longest_of(const std::vector<Bar>& bars) {
-    return *std::max_element(bars.begin(), bars.end(), [](const Bar& a, const Bar& b) { return length(a) < length(b) - 1e-9; });
+    return *std::max_element(bars.begin(), bars.end(),
+                             [](const Bar& a, const Bar& b) { return length(a) < length(b) - 1e-9; });
 }
 
 }  // namespace kinegraph::render::drawing

@@ -1,5 +1,5 @@
-// Geometry of a drawing on paper (mm, y downwards): places and directions of the mechanism as spots, bars, boxes, and the
-// cheapest of several places for a symbol. Knows no mechanism.
+// Geometry of a drawing on paper (mm, y downwards): places and directions of the mechanism as spots, bars, boxes, and
+// the cheapest of several places for a symbol. Knows no mechanism.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Profiles: the rims and flat faces of a body where others touch it. Owns which form a profile has on paper; that bodies touch
-// there it takes from the mechanism.
+// Profiles: the rims and flat faces of a body where others touch it. Owns which form a profile has on paper; that
+// bodies touch there it takes from the mechanism.
 #include <algorithm>
 #include <cmath>
 
@@ -47,12 +47,14 @@ double half_of_flat(const Layout& layout, const Joint& joint, BodyIndex body) {
 bool on_one_line(const Flat& known, const Flat& added) {
     const Spot along = direction(known.bar);
     return known.rack == added.rack && std::abs(cross(along, direction(added.bar))) < 1e-6 &&
-           std::abs(cross(along, middle(added.bar) - known.bar.from)) < same_place && dot(known.inward, added.inward) > 0;
+           std::abs(cross(along, middle(added.bar) - known.bar.from)) < same_place &&
+           dot(known.inward, added.inward) > 0;
 }
 
 /// Those on one line are one.
 void add_flat(std::vector<Flat>& flats, Flat added) {
-    const auto known = std::find_if(flats.begin(), flats.end(), [&](const Flat& flat) { return on_one_line(flat, added); });
+    const auto known =
+        std::find_if(flats.begin(), flats.end(), [&](const Flat& flat) { return on_one_line(flat, added); });
     if (known == flats.end()) {
         flats.push_back(std::move(added));
         return;
@@ -95,9 +97,11 @@ Spot bulk_of(const Layout& layout, BodyIndex body, const Joint& joint) {
 std::vector<Rim> rims_of(const Layout& layout, BodyIndex body) {
     std::vector<Rim> rims;
     if (const auto& circle = layout.mechanism.body(body).circle)
-        rim_about(rims, layout.spot(circle->centre), circle->radius.to_double() / layout.scale()).form = Rim::Form::wheel;
+        rim_about(rims, layout.spot(circle->centre), circle->radius.to_double() / layout.scale()).form =
+            Rim::Form::wheel;
     for (const Joint& joint : layout.mechanism.joints) {
-        const auto* round = joint.pair().touches() && joint.bodies.size() == 2 ? profile_of<CircleProfile>(joint, body) : nullptr;
+        const auto* round =
+            joint.pair().touches() && joint.bodies.size() == 2 ? profile_of<CircleProfile>(joint, body) : nullptr;
         if (!round) continue;
         const Spot at = layout.spot(joint), centre = layout.spot(round->centre);
         const double radius = length(at - centre);
@@ -108,7 +112,8 @@ std::vector<Rim> rims_of(const Layout& layout, BodyIndex body) {
         rim.form = form_of(layout, rim, joint, body);
         // The larger of two circles on one side of the contact lies about the smaller.
         if (const auto* within = profile_of<CircleProfile>(joint, other))
-            if (const Spot inner = layout.spot(within->centre) - at; dot(inner, centre - at) > 0 && length(inner) < radius)
+            if (const Spot inner = layout.spot(within->centre) - at;
+                dot(inner, centre - at) > 0 && length(inner) < radius)
                 rim.hollow = true;
     }
     return rims;

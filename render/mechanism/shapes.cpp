@@ -20,7 +20,8 @@ Chord longest_chord(const std::vector<Spot>& spots) {
         for (std::size_t j = i + 1; j < spots.size(); ++j)
             if (length(spots[j] - spots[i]) > length(chord.bar) + 1e-9) chord.bar = {spots[i], spots[j]};
     const Spot along = direction(chord.bar);
-    for (const Spot spot : spots) chord.deviation = std::max(chord.deviation, std::abs(cross(along, spot - chord.bar.from)));
+    for (const Spot spot : spots)
+        chord.deviation = std::max(chord.deviation, std::abs(cross(along, spot - chord.bar.from)));
     return chord;
 }
 
@@ -61,8 +62,8 @@ public:
 private:
     void find_rods() {
         for (const Joint& joint : l_.mechanism.joints) {
-            const bool slides =
-                joint.pair().has_guide() && joint.bodies.size() == 2 && joint.bodies[1] == body_ && length(l_.guide(joint)) > 0;
+            const bool slides = joint.pair().has_guide() && joint.bodies.size() == 2 && joint.bodies[1] == body_ &&
+                                length(l_.guide(joint)) > 0;
             if (!slides || l_.cylinder_of(joint)) continue;
             const bool slot = joint.pair().is_slot();
             const double reach = slot ? l_.measures.slot_half : l_.measures.sleeve_half + l_.measures.rod_beyond;
@@ -119,9 +120,11 @@ private:
             Bar nearest{corners_.front(), slot.centre + slot.radius * polar_spot(slot.from)};
             for (const Spot corner : corners_)
                 for (const double end : {slot.from, slot.to})
-                    if (const Bar bar{corner, slot.centre + slot.radius * polar_spot(end)}; length(bar) < length(nearest) - 1e-9)
+                    if (const Bar bar{corner, slot.centre + slot.radius * polar_spot(end)};
+                        length(bar) < length(nearest) - 1e-9)
                         nearest = bar;
-            if (length(nearest) > side + 0.5) shape_.bars.push_back({nearest.from, nearest.to - side * direction(nearest)});
+            if (length(nearest) > side + 0.5)
+                shape_.bars.push_back({nearest.from, nearest.to - side * direction(nearest)});
         }
     }
 
@@ -138,7 +141,8 @@ private:
                 from = std::min(from, t);
                 to = std::max(to, t);
             }
-            const Spot foot = start + std::clamp(t, from, to) * along + (flat.rack ? l_.module() : flat.depth) * flat.inward;
+            const Spot foot =
+                start + std::clamp(t, from, to) * along + (flat.rack ? l_.module() : flat.depth) * flat.inward;
             if (const Bar tried{corner, foot}; !arm || length(tried) < length(*arm) - 1e-9) arm = tried;
         }
         flat.bar = {start + from * along, start + to * along};
@@ -187,7 +191,8 @@ private:
             shape_.bars.push_back(chord.bar);
         else
             shape_.plate = hull_of(corners_);
-        shape_.solid = !shape_.plate.empty() && chord.deviation < 1.8 * l_.theme.link && l_.theme.body(body_).dashes.empty();
+        shape_.solid =
+            !shape_.plate.empty() && chord.deviation < 1.8 * l_.theme.link && l_.theme.body(body_).dashes.empty();
     }
 
     /// A bar that ends in a tip is cut short and pointed.

@@ -1,4 +1,5 @@
-// The sketch as a figure: its layers in their order, each a group that says what role its marks play; scale bar and labels.
+// The sketch as a figure: its layers in their order, each a group that says what role its marks play; scale bar and
+// labels.
 #include "render/mechanism/sketch.hpp"
 
 #include <array>
@@ -40,9 +41,10 @@ Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_
         const char* role;
         std::vector<Mark>& marks;
     };
-    const std::array layers{Layer{"tint", tints},    Layer{"construction", construction}, Layer{"ground", ground},
-                            Layer{"links", bodies},  Layer{"construction", over_bodies},  Layer{"joints", pins},
-                            Layer{"arrows", arrows}, Layer{"centres", centres},           Layer{"dimensions", dimensions}};
+    const std::array layers{
+        Layer{"tint", tints},    Layer{"construction", construction}, Layer{"ground", ground},
+        Layer{"links", bodies},  Layer{"construction", over_bodies},  Layer{"joints", pins},
+        Layer{"arrows", arrows}, Layer{"centres", centres},           Layer{"dimensions", dimensions}};
     std::size_t count = 2;  // with the figure's own group
     for (const auto& [role, marks] : layers) count += marks.size() + 2;
     figure.marks.reserve(count);

@@ -1,5 +1,5 @@
-// A mechanism being drawn at one scale: its layout on paper and the layers of marks that symbols are drawn in. What can be drawn
-// of it stands below, each in a file of its own that knows nothing of the others.
+// A mechanism being drawn at one scale: its layout on paper and the layers of marks that symbols are drawn in. What can
+// be drawn of it stands below, each in a file of its own that knows nothing of the others.
 #pragma once
 
 #include <optional>
@@ -50,7 +50,8 @@ public:
     /// All layers as one figure.
     Figure finish(std::string kind, std::string figure_id, std::string unit_name);
     /// Scale bar below, labels placed, all in its group, its top left corner at the origin.
-    void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit, bool strict = false) const;
+    void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit,
+               bool strict = false) const;
 
 private:
     std::string prefix_;
@@ -83,7 +84,8 @@ void draw_accelerations_of_drivers(Sketch& sketch);
 void draw_turnings(Sketch& sketch, Symbol::Letter letter);
 /// The statement that ends with the angular velocity (or acceleration) of a body; none: no one does.
 StatementIndex statement_of_turning(const Solution& solution, const Quantity& sought);
-/// Instant centres and the lines that find them. The names of those that are left out, where all of them would crowd the figure.
+/// Instant centres and the lines that find them. The names of those that are left out, where all of them would crowd
+/// the figure.
 std::vector<RichText> draw_centres(Sketch& sketch);
 /// An absolute centre under the velocities: a dot and its name, once; none where a pin stands.
 void draw_pole(Sketch& sketch, const InstantCentre& centre);
@@ -99,12 +101,13 @@ struct DimensionWish {
 };
 /// What the file gives, as dimensions, each where it is free; within a room (mm) for all that is drawn.
 void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish);
-/// The same beside all that the sketch's closed figure has, its names among it: where nothing is in the way, and within the room.
+/// The same beside all that the sketch's closed figure has, its names among it: where nothing is in the way, and within
+/// the room.
 void add_dimensions(Sketch& sketch, Figure& figure, Spot room, const DimensionWish& wish = {});
 /// Ids of the dimensions of a finished figure.
 std::set<std::string> dimensions_of(const Figure& figure);
-/// Ids of the dimensions of a finished figure whose text lies on a line that is not their own: on a leader, say, that a name got
-/// later. Of two dimensions in each other's way one is named.
+/// Ids of the dimensions of a finished figure whose text lies on a line that is not their own: on a leader, say, that a
+/// name got later. Of two dimensions in each other's way one is named.
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts);
 /// The number as given: six significant digits without the zeros that only fill, four where the value is not round.
 std::string given_number(double value, Language language);

@@ -16,8 +16,8 @@ void draw_piston(const Sketch& sketch, const Cylinder& cylinder, BodyIndex body,
 void draw_block(const Sketch& sketch, const Joint& slide, std::vector<Mark>& marks) {
     const BodyIndex body = slide.bodies[0];
     if (const Cylinder* cylinder = sketch.cylinder_of(slide)) return draw_piston(sketch, *cylinder, body, marks);
-    marks.emplace_back(
-        panel(sketch.corners_of_block(slide), sketch.theme.colour_of(body).tint, sketch.pen_of(body, sketch.theme.vector)));
+    marks.emplace_back(panel(sketch.corners_of_block(slide), sketch.theme.colour_of(body).tint,
+                             sketch.pen_of(body, sketch.theme.vector)));
 }
 
 void draw_slot(const Sketch& sketch, const Bar& slot, BodyIndex body, std::vector<Mark>& marks) {
@@ -38,7 +38,8 @@ void draw_curved_slot(Sketch& sketch, const Joint& joint, std::vector<Mark>& mar
     const Arc outer{slot.centre, slot.radius + side, slot.from, slot.to};
     const Arc inner{slot.centre, slot.radius - side, slot.from, slot.to};
     const BodyIndex body = joint.bodies[1];
-    Path path = panel({}, sketch.theme.paper, sketch.pen_of(body, body == frame ? sketch.theme.outline : sketch.theme.vector));
+    Path path =
+        panel({}, sketch.theme.paper, sketch.pen_of(body, body == frame ? sketch.theme.outline : sketch.theme.vector));
     path.segments = {MoveTo{outer.at(slot.from)},
                      ArcTo{slot.centre, outer.radius, slot.from, slot.to},
                      ArcTo{slot.at(slot.to), side, slot.to, slot.to + pi_number},
@@ -57,8 +58,8 @@ void draw_barrel(const Sketch& sketch, const Cylinder& cylinder, std::vector<Mar
     const BodyIndex body = sketch.mechanism.joint(cylinder.joint).bodies[1];
     const auto& [from, to] = cylinder.barrel;
     const Spot w = sketch.measures.sleeve_side * turned(direction(cylinder.barrel));
-    marks.emplace_back(
-        panel({from + w, to + w, to - w, from - w}, sketch.theme.colour_of(body).tint, sketch.pen_of(body, sketch.theme.vector)));
+    marks.emplace_back(panel({from + w, to + w, to - w, from - w}, sketch.theme.colour_of(body).tint,
+                             sketch.pen_of(body, sketch.theme.vector)));
 }
 
 void draw_sliding_parts(Sketch& sketch, BodyIndex body, std::vector<Mark>& marks) {

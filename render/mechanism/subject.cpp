@@ -14,7 +14,8 @@ std::vector<Spot> units(const std::vector<Vector>& from, std::size_t count) {
 
 /// A pin, or the moving part of a slide, or a tip: a stroke of the body leads there.
 bool holds(const Joint& joint, BodyIndex body) {
-    return joint.pair().has_common_point() || (joint.pair().has_guide() && joint.bodies.front() == body) || is_tip(joint, body);
+    return joint.pair().has_common_point() || (joint.pair().has_guide() && joint.bodies.front() == body) ||
+           is_tip(joint, body);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The subject of a drawing: what a figure takes from the solution, once, in metres with y downwards. Scales are tried on it.
+// The subject of a drawing: what a figure takes from the solution, once, in metres with y downwards. Scales are tried
+// on it.
 #pragma once
 
 #include <string_view>
@@ -12,7 +13,9 @@ namespace kinegraph::render::drawing {
 inline bool is_fixed_pin(const Joint& joint) { return joint.pair().is_hinge() && joint.connects(frame); }
 inline bool is_slide(const Joint& joint) { return joint.pair().is_sleeve() && joint.bodies.size() == 2; }
 /// A pin-slot curved about a point, its pin on the first body.
-inline bool is_curved_slot(const Joint& joint) { return joint.pair().is_slot() && joint.arc != none && joint.bodies.size() == 2; }
+inline bool is_curved_slot(const Joint& joint) {
+    return joint.pair().is_slot() && joint.arc != none && joint.bodies.size() == 2;
+}
 /// The profile of a body at a contact, where it is of that form.
 template <class Form>
 const Form* profile_of(const Joint& joint, BodyIndex body) {

@@ -1,5 +1,5 @@
-// The symbols that a mechanism is drawn of (ISO 3952), each on the layers of a sketch. A further symbol is a file and a line
-// here.
+// The symbols that a mechanism is drawn of (ISO 3952), each on the layers of a sketch. A further symbol is a file and a
+// line here.
 #pragma once
 
 #include "render/mechanism/sketch.hpp"
@@ -45,8 +45,8 @@ void draw_gear(Sketch& sketch, const Rim& rim, BodyIndex body, std::vector<Mark>
 void draw_rack(Sketch& sketch, const Flat& flat, BodyIndex body, std::vector<Mark>& marks);
 /// The ground behind a fixed rim: hatched on the side where nothing rolls.
 void draw_fixed_rim(Sketch& sketch, const Rim& rim, double radius, bool outside);
-/// Hub and one spoke where the wheel has its own pin, so that a turn is seen; true where it is drawn. `end`: where the rim
-/// begins.
+/// Hub and one spoke where the wheel has its own pin, so that a turn is seen; true where it is drawn. `end`: where the
+/// rim begins.
 bool draw_hub(const Sketch& sketch, const Rim& rim, double end, BodyIndex body, std::vector<Mark>& marks);
 /// A ring-shaped area between two circles.
 Path annulus(Spot centre, double inner, double outer, Colour tint);

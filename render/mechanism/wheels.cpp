@@ -38,7 +38,8 @@ bool turns_about(const Layout& layout, Spot centre, BodyIndex body) {
 /// The spoke stands where nothing else does.
 Spot free_spoke(const Layout& layout, const Rim& rim) {
     std::vector<Spot> taken;
-    for (const Touch& touch : rim.touches) taken.push_back(unit(layout.spot(layout.mechanism.joint(touch.joint)) - rim.centre));
+    for (const Touch& touch : rim.touches)
+        taken.push_back(unit(layout.spot(layout.mechanism.joint(touch.joint)) - rim.centre));
     for (const Joint& joint : layout.mechanism.joints)
         if (coincide(layout.spot(joint), rim.centre)) {
             for (const Spot link : layout.leaving(joint.point)) taken.push_back(link);
@@ -76,7 +77,8 @@ std::optional<Spot> nearest_hold(const Layout& layout, BodyIndex body, Spot crow
     return hold;
 }
 
-/// The arc on which another body slides, held by the body's nearest point: a sector, or a bow where the material lies outside.
+/// The arc on which another body slides, held by the body's nearest point: a sector, or a bow where the material lies
+/// outside.
 void draw_arc_profile(Sketch& sketch, const Rim& rim, BodyIndex body, std::vector<Mark>& marks) {
     Arc profile = touched_arc(sketch, rim);
     if (body == frame) {
@@ -172,7 +174,8 @@ bool draw_hub(const Sketch& sketch, const Rim& rim, double end, BodyIndex body, 
     const std::vector<Bar>& bars = sketch.shape(body).bars;
     if (std::any_of(bars.begin(), bars.end(), [](const Bar& bar) { return length(bar) > 1; })) return true;
     const Spot spoke = free_spoke(sketch, rim);
-    marks.emplace_back(line(rim.centre + hub * spoke, rim.centre + end * spoke, {sketch.theme.vector, colour.line, {}, false}));
+    marks.emplace_back(
+        line(rim.centre + hub * spoke, rim.centre + end * spoke, {sketch.theme.vector, colour.line, {}, false}));
     return true;
 }
 
@@ -187,8 +190,8 @@ void draw_profiles(Sketch& sketch, BodyIndex body, std::vector<Mark>& marks) {
         else if (body == frame)
             draw_wall(sketch, flat.bar, flat.inward);
         else
-            marks.emplace_back(
-                line(flat.bar.from + in, flat.bar.to + in, {sketch.theme.link, sketch.theme.colour_of(body).line, {}, true}));
+            marks.emplace_back(line(flat.bar.from + in, flat.bar.to + in,
+                                    {sketch.theme.link, sketch.theme.colour_of(body).line, {}, true}));
     }
     draw_bare_contacts(sketch, body);
 }

@@ -69,7 +69,8 @@ void draw_in_colour(Sketch& sketch) {
     for (const Load& load : sketch.mechanism.loads) {
         if (const auto* spring = std::get_if<SpringLoad>(&load)) draw_spring(sketch, *spring);
         if (const auto* torsion = std::get_if<TorsionLoad>(&load)) draw_torsion_spring(sketch, *torsion);
-        if (const auto* distributed = std::get_if<DistributedLoad>(&load)) draw_distributed(sketch, *distributed, sketch.ground);
+        if (const auto* distributed = std::get_if<DistributedLoad>(&load))
+            draw_distributed(sketch, *distributed, sketch.ground);
     }
     std::vector<BodyIndex> below;
     for (const BodyIndex body : drawing_order(sketch)) {

@@ -44,7 +44,8 @@ Block scaled(Block block, double factor) {
 }
 SharedBlock scaled(const SharedBlock& block, double factor) {
     if (factor == 1) return block;
-    return {block.width() * factor, block.height() * factor, [block, factor] { return scaled(block.set(), factor).marks; }};
+    return {block.width() * factor, block.height() * factor,
+            [block, factor] { return scaled(block.set(), factor).marks; }};
 }
 
 SharedBlock::SharedBlock(Block block)

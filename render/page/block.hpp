@@ -21,8 +21,8 @@ void set(std::vector<Mark>& marks, Block block, Spot at);
 /// The same text smaller or larger; figures are never scaled.
 Block scaled(Block block, double factor);
 
-/// A block that is tried in many places before it stands in one: copies share it. Its size is known; its marks may be set only
-/// once it has come to its place.
+/// A block that is tried in many places before it stands in one: copies share it. Its size is known; its marks may be
+/// set only once it has come to its place.
 class SharedBlock {
 public:
     using Set = std::function<std::vector<Mark>()>;

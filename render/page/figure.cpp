@@ -41,8 +41,8 @@ std::string legal_id(std::string_view name) {
     constexpr char hex[] = "0123456789ABCDEF";
     std::string id;
     for (const char c : name) {
-        const bool plain_character =
-            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '_';
+        const bool plain_character = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                                     c == '-' || c == '.' || c == '_';
         if (plain_character) {
             id += c;
         } else {

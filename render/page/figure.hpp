@@ -1,5 +1,5 @@
-// A Figure: one drawing to scale, in mm of its own (y downwards, origin anywhere), with its labels placed. Sheets put figures on
-// paper by moving them, never by scaling: the scale is chosen when the figure is made.
+// A Figure: one drawing to scale, in mm of its own (y downwards, origin anywhere), with its labels placed. Sheets put
+// figures on paper by moving them, never by scaling: the scale is chosen when the figure is made.
 #pragma once
 
 #include <optional>
@@ -24,15 +24,16 @@ struct LabelRequest {
     Colour colour{};
     Spot anchor{};  ///< the point, or the middle of the vector or line
     std::optional<Spot>
-        toward{};            ///< for vectors and lines: the direction they run (anchor → toward), the label stands beside it
+        toward{};  ///< for vectors and lines: the direction they run (anchor → toward), the label stands beside it
     double clearance = 2.2;  ///< from the anchor to the nearest ink, mm
     bool along = false;      ///< set along the line (turned with it), as direction marks are
     std::string id{};        ///< empty, or the SVG id of the label's group
     double balloon = 0;      ///< radius of a circle round the text (body numbers), mm; 0: none
-    StatementIndex statement = none;   ///< of the solution, that what it names is drawn by; none: it is there from the beginning
-    std::vector<std::string> names{};  ///< as TextMark's
-    std::vector<double> dashes{};      ///< line kind of the balloon, mm
-    Holds holds{};                     ///< as a Path's
+    StatementIndex statement =
+        none;  ///< of the solution, that what it names is drawn by; none: it is there from the beginning
+    std::vector<std::string> names{};       ///< as TextMark's
+    std::vector<double> dashes{};           ///< line kind of the balloon, mm
+    Holds holds{};                          ///< as a Path's
     std::optional<BalloonGround> ground{};  ///< of the balloon; none: it has no ground on any tint
 };
 
@@ -81,7 +82,8 @@ struct Figure {
     static Figure empty_at(double scale);
 };
 
-/// The longest stroke of the vector with that data-name: its detail's, where it has one. Nothing where the figure has none.
+/// The longest stroke of the vector with that data-name: its detail's, where it has one. Nothing where the figure has
+/// none.
 std::optional<Measured> measured_on(const Figure& figure, const std::string& name);
 
 /// SVG-legal id from a user's name: all but letters, digits, '-', '.', '_' as _xHH_ (bytes of UTF-8).

@@ -30,7 +30,8 @@ void Occupancy::block(const std::vector<Spot>& spots) {
     }
 }
 bool Occupancy::is_free(int row, int from, int to) const {
-    return from >= to || std::memchr(cells_.data() + index(from, row), 1, static_cast<std::size_t>(to - from)) == nullptr;
+    return from >= to ||
+           std::memchr(cells_.data() + index(from, row), 1, static_cast<std::size_t>(to - from)) == nullptr;
 }
 std::pair<double, double> Occupancy::longest_run(double left, double right, double top, double bottom) const {
     const int from = std::clamp(static_cast<int>(std::floor(left)), 0, columns_);
@@ -100,7 +101,8 @@ template <class See>
 void look_over(const std::vector<Mark>& marks, See see) {
     const auto fill = [&](const Box& box) {
         for (double y = box.min.y; y < box.max.y + 0.9; y += 0.9)
-            for (double x = box.min.x; x < box.max.x + 0.9; x += 0.9) see(Spot{std::min(x, box.max.x), std::min(y, box.max.y)});
+            for (double x = box.min.x; x < box.max.x + 0.9; x += 0.9)
+                see(Spot{std::min(x, box.max.x), std::min(y, box.max.y)});
     };
     const auto stroke = [&](Spot from, Spot to) {
         const int pieces = std::max(1, static_cast<int>(std::ceil(length(to - from) / 0.9)));

@@ -46,8 +46,8 @@ private:
 /// Places that marks cover, about one each millimetre; text and filled areas as their boxes.
 std::vector<Spot> covered(const std::vector<Mark>& marks);
 
-/// Where within a box a block of that size stands clear of the marks: its upper left corner, on the lower edge as far left as
-/// there is room, else on the upper; nothing where both are taken.
+/// Where within a box a block of that size stands clear of the marks: its upper left corner, on the lower edge as far
+/// left as there is room, else on the upper; nothing where both are taken.
 std::optional<Spot> free_place(const std::vector<Mark>& marks, const Box& within, Spot size);
 
 }  // namespace kinegraph::render

@@ -25,13 +25,15 @@ class Runs {
 public:
     Runs(const InkBox& box, double top, double pitch, int rows) : centre_(box.centre), top_(top), pitch_(pitch) {
         const double reach = box.reach().y;
-        const double low = (box.centre.y - reach - top) / pitch - 0.5, high = (box.centre.y + reach - top) / pitch - 0.5;
+        const double low = (box.centre.y - reach - top) / pitch - 0.5,
+                     high = (box.centre.y + reach - top) / pitch - 0.5;
         if (!(high >= 0 && low <= rows - 1)) return;
         first = up(std::max(0.0, low));
         last = down(std::min(rows - 1.0, high));
         // The box is where two strips cross; of each strip a row has a stretch as long as of any other.
         constexpr double endless = 1e300, least = 1e-9;
-        const double cosine = std::abs(box.axis.x) < least ? 0 : box.axis.x, sine = std::abs(box.axis.y) < least ? 0 : box.axis.y;
+        const double cosine = std::abs(box.axis.x) < least ? 0 : box.axis.x,
+                     sine = std::abs(box.axis.y) < least ? 0 : box.axis.y;
         along_ = cosine != 0 ? box.half.x / std::abs(cosine) : endless;
         across_ = sine != 0 ? box.half.y / std::abs(sine) : endless;
         lean_along_ = cosine != 0 ? -sine / cosine : 0;
@@ -107,7 +109,8 @@ void go_along(const Path& path, Begin begin, Stroke stroke) {
             }
         } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
             const double sweep = a->to - a->from;
-            const double step = std::clamp(2 * std::acos(std::max(0.0, 1 - 0.05 / std::max(a->radius, 0.06))), 0.05, 0.8);
+            const double step =
+                std::clamp(2 * std::acos(std::max(0.0, 1 - 0.05 / std::max(a->radius, 0.06))), 0.05, 0.8);
             const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step)));
             for (int i = 0; i <= parts; ++i) {
                 const double angle = a->from + sweep * i / parts;
@@ -160,7 +163,8 @@ Spot InkBox::local(Spot spot) const {
     return {dot(d, axis), cross(axis, d)};
 }
 Spot InkBox::reach() const {
-    return {std::abs(axis.x) * half.x + std::abs(axis.y) * half.y, std::abs(axis.y) * half.x + std::abs(axis.x) * half.y};
+    return {std::abs(axis.x) * half.x + std::abs(axis.y) * half.y,
+            std::abs(axis.y) * half.x + std::abs(axis.x) * half.y};
 }
 
 InkMap::InkMap(const Box& area) : origin_(area.min) {
@@ -188,7 +192,8 @@ bool InkMap::words_of(std::size_t base, double from, double to, Look look) const
 }
 
 void InkMap::ink_row(int row, double from, double to) {
-    const std::size_t of_row = static_cast<std::size_t>(row) * words_, of_band = static_cast<std::size_t>(row) / band * words_;
+    const std::size_t of_row = static_cast<std::size_t>(row) * words_,
+                      of_band = static_cast<std::size_t>(row) / band * words_;
     words_of(of_row, from, to, [&](std::size_t word, std::uint64_t mask) {
         bits_[word] |= mask;
         bands_[word - of_row + of_band] |= mask;
@@ -334,8 +339,8 @@ void InkMap::rows_of_turned(const Turned& runs, Look look) const {
         for (const bool blank = is_blank(of_band, least, most); !blank && row < end; ++row) {
             const auto [from, to] = runs.of(row);
             const auto of_row = static_cast<std::size_t>(row) * words_;
-            if (from <= to &&
-                !words_of(of_row, from, to, [&](std::size_t word, std::uint64_t mask) { return look(bits_[word] & mask); }))
+            if (from <= to && !words_of(of_row, from, to,
+                                        [&](std::size_t word, std::uint64_t mask) { return look(bits_[word] & mask); }))
                 return;
         }
         row = end;

@@ -1,5 +1,5 @@
-// The ink map: which parts of a figure are inked already, as bits. Owns their size and the questions put to them; knows no label
-// and no price. A box of any turn is asked row by row, a word of 64 bits at a time.
+// The ink map: which parts of a figure are inked already, as bits. Owns their size and the questions put to them; knows
+// no label and no price. A box of any turn is asked row by row, a word of 64 bits at a time.
 #pragma once
 
 #include <cstdint>
@@ -46,12 +46,13 @@ public:
 
     static constexpr int all = 1 << 30;  ///< more than is ever counted
 
-    /// Inked area within the box, mm². 0: all clear (to half a bit). Of more than `most` it is only said that it is more.
+    /// Inked area within the box, mm². 0: all clear (to half a bit). Of more than `most` it is only said that it is
+    /// more.
     double inked(const InkBox& box, double most = 1e300) const;
     /// inked(box) > 0, found sooner.
     bool touches(const InkBox& box) const;
-    /// How often a thin line from a spot to another meets ink, counted up to `most`, a broad stroke several times; the ink that
-    /// it starts in is not counted.
+    /// How often a thin line from a spot to another meets ink, counted up to `most`, a broad stroke several times; the
+    /// ink that it starts in is not counted.
     int crossings(Spot from, Spot to, int most = all) const;
 
 private:
@@ -62,8 +63,8 @@ private:
     bool column_of(std::size_t word, std::uint64_t mask, std::size_t top, std::size_t end, Look look) const;
     template <class Turned, class Look>
     void rows_of_turned(const Turned& runs, Look look) const;
-    /// The words that hold the bits from x to x of the row whose first word is `base`, until look() says no; whether it never
-    /// did.
+    /// The words that hold the bits from x to x of the row whose first word is `base`, until look() says no; whether it
+    /// never did.
     template <class Look>
     bool words_of(std::size_t base, double from, double to, Look look) const;
     void ink_row(int row, double from, double to);

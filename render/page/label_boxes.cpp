@@ -41,9 +41,9 @@ Lettered::Lettered(const LabelRequest& request, const Fonts& fonts, double measu
     : balloon_(request.balloon),
       shaped_(shaped_within(request.text, request.size, fonts, balloon_ > 0 ? 1e300 : measure)),
       overhang_(overhang_of(shaped_, fonts)),
-      half_(balloon_ > 0
-                ? Spot{balloon_, balloon_}
-                : Spot{shaped_.width / 2 + std::max(0.0, overhang_ - forgiven), (shaped_.ascent + shaped_.descent) / 2}) {}
+      half_(balloon_ > 0 ? Spot{balloon_, balloon_}
+                         : Spot{shaped_.width / 2 + std::max(0.0, overhang_ - forgiven),
+                                (shaped_.ascent + shaped_.descent) / 2}) {}
 
 InkBox Lettered::inked(InkBox box) const {
     constexpr double pen = 0.2;

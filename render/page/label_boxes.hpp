@@ -1,4 +1,5 @@
-// Label boxes: the box that a label takes wherever it stands, and how boxes lie to each other. Knows no place and no price.
+// Label boxes: the box that a label takes wherever it stands, and how boxes lie to each other. Knows no place and no
+// price.
 #pragma once
 
 #include <algorithm>
@@ -32,14 +33,15 @@ inline Box extent_of(const InkBox& box) {
 /// Distance of two boxes, of which one at least is turned, along their worst of four separating axes.
 double gap_between_turned(const InkBox& a, const InkBox& b, double enough);
 
-/// Distance of two boxes along their worst separating axis; negative where they overlap. Above `enough`, only the fact is
-/// reported.
+/// Distance of two boxes along their worst separating axis; negative where they overlap. Above `enough`, only the fact
+/// is reported.
 inline double gap_between(const InkBox& a, const InkBox& b, double enough) {
     const Spot d = b.centre - a.centre;
     // Most pairs are far apart: their circles tell.
     const double round = a.half.x + a.half.y + b.half.x + b.half.y + enough;
     if (std::abs(d.x) > round || std::abs(d.y) > round) return enough;
-    if (a.axis.y == 0 && b.axis.y == 0) return std::max(std::abs(d.x) - a.half.x - b.half.x, std::abs(d.y) - a.half.y - b.half.y);
+    if (a.axis.y == 0 && b.axis.y == 0)
+        return std::max(std::abs(d.x) - a.half.x - b.half.x, std::abs(d.y) - a.half.y - b.half.y);
     return gap_between_turned(a, b, enough);
 }
 

@@ -47,7 +47,8 @@ bool Ground::Area::holds(Spot spot) const {
     bool in = false;
     const std::vector<Spot>& c = corners;
     for (std::size_t i = 0, j = c.size() - 1; i < c.size(); j = i++)
-        if ((c[i].y > spot.y) != (c[j].y > spot.y) && spot.x < (c[j].x - c[i].x) * (spot.y - c[i].y) / (c[j].y - c[i].y) + c[i].x)
+        if ((c[i].y > spot.y) != (c[j].y > spot.y) &&
+            spot.x < (c[j].x - c[i].x) * (spot.y - c[i].y) / (c[j].y - c[i].y) + c[i].x)
             in = !in;
     return in;
 }
@@ -59,14 +60,16 @@ std::optional<Colour> Ground::tint_at(Spot spot) const {
 }
 
 bool Ground::covers_text(const InkBox& thread) const {
-    return std::any_of(texts_.begin(), texts_.end(), [&](const InkBox& text) { return gap_between(thread, text, 0.1) < 0.1; });
+    return std::any_of(texts_.begin(), texts_.end(),
+                       [&](const InkBox& text) { return gap_between(thread, text, 0.1) < 0.1; });
 }
 
 double Ground::price(const InkBox& box, bool free) const {
     double price = 0;
     for (const Area& area : areas_)
         if (area.holds(box.centre)) price += on_a_tint;
-    if (free) return price + std::min(most_crowding, crowding * map_.inked(box.grown(breathing), most_crowding / crowding));
+    if (free)
+        return price + std::min(most_crowding, crowding * map_.inked(box.grown(breathing), most_crowding / crowding));
     return price + covers_stroke + covers_area * map_.inked(box.grown(ink_margin));
 }
 

@@ -1,5 +1,5 @@
-// Label ground: all that is drawn before the labels are, as far as they care. Owns the map of the ink, the tints and the texts
-// covered, and says what a place costs on them; knows no label and does not choose.
+// Label ground: all that is drawn before the labels are, as far as they care. Owns the map of the ink, the tints and
+// the texts covered, and says what a place costs on them; knows no label and does not choose.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,13 @@ public:
     Ground(const std::vector<Mark>& marks, const Fonts& fonts);
 
     bool is_free(const InkBox& box) const { return !map_.touches(box.grown(ink_margin)); }
-    /// No ink under it, however near. Grown so far that a corner which reaches into a slanting stroke does not slip between bits.
+    /// No ink under it, however near. Grown so far that a corner which reaches into a slanting stroke does not slip
+    /// between bits.
     bool is_bare(const InkBox& box) const { return !map_.touches(box.grown(0.7 * InkMap::pitch)); }
     /// Whether a leader there would run over letters that are drawn already.
     bool covers_text(const InkBox& thread) const;
-    /// What a label there costs: ink within the margin is forbidden, ink within breathing distance and a tint are a pity.
+    /// What a label there costs: ink within the margin is forbidden, ink within breathing distance and a tint are a
+    /// pity.
     double price(const InkBox& box, bool free) const;
     /// Strokes that a leader would cross, counted no further than `most` of them.
     int crossed(Spot from, Spot to, int most = InkMap::all) const { return map_.crossings(from, to, most); }

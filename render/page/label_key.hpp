@@ -1,5 +1,5 @@
-// The key of a figure: what has no room beside its object gets a number there, and under the figure stands what the number is
-// for. Owns the numbers and the lines of the key; places nothing in the figure itself.
+// The key of a figure: what has no room beside its object gets a number there, and under the figure stands what the
+// number is for. Owns the numbers and the lines of the key; places nothing in the figure itself.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ class LabelKey {
 public:
     explicit LabelKey(const Fonts& fonts) : fonts_(fonts) {}
 
-    /// Moves the requests with these indices (increasing) to the key. Those near each other share a number, which is asked for in
-    /// their stead; a number that is itself moved goes, and the key lists what it was for without one.
+    /// Moves the requests with these indices (increasing) to the key. Those near each other share a number, which is
+    /// asked for in their stead; a number that is itself moved goes, and the key lists what it was for without one.
     void take(std::vector<LabelRequest>& requests, const std::vector<std::size_t>& placeless);
     bool empty() const { return entries_.empty(); }
 

@@ -54,17 +54,19 @@ std::vector<Seed> seeds_around(Distance distance, bool balloon) {
     return seeds;
 }
 
-/// Beside a line on both sides, from its middle on. Only a mark that is turned with its line can stand before or behind it.
+/// Beside a line on both sides, from its middle on. Only a mark that is turned with its line can stand before or behind
+/// it.
 std::vector<Seed> seeds_beside(Distance distance, bool turned_with_it) {
     constexpr double past_the_end = 1.1;
     const std::vector<double> rows = distance == Distance::nearest ? std::vector{0.0} : std::vector{0.7, 1.5, 3.0};
     std::vector<Seed> seeds;
     for (const double extra : rows)
-        for (const double at :
-             {0.0, -0.15, 0.15, -0.3, 0.3, -0.5, 0.5, -0.7, 0.7, -0.85, 0.85, -1.0, 1.0, -1.4, 1.4, -1.9, 1.9, -2.5, 2.5})
+        for (const double at : {0.0, -0.15, 0.15, -0.3, 0.3, -0.5, 0.5, -0.7, 0.7, -0.85, 0.85, -1.0, 1.0, -1.4, 1.4,
+                                -1.9, 1.9, -2.5, 2.5})
             for (const double side : {-1.0, 1.0})
                 if (turned_with_it || std::abs(at) <= past_the_end)
-                    seeds.push_back({.bound = 1.5 * extra + 2.0 * std::abs(at), .extra = extra, .at = at, .side = side});
+                    seeds.push_back(
+                        {.bound = 1.5 * extra + 2.0 * std::abs(at), .extra = extra, .at = at, .side = side});
     sort_by_bound(seeds);
     return seeds;
 }
@@ -108,7 +110,8 @@ double distance_to_line(const LabelRequest& request, Spot spot) {
 
 void Candidate::add_leader(const LabelRequest& request) {
     const Spot at = request.anchor - box.centre;
-    const Spot foot = box.centre + Spot{std::clamp(at.x, -box.half.x, box.half.x), std::clamp(at.y, -box.half.y, box.half.y)};
+    const Spot foot =
+        box.centre + Spot{std::clamp(at.x, -box.half.x, box.half.x), std::clamp(at.y, -box.half.y, box.half.y)};
     const Spot back = unit(foot - request.anchor);
     leader = true;
     // To a link's number the leader begins on the link itself.
@@ -141,8 +144,8 @@ LabelPlaces::LabelPlaces(const LabelSetting& setting, std::size_t label, Spot ha
     } else {
         propose(seeds_of(false, Distance::nearest, request_.balloon > 0), 0, false, unlimited);
     }
-    // How free a label is, the nearest places and the better half of the near ones tell: fewer take labels in a worse order, so
-    // that figures come smaller.
+    // How free a label is, the nearest places and the better half of the near ones tell: fewer take labels in a worse
+    // order, so that figures come smaller.
     while (batches_.front().has_seeds()) place_next(batches_.front());
     propose_more(unlimited);
     while (batches_.back().next < batches_.back().seeds->size() / 2) place_next(batches_.back());
@@ -156,7 +159,9 @@ bool LabelPlaces::propose_more(double least) {
     // A vector shorter than its name has room beyond its ends; a direction mark stays on its line if it can.
     const double beyond = !beside_ ? 0 : request_.along ? upright_price : beside_price;
     using enum Distance;
-    const auto may_help = [&](const std::vector<Seed>& seeds, double penalty) { return penalty + seeds.front().bound < least; };
+    const auto may_help = [&](const std::vector<Seed>& seeds, double penalty) {
+        return penalty + seeds.front().bound < least;
+    };
     switch (stage_) {
         case 0: {
             const std::vector<Seed>& seeds = seeds_of(beside_.has_value(), near, beside_ ? request_.along : balloon);
@@ -181,8 +186,7 @@ bool LabelPlaces::propose_more(double least) {
             propose(seeds_of(false, far, balloon), beyond, false, unlimited);
             break;
         }
-        default:
-            return false;
+        default: return false;
     }
     ++stage_;
     return true;
@@ -197,7 +201,8 @@ void LabelPlaces::propose(const std::vector<Seed>& seeds, double penalty, bool b
     // Wherever its places stand, they are within this.
     double extra = 0, at = 0;
     for (const Seed& seed : seeds) extra = std::max(extra, seed.extra), at = std::max(at, std::abs(seed.at));
-    const double reach = request_.clearance + extra + 2 * (half_.x + half_.y) + kept_apart + (beside ? at * beside_->slide : 0);
+    const double reach =
+        request_.clearance + extra + 2 * (half_.x + half_.y) + kept_apart + (beside ? at * beside_->slide : 0);
     enlarge(span_, Box{request_.anchor - Spot{reach, reach}, request_.anchor + Spot{reach, reach}});
 }
 
@@ -308,7 +313,8 @@ void LabelPlaces::look_about(Candidate& candidate) const {
     if (is_on_foreign_tint(candidate)) candidate.price += foreign_tint_price;
     if (!candidate.free) return;
     candidate.price += request_.toward ? near_other_lines(candidate) : near_other_points(candidate);
-    if (candidate.leader) candidate.price += crossing_price * ground.crossed(candidate.leader_from, candidate.leader_to);
+    if (candidate.leader)
+        candidate.price += crossing_price * ground.crossed(candidate.leader_from, candidate.leader_to);
 }
 
 /// Whether the number of a body stands on another's tint, or half on it: it would seem to be that one's.

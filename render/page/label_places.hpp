@@ -1,8 +1,9 @@
-// Label places: the places that one label may take. Owns which are proposed and in which order they are asked for, and what each
-// costs as far as its own position goes; does not know where the other labels stand, only what they name.
+// Label places: the places that one label may take. Owns which are proposed and in which order they are asked for, and
+// what each costs as far as its own position goes; does not know where the other labels stand, only what they name.
 //
-// Method: point-feature labelling by candidate places on rings about the anchor (after Imhof's rules), or beside the line that is
-// named. Most places are never asked for: each stands somewhere, and what is dear to find about it is found, when it is its turn.
+// Method: point-feature labelling by candidate places on rings about the anchor (after Imhof's rules), or beside the
+// line that is named. Most places are never asked for: each stands somewhere, and what is dear to find about it is
+// found, when it is its turn.
 #pragma once
 
 #include <array>
@@ -74,11 +75,12 @@ public:
     /// What all proposed so far may take.
     const Box& span() const { return span_; }
 
-    /// Proposes less wanted places as a further batch. False: there are none, or none that could cost less than `least`.
+    /// Proposes less wanted places as a further batch. False: there are none, or none that could cost less than
+    /// `least`.
     bool propose_more(double least);
     std::size_t batches() const { return batches_.size(); }
-    /// Shows look() the places of a batch that cover no ink, or those that do, the cheapest first, as long as they cost less than
-    /// `least`; look may lower that.
+    /// Shows look() the places of a batch that cover no ink, or those that do, the cheapest first, as long as they cost
+    /// less than `least`; look may lower that.
     template <class Look>
     void look_through(std::size_t batch, bool free, const double& least, Look look) {
         Batch& of = batches_[batch];
@@ -92,7 +94,9 @@ private:
         double price;
         std::size_t place;
         bool priced;
-        bool operator>(const Ranked& other) const { return price > other.price || (price == other.price && place > other.place); }
+        bool operator>(const Ranked& other) const {
+            return price > other.price || (price == other.price && place > other.place);
+        }
     };
     /// Places that are asked for in the order of price: most of them never are.
     struct Queue {
@@ -100,7 +104,8 @@ private:
         std::vector<Ranked> waiting{};  // a heap, the cheapest on top
         void wait(Ranked place);
     };
-    /// Places that were proposed together. Most never stand anywhere: they become places in the order of the least they can cost.
+    /// Places that were proposed together. Most never stand anywhere: they become places in the order of the least they
+    /// can cost.
     struct Batch {
         const std::vector<Seed>* seeds;
         double penalty;            // of all of them

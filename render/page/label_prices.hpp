@@ -1,5 +1,5 @@
-// Label prices: what the rooms of lettering agree on, measures in mm and prices that are weighed against each other. Decides
-// nothing; what only one room needs stands there.
+// Label prices: what the rooms of lettering agree on, measures in mm and prices that are weighed against each other.
+// Decides nothing; what only one room needs stands there.
 #pragma once
 
 namespace kinegraph::render::lettering {

@@ -17,7 +17,9 @@ constexpr double unruly_price = 12;    // of a leader, for each other that it cr
 constexpr int most_looks = 30000;      // for better places, in a figure; then the first that is free will do
 
 /// How far a label that finds no place may go out of the figure's box.
-Spot reach_of(const LabelSetting& setting) { return {std::min(setting.spare.x, farthest), std::min(setting.spare.y, farthest)}; }
+Spot reach_of(const LabelSetting& setting) {
+    return {std::min(setting.spare.x, farthest), std::min(setting.spare.y, farthest)};
+}
 
 /// All that labels can take.
 Box area_of(const LabelSetting& setting, const std::vector<Lettered>& letters) {
@@ -31,7 +33,8 @@ Box area_of(const LabelSetting& setting, const std::vector<Lettered>& letters) {
 
 }  // namespace
 
-Refuges::Refuges(const LabelSetting& setting, const std::vector<Lettered>& letters, const std::vector<Candidate>& chosen)
+Refuges::Refuges(const LabelSetting& setting, const std::vector<Lettered>& letters,
+                 const std::vector<Candidate>& chosen)
     : setting_(setting),
       letters_(letters),
       chosen_(chosen),
@@ -76,7 +79,8 @@ std::optional<Candidate> Refuges::nearest(std::size_t label, const Box& middles)
     for (int ring = 1; ring <= last; ++ring) {
         const double away = ring * step;
         if (found && looks_left_ <= 0) break;
-        if (found && leader_price + far_price * (away - std::max(half.x, half.y) - request.clearance) >= found->price) break;
+        if (found && leader_price + far_price * (away - std::max(half.x, half.y) - request.clearance) >= found->price)
+            break;
         const auto row = [&](double y) {
             if (y < middles.min.y || y > middles.max.y) return;
             for (double x = std::max(at.x - away, middles.min.x); x <= std::min(at.x + away, middles.max.x); x += step)
@@ -84,7 +88,8 @@ std::optional<Candidate> Refuges::nearest(std::size_t label, const Box& middles)
         };
         const auto column = [&](double x) {
             if (x < middles.min.x || x > middles.max.x) return;
-            for (double y = std::max(at.y - away + step, middles.min.y); y < std::min(at.y + away, middles.max.y); y += step)
+            for (double y = std::max(at.y - away + step, middles.min.y); y < std::min(at.y + away, middles.max.y);
+                 y += step)
                 look_at(label, {x, y}, step, found);
         };
         row(at.y - away);

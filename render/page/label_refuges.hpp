@@ -1,5 +1,5 @@
-// Label refuges: where a label goes that found no place. Owns the maps of what labels and their leaders take, and finds the
-// nearest room that is free, with a leader; does not know which label had better go.
+// Label refuges: where a label goes that found no place. Owns the maps of what labels and their leaders take, and finds
+// the nearest room that is free, with a leader; does not know which label had better go.
 #pragma once
 
 #include <cstddef>

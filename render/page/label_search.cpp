@@ -22,8 +22,8 @@ LabelSetting setting_of(const std::vector<LabelRequest>& requests, const Box& bo
     return setting;
 }
 
-/// Whether two labels would be read as one: they stand side by side, hardly farther apart than two words, and one of them tells a
-/// value. Two letters alone are told apart sooner.
+/// Whether two labels would be read as one: they stand side by side, hardly farther apart than two words, and one of
+/// them tells a value. Two letters alone are told apart sooner.
 bool read_as_one(const Candidate& a, const Candidate& b) {
     constexpr double letter = 4;  // half of the longest
     if (a.ringed || b.ringed || a.box.axis.y != 0 || b.box.axis.y != 0 || std::max(a.box.half.x, b.box.half.x) < letter)
@@ -48,7 +48,9 @@ double price_between(const Candidate& a, const Candidate& b) {
     return price;
 }
 
-bool clash(const Candidate& a, const Candidate& b) { return !apart(a.extent, b.extent) && price_between(a, b) >= covers_stroke; }
+bool clash(const Candidate& a, const Candidate& b) {
+    return !apart(a.extent, b.extent) && price_between(a, b) >= covers_stroke;
+}
 
 /// Whether ink meets ink.
 bool meet(const Candidate& a, const Candidate& b) {
@@ -60,8 +62,8 @@ bool meet(const Candidate& a, const Candidate& b) {
 
 }  // namespace
 
-LabelSearch::LabelSearch(const std::vector<LabelRequest>& requests, const Box& box, const Fonts& fonts, const Ground& ground,
-                         const std::optional<Spot>& room, bool strict)
+LabelSearch::LabelSearch(const std::vector<LabelRequest>& requests, const Box& box, const Fonts& fonts,
+                         const Ground& ground, const std::optional<Spot>& room, bool strict)
     : setting_(setting_of(requests, box, ground, room, strict)), chosen_(requests.size()) {
     const double measure = room ? std::max(0.5 * room->x, least_measure) : 1e300;
     letters_.reserve(requests.size()), places_.reserve(requests.size());
@@ -105,8 +107,8 @@ void LabelSearch::improve(const std::vector<std::size_t>& order) {
     }
 }
 
-/// Nothing may stay covered: far away there is room, in the figure or at its edge. Labels that keep a leader from getting there
-/// are moved next.
+/// Nothing may stay covered: far away there is room, in the figure or at its edge. Labels that keep a leader from
+/// getting there are moved next.
 void LabelSearch::repair(const std::vector<std::size_t>& order) {
     std::vector<std::size_t> waiting;
     for (const std::size_t i : order)
@@ -161,7 +163,8 @@ std::optional<Candidate> LabelSearch::best(std::size_t i, double least) {
         look_around(i);
     }
     if (least > covers_stroke)
-        for (std::size_t batch = 0; batch < places.batches(); ++batch) places.look_through(batch, false, least, look_at);
+        for (std::size_t batch = 0; batch < places.batches(); ++batch)
+            places.look_through(batch, false, least, look_at);
     if (!found) return std::nullopt;
     return places[*found];
 }
@@ -176,8 +179,9 @@ void LabelSearch::find_wishes(std::size_t i, double now) {
     if (now > covers_stroke)
         for (std::size_t batch = 0; batch < places.batches(); ++batch) places.look_through(batch, false, now, wish);
     constexpr std::size_t most = 6;
-    std::sort(wishes_.begin(), wishes_.end(),
-              [](const Wish& a, const Wish& b) { return a.price < b.price || (a.price == b.price && a.other < b.other); });
+    std::sort(wishes_.begin(), wishes_.end(), [](const Wish& a, const Wish& b) {
+        return a.price < b.price || (a.price == b.price && a.other < b.other);
+    });
     if (wishes_.size() > most) wishes_.resize(most);
 }
 
@@ -198,7 +202,8 @@ void LabelSearch::wish_for(std::size_t i, std::size_t place, double now) {
     for (const auto& [j, price] : met_) {
         const double without = sum - price;
         if (without >= now) continue;
-        const auto there = std::find_if(wishes_.begin(), wishes_.end(), [other = j](const Wish& w) { return w.other == other; });
+        const auto there =
+            std::find_if(wishes_.begin(), wishes_.end(), [other = j](const Wish& w) { return w.other == other; });
         if (there == wishes_.end())
             wishes_.push_back({j, place, without});
         else if (without < there->price)

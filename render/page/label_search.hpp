@@ -1,8 +1,9 @@
-// Label search: which of its places each label of a figure takes. Owns who stands where, and settles it among the labels; knows
-// no ink, and does not set what it has placed. Deterministic: all orders are those of the figure, all ties go to the first.
+// Label search: which of its places each label of a figure takes. Owns who stands where, and settles it among the
+// labels; knows no ink, and does not set what it has placed. Deterministic: all orders are those of the figure, all
+// ties go to the first.
 //
-// Method: the least free label first, each at its cheapest place, then rounds of improvement with evictions. What still covers
-// something then is moved to the nearest room that is free, with a leader.
+// Method: the least free label first, each at its cheapest place, then rounds of improvement with evictions. What still
+// covers something then is moved to the nearest room that is free, with a leader.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +20,8 @@ namespace kinegraph::render::lettering {
 
 class LabelSearch {
 public:
-    /// For labels of a figure with that box on that ground, where they have a room (width and height) of that size; strict: none
-    /// may leave it. Requests and ground must outlive it.
+    /// For labels of a figure with that box on that ground, where they have a room (width and height) of that size;
+    /// strict: none may leave it. Requests and ground must outlive it.
     LabelSearch(const std::vector<LabelRequest>& requests, const Box& box, const Fonts& fonts, const Ground& ground,
                 const std::optional<Spot>& room, bool strict);
     LabelSearch(const LabelSearch&) = delete;  // its places refer to it
@@ -34,8 +35,8 @@ public:
     const Candidate& chosen(std::size_t label) const { return chosen_[label]; }
     /// Whether some label is in the way.
     bool is_crowded() const;
-    /// The labels for which no place was found: they cover something, or stand where they may not, or in each other's way. Of two
-    /// that do the one goes that frees more of the others.
+    /// The labels for which no place was found: they cover something, or stand where they may not, or in each other's
+    /// way. Of two that do the one goes that frees more of the others.
     std::vector<std::size_t> placeless() const;
 
 private:

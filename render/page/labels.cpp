@@ -1,6 +1,6 @@
-// Labels: sets every label of a figure, or lists it in a key below, and takes leaders off again. Owns the marks of a label that
-// has its place; where that is the search knows (label_search), what it costs the ground (label_ground) and the places
-// (label_places). Knows no mechanics, only marks.
+// Labels: sets every label of a figure, or lists it in a key below, and takes leaders off again. Owns the marks of a
+// label that has its place; where that is the search knows (label_search), what it costs the ground (label_ground) and
+// the places (label_places). Knows no mechanics, only marks.
 #include "render/page/labels.hpp"
 
 #include <algorithm>
@@ -65,12 +65,13 @@ void draw_leader(std::vector<Mark>& marks, const Candidate& place, Colour colour
 Path balloon_of(const LabelRequest& request, Spot centre, const Ground& ground) {
     Pen pen{0.35, request.colour, going_round(request.dashes, 2 * std::numbers::pi * request.balloon), false};
     const std::optional<Colour> tint = request.ground ? ground.tint_at(centre) : std::nullopt;
-    if (tint && tint != request.ground->own) return ring(centre, request.balloon, request.ground->paper, std::move(pen));
+    if (tint && tint != request.ground->own)
+        return ring(centre, request.balloon, request.ground->paper, std::move(pen));
     return circle(centre, request.balloon, std::move(pen));
 }
 
-void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, ShapedLine shaped, const Ground& ground,
-               Colour leaders) {
+void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, ShapedLine shaped,
+               const Ground& ground, Colour leaders) {
     const std::size_t own = figure.marks.size();
     if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
     if (place.leader) draw_leader(figure.marks, place, leaders), ++figure.leaders;
@@ -123,13 +124,15 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     if (!boxed) figure.box = box_of(figure.marks);
     const double measure = std::max(figure.box.width(), room ? std::min(room->x, wide_key) : wide_key);
     const std::size_t names = std::min(figure.labels.size(), most_names);
-    std::vector<LabelRequest> requests(figure.labels.begin(), figure.labels.begin() + static_cast<std::ptrdiff_t>(names));
+    std::vector<LabelRequest> requests(figure.labels.begin(),
+                                       figure.labels.begin() + static_cast<std::ptrdiff_t>(names));
     LabelKey key(fonts);
     std::optional<LabelSearch> search;
     // With labels gone others may find a place; a number that finds none is no longer tried.
     for (;;) {
         std::optional<Spot> left = room;
-        if (left && !key.empty()) left->y = std::max(left->y - above_key - key.lines({}, measure).height, figure.box.height());
+        if (left && !key.empty())
+            left->y = std::max(left->y - above_key - key.lines({}, measure).height, figure.box.height());
         search.emplace(requests, figure.box, fonts, ground, left, labelling == Labelling::strict);
         if (!search->place(labelling == Labelling::if_it_fits ? left : std::nullopt)) return false;
         if (labelling == Labelling::if_all_free && search->is_crowded()) return false;
@@ -144,7 +147,8 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
         set_label(figure, requests[i], search->chosen(i), search->take_shaped(i), ground, leaders);
     if (!key.empty()) set_key(figure, key, measure);
     if (closed) figure.marks.emplace_back(GroupEnd{});
-    for (std::size_t i = names; i < figure.labels.size(); ++i) figure.unnamed.push_back(std::move(figure.labels[i].text));
+    for (std::size_t i = names; i < figure.labels.size(); ++i)
+        figure.unnamed.push_back(std::move(figure.labels[i].text));
     figure.labels.clear();
     return true;
 }

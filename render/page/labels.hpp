@@ -17,16 +17,17 @@ enum class Labelling {
     if_all_free  ///< none is set where one of them finds no free place
 };
 
-/// Gives every request a place where it covers no stroke, no arrowhead and no other label, near its object; deterministic.
-/// Appends the TextMarks (class "label") and grows the box. Obstacles are the figure's own marks.
-/// `room`: the width and height (mm) that figure and labels should not exceed; a label wider than half of it ends in an ellipsis
-/// (its aria-label says it all). What finds no place is listed in a key below the figure, by a number at its object where that
-/// finds one; labels that must stay in the room go there rather than leave it. Of more than `most_names` the first are set and
-/// the rest are the figure's `unnamed`. False: none was set.
+/// Gives every request a place where it covers no stroke, no arrowhead and no other label, near its object;
+/// deterministic. Appends the TextMarks (class "label") and grows the box. Obstacles are the figure's own marks.
+/// `room`: the width and height (mm) that figure and labels should not exceed; a label wider than half of it ends in an
+/// ellipsis (its aria-label says it all). What finds no place is listed in a key below the figure, by a number at its
+/// object where that finds one; labels that must stay in the room go there rather than leave it. Of more than
+/// `most_names` the first are set and the rest are the figure's `unnamed`. False: none was set.
 bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room = std::nullopt,
                   Labelling labelling = Labelling::free);
-/// The same with leaders in this colour, else in that of the usual theme's secondary strokes. They are thin and end in a dot at
-/// what they name, so that none is taken for a vector; a leader's stroke and its dot stand right before its label.
+/// The same with leaders in this colour, else in that of the usual theme's secondary strokes. They are thin and end in
+/// a dot at what they name, so that none is taken for a vector; a leader's stroke and its dot stand right before its
+/// label.
 bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, Labelling labelling, Colour leaders);
 /// Takes the leader off marks that end with one of this colour.
 void drop_leader(std::vector<Mark>& marks, Colour leaders);

@@ -19,13 +19,14 @@
 
 namespace kinegraph::render {
 
-/// The invisible axis of a vector from tail to tip (`<line class="axis" stroke="none">`): the drawing is measured there.
+/// The invisible axis of a vector from tail to tip (`<line class="axis" stroke="none">`): the drawing is measured
+/// there.
 struct Axis {
     Spot tail, tip;
 };
 
-/// Shaped text in one colour, turned about nothing: glyphs stand where they say. A line in several colours is several marks, the
-/// first of which has the words and the rich text of all. `angle` turns them all (radians, clockwise on
+/// Shaped text in one colour, turned about nothing: glyphs stand where they say. A line in several colours is several
+/// marks, the first of which has the words and the rich text of all. `angle` turns them all (radians, clockwise on
 /// paper) about `pivot`.
 struct TextMark {
     std::vector<Glyph> glyphs;

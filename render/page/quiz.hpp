@@ -1,5 +1,5 @@
-// A quiz item: an exercise as a learning platform asks it, with nothing left to decide. Text is rich, numbers are as they are
-// written; it knows no platform and no mechanics.
+// A quiz item: an exercise as a learning platform asks it, with nothing left to decide. Text is rich, numbers are as
+// they are written; it knows no platform and no mechanics.
 #pragma once
 
 #include <string>

@@ -28,21 +28,15 @@ public:
     Typeset set(const Formula& formula, double size) const {
         const double em = millimetres(size);
         switch (formula.kind) {
-            case Formula::Kind::row:
-                return row(formula.parts, size);
+            case Formula::Kind::row: return row(formula.parts, size);
             case Formula::Kind::text:
-            case Formula::Kind::sign:
-                return words(formula.text, size);
-            case Formula::Kind::fraction:
-                return fraction(set(formula.parts[0], size), set(formula.parts[1], size), em);
-            case Formula::Kind::root:
-                return root(set(formula.parts[0], size), em);
+            case Formula::Kind::sign: return words(formula.text, size);
+            case Formula::Kind::fraction: return fraction(set(formula.parts[0], size), set(formula.parts[1], size), em);
+            case Formula::Kind::root: return root(set(formula.parts[0], size), em);
             case Formula::Kind::power:
                 return power(set(formula.parts[0], size), set(formula.parts[1], script * size), em);
-            case Formula::Kind::fence:
-                return fence(set(formula.parts[0], size), size);
-            case Formula::Kind::matrix:
-                return matrix(formula, size);
+            case Formula::Kind::fence: return fence(set(formula.parts[0], size), size);
+            case Formula::Kind::matrix: return matrix(formula, size);
         }
         return {};
     }
@@ -72,7 +66,8 @@ public:
 private:
     static void add(Typeset& to, Typeset part, double x, double y) {
         move(part.marks, x, y);
-        to.marks.insert(to.marks.end(), std::make_move_iterator(part.marks.begin()), std::make_move_iterator(part.marks.end()));
+        to.marks.insert(to.marks.end(), std::make_move_iterator(part.marks.begin()),
+                        std::make_move_iterator(part.marks.end()));
         to.width = std::max(to.width, x + part.width);
         to.ascent = std::max(to.ascent, part.ascent - y);
         to.descent = std::max(to.descent, part.descent + y);
@@ -165,8 +160,8 @@ private:
         const double bottom = top + height, over = 0.1 * em, end = right + inside * em;
         for (const bool is_right : {false, true}) {
             const double x = is_right ? end : 0.08 * em, arm = is_right ? -bracket * em : bracket * em;
-            box.marks.emplace_back(
-                polyline({{x + arm, top - over}, {x, top - over}, {x, bottom + over}, {x + arm, bottom + over}}, pen(1.3 * em)));
+            box.marks.emplace_back(polyline(
+                {{x + arm, top - over}, {x, top - over}, {x, bottom + over}, {x + arm, bottom + over}}, pen(1.3 * em)));
         }
         box.width = end + 0.12 * em;
         box.ascent = std::max(box.ascent, over - top + 0.05 * em);
@@ -194,7 +189,8 @@ std::vector<Typeset> lines_of(const Formula& formula, const Setter& setter, doub
             if (x > measure && last_sign > first) break;
         }
         if (end < parts.size()) end = last_sign;
-        Typeset line = Setter::joined(parts.subspan(first, end - first), std::span(boxes).subspan(first, end - first), size);
+        Typeset line =
+            Setter::joined(parts.subspan(first, end - first), std::span(boxes).subspan(first, end - first), size);
         if (indent > 0) {
             move(line.marks, indent, 0);
             line.width += indent;

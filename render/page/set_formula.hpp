@@ -7,8 +7,8 @@
 
 namespace kinegraph::render {
 
-/// A formula at `size` points, broken before its signs where it is wider than `measure` mm; what cannot be broken (a matrix) is
-/// set smaller, at most to three fifths, so that it stands within.
+/// A formula at `size` points, broken before its signs where it is wider than `measure` mm; what cannot be broken (a
+/// matrix) is set smaller, at most to three fifths, so that it stands within.
 Block formula_block(const Formula& formula, const Fonts& fonts, double size, double measure, Colour colour);
 
 /// On one line, however wide, with how far its baseline lies below its top (mm): for what stands beside others.

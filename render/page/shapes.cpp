@@ -73,14 +73,15 @@ struct Bounds {
     void add(const Path& path) {
         const double margin = path.stroked ? path.pen.width / 2 : 0;
         for (const Segment& segment : path.segments)
-            std::visit(Overloaded{[&](const MoveTo& s) { add(s.to, margin); }, [&](const LineTo& s) { add(s.to, margin); },
-                                  [&](const CurveTo& s) {
-                                      add(s.control_1, margin);
-                                      add(s.control_2, margin);
-                                      add(s.to, margin);
-                                  },
-                                  [&](const ArcTo& s) { add(s, margin); }, [](const Close&) {}},
-                       segment);
+            std::visit(
+                Overloaded{[&](const MoveTo& s) { add(s.to, margin); }, [&](const LineTo& s) { add(s.to, margin); },
+                           [&](const CurveTo& s) {
+                               add(s.control_1, margin);
+                               add(s.control_2, margin);
+                               add(s.to, margin);
+                           },
+                           [&](const ArcTo& s) { add(s, margin); }, [](const Close&) {}},
+                segment);
     }
     void add(const ArcTo& arc, double margin) {
         const auto add_on = [&](Spot on) { add(arc.centre + arc.radius * on, margin); };
@@ -91,8 +92,8 @@ struct Bounds {
             look_round(arc.from, arc.to, add_on);
         }
     }
-    /// An arc of radius 1 in steps of a tenth, of which only those count that are next to its ends and to where it crosses an
-    /// axis.
+    /// An arc of radius 1 in steps of a tenth, of which only those count that are next to its ends and to where it
+    /// crosses an axis.
     template <class See>
     static void look_round(double from, double to, See see) {
         const double sweep = to - from;
@@ -264,7 +265,8 @@ Path ring(Spot centre, double radius, Colour tint, Pen pen) {
     return path;
 }
 
-void draw_line_kind(std::vector<Mark>& marks, std::size_t first, double least, const BodyColour& body, const Theme& theme) {
+void draw_line_kind(std::vector<Mark>& marks, std::size_t first, double least, const BodyColour& body,
+                    const Theme& theme) {
     if (body.dashes.empty()) return;
     std::vector<Path> heavy;
     for (std::size_t i = first; i < marks.size(); ++i)
@@ -283,7 +285,8 @@ void draw_line_kind(std::vector<Mark>& marks, std::size_t first, double least, c
     }
 }
 
-void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double from, double to, double width, Colour colour) {
+void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double from, double to, double width,
+                    Colour colour) {
     const Head head{3.2, 1.15};
     const double turn = to > from ? 1 : -1;
     // The head is a straight chord: it leaves the arc where its back lies on it, so the tip stays on the arc too.
@@ -313,14 +316,15 @@ void set_text(std::vector<Mark>& marks, ShapedLine shaped, Spot origin, Colour c
         for (Glyph& glyph : text.glyphs) shift(glyph.origin);
         for (Path& extra : text.extras) {
             shift(extra);
-            (extra.filled ? extra.fill : extra.pen.colour) = text.colour;  // the dot of a derivative has its letter's ink
+            (extra.filled ? extra.fill : extra.pen.colour) =
+                text.colour;  // the dot of a derivative has its letter's ink
         }
         first = false;
     }
 }
 
-void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& theme, Spot origin, double target, double scale,
-                    double unit_in_si, const std::string& unit_symbol, Language language) {
+void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& theme, Spot origin, double target,
+                    double scale, double unit_in_si, const std::string& unit_symbol, Language language) {
     KG_ASSERT(scale > 0 && unit_in_si > 0, "a scale bar needs a scale");
     constexpr double height = 1.1;
     // The longest 1-2-5 length of the printed unit that fits; halved without ugly numbers, so 2.5 is left out.
@@ -355,7 +359,8 @@ Box box_of(std::span<const Mark> marks) {
                                   bounds.add(axis.tail);
                                   bounds.add(axis.tip);
                               },
-                              [&](const TextMark& text) { bounds.add(text); }, [](const GroupBegin&) {}, [](const GroupEnd&) {}},
+                              [&](const TextMark& text) { bounds.add(text); }, [](const GroupBegin&) {},
+                              [](const GroupEnd&) {}},
                    mark);
     if (bounds.box.min.x > bounds.box.max.x) return {};
     return bounds.box;
@@ -383,11 +388,13 @@ void move(std::span<Mark> marks, double dx, double dy) {
     for (Mark& mark : marks) Shift{dx, dy}(mark);
 }
 
-void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour, const std::vector<double>& dashes) {
+void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour,
+                const std::vector<double>& dashes) {
     const double whole = length(tip - tail);
     if (!(whole > 0)) return;
     Head head = head_for(width);
-    // A short vector keeps at least two fifths of shaft; the shaft grows thin with the head, or it would show beside the tip.
+    // A short vector keeps at least two fifths of shaft; the shaft grows thin with the head, or it would show beside
+    // the tip.
     const double shrink = std::min(1.0, 0.6 * whole / head.length);
     head = {head.length * shrink, head.width * std::max(shrink, 0.35)};
     const double shaft = std::min(width, 0.5 * head.width);

@@ -28,7 +28,8 @@ Theme print() {
     return theme;
 }
 
-/// Light on a dark ground, for slides. The lines keep the distances of the colour theme for colour-blind eyes and in grey.
+/// Light on a dark ground, for slides. The lines keep the distances of the colour theme for colour-blind eyes and in
+/// grey.
 Theme dark() {
     Theme theme;
     theme.paper = {0x15, 0x17, 0x1C};
@@ -85,7 +86,9 @@ public:
     }
 
 private:
-    void fault(JsonValue at, Words message) { errors_.push_back({ErrorCode::bad_input, at.pointer(), std::move(message)}); }
+    void fault(JsonValue at, Words message) {
+        errors_.push_back({ErrorCode::bad_input, at.pointer(), std::move(message)});
+    }
 
     bool is_object(JsonValue value, const Words& what) {
         if (!value.is_object()) fault(value, {"{0} is a JSON object", "{0} è un oggetto JSON", what});
@@ -156,7 +159,8 @@ private:
             fault(
                 list,
                 {"an even number of lengths is wanted here, 8 at most: dash, gap, dash, gap (mm); none for a full line",
-                 "qui serve un numero pari di lunghezze, al massimo 8: tratto, vuoto, tratto, vuoto (mm); nessuna per una linea continua"});
+                 "qui serve un numero pari di lunghezze, al massimo 8: tratto, vuoto, tratto, vuoto (mm); nessuna per "
+                 "una linea continua"});
             return;
         }
         dashes.clear();
@@ -171,8 +175,9 @@ private:
         if (!value) return;
         const std::string_view text = value.text();
         unsigned number = 0;
-        const bool written = value.is_string() && text.size() == 7 && text[0] == '#' &&
-                             std::from_chars(text.data() + 1, text.data() + text.size(), number, 16).ptr == text.data() + 7;
+        const bool written =
+            value.is_string() && text.size() == 7 && text[0] == '#' &&
+            std::from_chars(text.data() + 1, text.data() + text.size(), number, 16).ptr == text.data() + 7;
         if (!written) {
             fault(value, {"a colour is wanted here, as \"#RRGGBB\"", "qui serve un colore, come \"#RRGGBB\""});
             return;
@@ -195,8 +200,8 @@ private:
             char digits[16];
             return std::string(digits, std::to_chars(digits, digits + sizeof digits, bound).ptr);
         };
-        fault(value, {"a length from {0} to {1} mm is wanted here", "qui serve una lunghezza da {0} a {1} mm", plain(least),
-                      plain(most)});
+        fault(value, {"a length from {0} to {1} mm is wanted here", "qui serve una lunghezza da {0} a {1} mm",
+                      plain(least), plain(most)});
     }
 
     const JsonSource& source_;

@@ -18,7 +18,8 @@ Solution alone(const Solution& solution, const SolvedContact& contact) {
     for (const BodyIndex body : indices_of(result.mechanism.bodies)) {
         Words& label = result.mechanism.bodies[at_index(body)].label;
         if (!label.empty()) continue;
-        label = body == frame ? Words("frame", "telaio") : Words("body {0}", "corpo {0}", solution.mechanism.body(body).name);
+        label = body == frame ? Words("frame", "telaio")
+                              : Words("body {0}", "corpo {0}", solution.mechanism.body(body).name);
     }
     ProblemSolution found = *contact.found;
     found.subject = Words("Contact at {0}", "Contatto in {0}", solution.mechanism.joint(contact.joint).name);
@@ -36,7 +37,8 @@ std::deque<std::pair<std::string, Solution>> contacts_of(const Solution& solutio
 
 }  // namespace
 
-std::vector<Page> with_contacts(const Solution& solution, const SheetOptions& options, const Fonts& fonts, LayOutProblem contact,
+std::vector<Page> with_contacts(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
+                                LayOutProblem contact,
                                 const std::function<BoundPages(const SheetOptions&)>& mechanism) {
     const auto contacts = contacts_of(solution);
     SheetOptions numbered = options;
@@ -61,10 +63,12 @@ std::vector<Page> with_contacts(const Solution& solution, const SheetOptions& op
     return pages;
 }
 
-std::vector<std::string> contact_figure_names(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+std::vector<std::string> contact_figure_names(const Solution& solution, const SheetOptions& options,
+                                              const Fonts& fonts) {
     std::vector<std::string> names;
     for (const auto& [joint, each] : contacts_of(solution))
-        for (const std::string& figure : problem_figure_names({each, options.theme, fonts, options.language, options.dimensions}))
+        for (const std::string& figure :
+             problem_figure_names({each, options.theme, fonts, options.language, options.dimensions}))
             names.push_back(figure + "-" + joint);
     return names;
 }
@@ -74,7 +78,8 @@ std::optional<Figure> contact_figure(const Solution& solution, const SheetOption
         const std::string ending = "-" + joint;
         if (!name.ends_with(ending)) continue;
         const DrawingContext context{each, options.theme, fonts, options.language, options.dimensions};
-        if (auto figure = problem_figure(context, name.substr(0, name.size() - ending.size()), room.x, room.y)) return figure;
+        if (auto figure = problem_figure(context, name.substr(0, name.size() - ending.size()), room.x, room.y))
+            return figure;
     }
     return std::nullopt;
 }

@@ -14,7 +14,8 @@ std::vector<ProblemSection> point_sections(const DrawingContext& context) {
     };
     std::vector<ProblemSection> sections;
     for (PointSection& each : point_text(context.solution, context.language)) {
-        ProblemSection section{each.question, std::move(each.heading), {}, std::move(each.sentences), 0, std::move(each.pieces)};
+        ProblemSection section{each.question,         std::move(each.heading), {}, std::move(each.sentences), 0,
+                               std::move(each.pieces)};
         if (section.question == "given") {
             section.figures.push_back(figure("trajectory", trajectory_figure, 1.1));
             section.figures.back().as_question = [&context](double x, double y) {
@@ -31,12 +32,13 @@ std::vector<ProblemSection> point_sections(const DrawingContext& context) {
         }
         sections.push_back(std::move(section));
     }
-    sections.push_back(
-        {"hypotheses",
-         {"Hypotheses", "Ipotesi"},
-         {},
-         {{"The axes are fixed. Derivatives are found in symbols and evaluated at the instant; the check derives the numbers themselves.",
-           "Gli assi sono fissi. Le derivate sono in simboli, valutate nell’istante; la verifica deriva direttamente i numeri."}}});
+    sections.push_back({"hypotheses",
+                        {"Hypotheses", "Ipotesi"},
+                        {},
+                        {{"The axes are fixed. Derivatives are found in symbols and evaluated at the instant; the "
+                          "check derives the numbers themselves.",
+                          "Gli assi sono fissi. Le derivate sono in simboli, valutate nell’istante; la verifica deriva "
+                          "direttamente i numeri."}}});
     return sections;
 }
 

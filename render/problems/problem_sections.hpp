@@ -1,15 +1,15 @@
-// A problem's worked solution as questions: each with its figures and its sentences, which carry their formulas. One file for
-// each kind of problem.
+// A problem's worked solution as questions: each with its figures and its sentences, which carry their formulas. One
+// file for each kind of problem.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "render/equations/point_text.hpp"
 #include "render/page/block.hpp"
 #include "render/page/figure.hpp"
 #include "render/scene/drawing_context.hpp"
-#include "render/equations/point_text.hpp"
 
 namespace kinegraph::render {
 
@@ -23,8 +23,8 @@ struct ProblemSection {
     std::string question;  ///< its data-question
     Words heading;
     std::vector<ProblemFigure> figures;
-    std::vector<Words> sentences;         ///< as formula() reads them; a line break begins an equation on a line of its own
-    std::size_t found = 0;                ///< of what is given: how many of the last sentences a question keeps back
+    std::vector<Words> sentences;  ///< as formula() reads them; a line break begins an equation on a line of its own
+    std::size_t found = 0;         ///< of what is given: how many of the last sentences a question keeps back
     std::vector<PieceAfter> pieces = {};  ///< formulas and tables among the sentences
 };
 /// In the order in which they are read, without the results and remarks, which all problems share.

@@ -6,14 +6,14 @@
 
 #include "engine/mechanism/exercise.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "render/content/title_block.hpp"
+#include "render/equations/equation_block.hpp"
+#include "render/equations/prose.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/block.hpp"
 #include "render/page/set_formula.hpp"
 #include "render/page/shapes.hpp"
 #include "render/problems/problem_sections.hpp"
-#include "render/content/title_block.hpp"
-#include "render/equations/equation_block.hpp"
-#include "render/equations/prose.hpp"
 #include "render/text/formula.hpp"
 #include "render/text/utf8.hpp"
 
@@ -35,7 +35,8 @@ double largest_like(const ProblemValue& value, const std::vector<ProblemValue>& 
     }
     return largest > 0 ? largest : of_all;
 }
-ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>& all, const Units& units, Language language) {
+ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>& all, const Units& units,
+                     Language language) {
     const double larger = std::max(std::abs(value.value), std::abs(value.numeric.value_or(0)));
     const Unit unit = value.unit.empty() ? suitable_unit(larger, value.kind, units) : Unit{value.unit, 1};
     const double si = unit.si.to_double();
@@ -54,8 +55,8 @@ ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>&
 const Words& spoken(const ProblemValue& value) { return value.spoken.empty() ? value.name : value.spoken; }
 
 const Words& head_of(std::size_t column) {
-    static const std::array<Words, 4> heads{Words("quantity", "grandezza"), Words("found", "trovato"), Words("check", "verifica"),
-                                            Words("difference", "differenza")};
+    static const std::array<Words, 4> heads{Words("quantity", "grandezza"), Words("found", "trovato"),
+                                            Words("check", "verifica"), Words("difference", "differenza")};
     return heads.at(column);
 }
 
@@ -80,8 +81,8 @@ public:
           sections_(sections_of_problem(context_)) {}
 
     std::vector<Page> pages() {
-        // The tallest figures that need no more pages than the smallest; the results in a column of their own where that needs
-        // none.
+        // The tallest figures that need no more pages than the smallest; the results in a column of their own where
+        // that needs none.
         constexpr std::array heights{86.0, 82.0, 78.0, 74.0, 70.0, 66.0, 62.0, 58.0, 54.0};
         const std::size_t fewest = flow(items(heights.back()), false).size();
         std::vector<std::vector<Mark>> best;
@@ -106,7 +107,8 @@ public:
         for (const ProblemValue& each : context_.solution.problem->values) {
             if (!is_sought(each)) continue;
             const std::string symbol = "{" + each.symbol + "}";
-            sought.sentences.emplace_back("– " + symbol + "  " + spoken(each).en, "– " + symbol + "  " + spoken(each).it);
+            sought.sentences.emplace_back("– " + symbol + "  " + spoken(each).en,
+                                          "– " + symbol + "  " + spoken(each).it);
         }
         sections_ = {std::move(given), std::move(sought)};
         constexpr double height = 86;
@@ -180,7 +182,8 @@ private:
     }
     std::vector<Item> section(std::size_t s, double figure_height) {
         const ProblemSection& section = sections_[s];
-        std::vector<Item> all{{fitted(heading_block(context_, measure(), say(section.heading))), s, between_sections, true}};
+        std::vector<Item> all{
+            {fitted(heading_block(context_, measure(), say(section.heading))), s, between_sections, true}};
         for (const ProblemFigure& figure : section.figures)
             all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
         const auto add_pieces = [&](std::size_t after) {
@@ -215,8 +218,8 @@ private:
     Block piece_block(const EquationItem& item, double width) const {
         constexpr double indent = 5, air = 1.3;
         if (item.kind == EquationItem::Kind::formula) {
-            Block alone =
-                formula_block(item.formula, context_.fonts, context_.theme.derived, width - indent, context_.theme.text);
+            Block alone = formula_block(item.formula, context_.fonts, context_.theme.derived, width - indent,
+                                        context_.theme.text);
             Block block{{}, width, alone.height + air};
             set(block.marks, std::move(alone), {indent, 0});
             return block;
@@ -237,8 +240,8 @@ private:
         for (std::size_t from = 0; from <= text.size();) {
             const std::size_t to = std::min(text.find('\n', from), text.size());
             const bool is_equation = from > 0;
-            const Block line =
-                paragraph_block(context_, width, formula(text.substr(from, to - from)), is_equation ? equation_indent : 0, "");
+            const Block line = paragraph_block(context_, width, formula(text.substr(from, to - from)),
+                                               is_equation ? equation_indent : 0, "");
             set(block.marks, line, {0, block.height + (is_equation ? 0.6 : 0)});
             block.height += line.height + (is_equation ? 0.6 : 0);
             from = to + 1;
@@ -271,7 +274,8 @@ private:
             y += first_line + further_line * static_cast<double>(std::max<std::size_t>(name.size(), 1) - 1);
         };
         rule(context_.theme.outline);
-        row({one_piece(say(head_of(0))), one_piece(say(head_of(1))), one_piece(say(head_of(2))), one_piece(say(head_of(3)))},
+        row({one_piece(say(head_of(0))), one_piece(say(head_of(1))), one_piece(say(head_of(2))),
+             one_piece(say(head_of(3)))},
             context_.theme.secondary);
         rule(context_.theme.thin);
         const Units& units = context_.solution.mechanism.units;
@@ -279,7 +283,8 @@ private:
             const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
             RichText name = symbol_of(each.symbol);
             append(name, one_piece("  " + say(spoken(each))));
-            row({name, with_powers(cells.found), with_powers(cells.numeric), with_powers(cells.difference)}, context_.theme.text);
+            row({name, with_powers(cells.found), with_powers(cells.numeric), with_powers(cells.difference)},
+                context_.theme.text);
         }
         rule(context_.theme.outline);
         table.width = width;
@@ -304,8 +309,8 @@ private:
         }
         const EquationItem table{EquationItem::Kind::table, {}, {}, std::move(rows)};
         NaturalBlocks natural;
-        std::vector<Item> all{
-            {fitted(heading_block(context_, measure(), word("answers", context_.language))), section, between_sections, true}};
+        std::vector<Item> all{{fitted(heading_block(context_, measure(), word("answers", context_.language))), section,
+                               between_sections, true}};
         for (Block& line : equation_blocks(context_, {&table, 1}, measure(), natural))
             all.push_back({fitted(std::move(line)), section, 0, false});
         if (all.size() > 1) all[1].holds_next = true;
@@ -314,8 +319,8 @@ private:
     std::vector<Item> remarks(std::size_t section) const {
         std::vector<Item> all;
         if (context_.solution.problem->remarks.empty()) return all;
-        all.push_back(
-            {fitted(heading_block(context_, measure(), word("remarks", context_.language))), section, between_sections, true});
+        all.push_back({fitted(heading_block(context_, measure(), word("remarks", context_.language))), section,
+                       between_sections, true});
         for (const Words& each : context_.solution.problem->remarks)
             all.push_back({sentence(each, measure()), section, 0, false});
         return all;
@@ -326,7 +331,8 @@ private:
     double left_of(int column) const { return format_.content.min.x + column * (format_.measure + gap); }
     double bottom(int column, bool first_page) const {
         if (!first_page) return format_.content.max.y - strip_height;
-        return left_of(column) + format_.measure > format_.block.min.x - 2 ? format_.block.min.y - 3 : format_.content.max.y;
+        return left_of(column) + format_.measure > format_.block.min.x - 2 ? format_.block.min.y - 3
+                                                                           : format_.content.max.y;
     }
 
     /// Items one below the other, column after column, page after page.
@@ -344,8 +350,8 @@ private:
             const Item& item = all[i];
             double needed = item.block.height;
             for (std::size_t k = i; all[k].holds_next && k + 1 < all.size(); ++k) needed += all[k + 1].block.height;
-            if (!begins &&
-                ((spread && item.spreads) || y + item.above + needed > bottom(column, before_ == 0 && sheets.size() == 1))) {
+            if (!begins && ((spread && item.spreads) ||
+                            y + item.above + needed > bottom(column, before_ == 0 && sheets.size() == 1))) {
                 if (++column == format_.columns) {
                     close();
                     sheets.emplace_back();
@@ -356,7 +362,8 @@ private:
             }
             if (open != item.section) {
                 close();
-                const std::string question = item.section < sections_.size() ? sections_[item.section].question : "remarks";
+                const std::string question =
+                    item.section < sections_.size() ? sections_[item.section].question : "remarks";
                 sheets.back().emplace_back(GroupBegin{"band", "", "", {{"data-question", question}}, none});
                 open = item.section;
             }
@@ -377,12 +384,14 @@ private:
         std::size_t shown = s;
         while (shown > 0 && sections_[shown].figures.empty()) --shown;
         figures_ = figures_before_;
-        for (std::size_t before = 0; before < shown; ++before) figures_ += static_cast<int>(sections_[before].figures.size());
+        for (std::size_t before = 0; before < shown; ++before)
+            figures_ += static_cast<int>(sections_[before].figures.size());
         const double width = format_.columns > 1 ? format_.span(format_.columns - 1, format_.columns) : format_.measure;
         const Spot corner = format_.content.min;
         const auto& figures = sections_[shown].figures;
         const double room = std::min(
-            (format_.block.min.y - corner.y - 6) / static_cast<double>(std::max<std::size_t>(figures.size(), 1)), 0.8 * width);
+            (format_.block.min.y - corner.y - 6) / static_cast<double>(std::max<std::size_t>(figures.size(), 1)),
+            0.8 * width);
         double y = corner.y;
         for (const ProblemFigure& each : figures) {
             const Block block = figure_block(each, width, room);
@@ -427,12 +436,9 @@ private:
 std::vector<Page> lay_out_problem(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     ProblemSheet sheet(solution, options, fonts);
     switch (options.kind) {
-        case SheetKind::question:
-            return sheet.question();
-        case SheetKind::answers:
-            return sheet.answers();
-        case SheetKind::solution:
-            break;
+        case SheetKind::question: return sheet.question();
+        case SheetKind::answers: return sheet.answers();
+        case SheetKind::solution: break;
     }
     return sheet.pages();
 }
@@ -446,7 +452,8 @@ std::vector<std::string> problem_figure_names(const DrawingContext& context) {
         for (const ProblemFigure& figure : section.figures) names.push_back(figure.id);
     return names;
 }
-std::optional<Figure> problem_figure(const DrawingContext& context, const std::string& name, double room_x, double room_y) {
+std::optional<Figure> problem_figure(const DrawingContext& context, const std::string& name, double room_x,
+                                     double room_y) {
     for (const ProblemSection& section : sections_of_problem(context))
         for (const ProblemFigure& figure : section.figures)
             if (figure.id == name) return figure.draw(room_x, room_y);

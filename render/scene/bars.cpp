@@ -8,8 +8,8 @@ namespace kinegraph::render {
 namespace {
 
 const TrussStructure::Bar* bar_of(const TrussStructure& truss, BodyIndex body) {
-    const auto found =
-        std::find_if(truss.bars.begin(), truss.bars.end(), [&](const TrussStructure::Bar& bar) { return bar.body == body; });
+    const auto found = std::find_if(truss.bars.begin(), truss.bars.end(),
+                                    [&](const TrussStructure::Bar& bar) { return bar.body == body; });
     return found == truss.bars.end() ? nullptr : &*found;
 }
 

@@ -8,7 +8,8 @@
 
 namespace kinegraph::render {
 
-/// Whether the mechanism figure shows the given lengths, radii and angles as dimensions: each that finds a free place, all, none.
+/// Whether the mechanism figure shows the given lengths, radii and angles as dimensions: each that finds a free place,
+/// all, none.
 enum class Dimensions { automatic, on, off };
 
 struct DrawingContext {

@@ -38,8 +38,9 @@ LineNumbers::LineNumbers(const PolygonScene& scene) {
 }
 
 std::string LineNumbers::before(StatementIndex statement, const LineReason& reason) const {
-    const auto found = std::find_if(lines_.begin(), lines_.end(),
-                                    [&](const Numbered& each) { return each.statement == statement && each.reason == reason; });
+    const auto found = std::find_if(lines_.begin(), lines_.end(), [&](const Numbered& each) {
+        return each.statement == statement && each.reason == reason;
+    });
     if (found == lines_.end() || found->number >= circled.size()) return {};
     return std::string(circled[found->number]) + unbroken_blank;
 }

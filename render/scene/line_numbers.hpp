@@ -1,5 +1,5 @@
-// Line numbers: the numbers ①, ②, … that the lines of a polygon's construction carry, in the order drawn, on the figure and where
-// a sentence names them. Owns which line has which; draws and says nothing.
+// Line numbers: the numbers ①, ②, … that the lines of a polygon's construction carry, in the order drawn, on the figure
+// and where a sentence names them. Owns which line has which; draws and says nothing.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Loads alone: a solution by superposition as it is while only the loads of one body act, so that every figure of forces shows
-// these as it shows all. Computes nothing.
+// Loads alone: a solution by superposition as it is while only the loads of one body act, so that every figure of
+// forces shows these as it shows all. Computes nothing.
 #pragma once
 
 #include <cstddef>

@@ -38,7 +38,10 @@ PolygonScene::Kind kind_of(const Polygon& polygon) {
 class Reading {
 public:
     Reading(const Solution& solution, int polygon)
-        : solution_(solution), protocol_(solution.protocol), index_(polygon), polygon_(protocol_.polygons[at(polygon)]) {
+        : solution_(solution),
+          protocol_(solution.protocol),
+          index_(polygon),
+          polygon_(protocol_.polygons[at(polygon)]) {
         scene_.kind = kind_of(polygon_);
         scene_.id = polygon_.id;
         scene_.point = polygon_.point;
@@ -64,7 +67,9 @@ public:
 
 private:
     bool of_motion() const { return polygon_.plane != Plane::force; }
-    double in_unit(const Exact& si_value) const { return (si_is_one_ ? si_value : si_value / scene_.unit.si).to_double(); }
+    double in_unit(const Exact& si_value) const {
+        return (si_is_one_ ? si_value : si_value / scene_.unit.si).to_double();
+    }
     Place place(ElementIndex element) {
         const auto [found, fresh] = places_.try_emplace(element);
         if (fresh) {
@@ -122,7 +127,8 @@ private:
             shown.value = value;
             shown.body = vector.body;
             shown.falls_out = scene_.kind == PolygonScene::Kind::closure && vector.role == DrawnVector::Role::internal;
-            shown.has_right_angles = vector.role == DrawnVector::Role::normal || vector.role == DrawnVector::Role::coriolis;
+            shown.has_right_angles =
+                vector.role == DrawnVector::Role::normal || vector.role == DrawnVector::Role::coriolis;
             shown.statement = statement_of(vector);
             if (vector.role == DrawnVector::Role::coriolis) add_coriolis(vector, exact);
         }
@@ -197,7 +203,8 @@ private:
                 add(each.points.front(), each.points.back(), true, each.statement);
         for (const DrawnMiss& miss : trials.misses)
             if (miss.polygon == index_ && is_near(miss.through) && is_near(miss.foot) && is_near(miss.tip))
-                scene_.misses.push_back({miss.symbol, place(miss.through), place(miss.foot), place(miss.tip), miss.statement});
+                scene_.misses.push_back(
+                    {miss.symbol, place(miss.through), place(miss.foot), place(miss.tip), miss.statement});
         for (const Image& image : trials.images)
             if (image.polygon == index_ && is_near(image.point))
                 scene_.images.push_back(
@@ -215,7 +222,8 @@ private:
         for (const int index : polygon_.images) {
             const Image& image = protocol_.images[at(index)];
             if (image.symbol.letter == Symbol::Letter::pole || protocol_.point(image.point).at_infinity()) continue;
-            scene_.images.push_back({SceneImage::Kind::image, image.symbol, place(image.point), 0, statement_of(image)});
+            scene_.images.push_back(
+                {SceneImage::Kind::image, image.symbol, place(image.point), 0, statement_of(image)});
         }
     }
     /// An image stands once a vector ends in it; where none does, once its point is found.
@@ -268,7 +276,8 @@ PolygonScene polygon_scene(const Solution& solution, int polygon) {
 std::vector<int> closed_polygons(const Solution& solution) {
     std::vector<int> found;
     for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
-        if (solution.protocol.polygons[p].kind == Polygon::Kind::joined_forces && solution.protocol.polygons[p].faces.size() > 1)
+        if (solution.protocol.polygons[p].kind == Polygon::Kind::joined_forces &&
+            solution.protocol.polygons[p].faces.size() > 1)
             found.push_back(static_cast<int>(p));
     return found;
 }

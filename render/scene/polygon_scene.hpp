@@ -1,5 +1,5 @@
-// Polygon scene: what a polygon of the solution shows, in which role, of which quantity and drawn by which statement. Places are
-// values of its plane; no millimetre, no colour, no word.
+// Polygon scene: what a polygon of the solution shows, in which role, of which quantity and drawn by which statement.
+// Places are values of its plane; no millimetre, no colour, no word.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace kinegraph::render {
 
-/// A place of a polygon's plane from its pole, in the unit that its values are told in, y upwards; or a direction there, as a
-/// unit.
+/// A place of a polygon's plane from its pole, in the unit that its values are told in, y upwards; or a direction
+/// there, as a unit.
 struct Place {
     double x = 0, y = 0;
 };

@@ -8,7 +8,8 @@
 namespace kinegraph::render {
 
 bool names_a_pair(Sentence sentence) {
-    return std::any_of(plane_pairs.begin(), plane_pairs.end(), [&](const PlanePair& pair) { return pair.primary == sentence; });
+    return std::any_of(plane_pairs.begin(), plane_pairs.end(),
+                       [&](const PlanePair& pair) { return pair.primary == sentence; });
 }
 
 bool told_by_list(Sentence sentence) {
@@ -41,8 +42,7 @@ bool carries_on(Sentence sentence) {
         case Sentence::second_way:
         case Sentence::known_resultant:  // the sentence that needs it says so, and it is drawn
             return true;
-        default:
-            return false;
+        default: return false;
     }
 }
 
@@ -52,12 +52,14 @@ bool is_spoken_of(const std::vector<Statement>& statements, std::size_t which) {
     const Symbol& sum = std::get<Symbol>(statements[which].message.arguments[2]);
     return std::any_of(statements.begin(), statements.end(), [&](const Statement& other) {
         return &other != &statements[which] && other.message.sentence != Sentence::known_resultant &&
-               std::any_of(other.message.arguments.begin(), other.message.arguments.end(), [&](const Argument& argument) {
-                   const auto* symbol = std::get_if<Symbol>(&argument);
-                   const auto* symbols = std::get_if<Symbols>(&argument);
-                   return (symbol != nullptr && *symbol == sum) ||
-                          (symbols != nullptr && std::find(symbols->begin(), symbols->end(), sum) != symbols->end());
-               });
+               std::any_of(other.message.arguments.begin(), other.message.arguments.end(),
+                           [&](const Argument& argument) {
+                               const auto* symbol = std::get_if<Symbol>(&argument);
+                               const auto* symbols = std::get_if<Symbols>(&argument);
+                               return (symbol != nullptr && *symbol == sum) ||
+                                      (symbols != nullptr &&
+                                       std::find(symbols->begin(), symbols->end(), sum) != symbols->end());
+                           });
     });
 }
 

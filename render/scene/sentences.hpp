@@ -12,8 +12,8 @@ bool names_a_pair(Sentence sentence);
 /// The list of centres says it as well.
 bool told_by_list(Sentence sentence);
 
-/// Whether a sentence only carries on what another has decided (images, equal turnings), so that a brief solution does without
-/// it; not one that gives a name which another uses.
+/// Whether a sentence only carries on what another has decided (images, equal turnings), so that a brief solution does
+/// without it; not one that gives a name which another uses.
 bool is_incidental(const std::vector<Statement>& statements, std::size_t which);
 
 }  // namespace kinegraph::render

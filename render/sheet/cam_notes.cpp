@@ -4,9 +4,9 @@
 #include <numbers>
 #include <string_view>
 
+#include "render/content/exercise_text.hpp"
 #include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
-#include "render/content/exercise_text.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -38,7 +38,9 @@ private:
         return text;
     }
     RichText length(const Exact& si) const { return given_amount(si, cam_.units.length, language_); }
-    std::string degrees(double radians) const { return drawing::given_number(radians * 180 / std::numbers::pi, language_) + "°"; }
+    std::string degrees(double radians) const {
+        return drawing::given_number(radians * 180 / std::numbers::pi, language_) + "°";
+    }
     /// "; base circle r_b = 45 mm"
     void add(RichText& line, std::string_view key, const RichText& name, const RichText& value) const {
         if (!line.empty()) append(line, "; ");
@@ -61,7 +63,8 @@ private:
         const bool translates = follower.moves == Follower::Moves::translating;
         switch (follower.face) {
             case Follower::Face::roller:
-                add(line, translates ? "translating roller" : "oscillating roller", symbol("r", "r"), length(follower.radius));
+                add(line, translates ? "translating roller" : "oscillating roller", symbol("r", "r"),
+                    length(follower.radius));
                 break;
             case Follower::Face::flat:
                 line = one_piece(in_words(translates ? "translating flat" : "oscillating flat"));
@@ -74,8 +77,9 @@ private:
         if (translates != is_flat) add(line, "offset", symbol("e", ""), length(follower.offset));
         if (translates) return line;
         const double unit = cam_.units.length.si.to_double();
-        const std::string place = pair_of(drawing::given_number(follower.pivot.x.to_double() / unit, language_),
-                                          drawing::given_number(follower.pivot.y.to_double() / unit, language_), language_);
+        const std::string place =
+            pair_of(drawing::given_number(follower.pivot.x.to_double() / unit, language_),
+                    drawing::given_number(follower.pivot.y.to_double() / unit, language_), language_);
         add(line, "pivot", one_piece("Q", Face::italic), with_powers(place + " " + cam_.units.length.symbol));
         if (!is_flat) add(line, "arm", {}, length(follower.arm));
         return line;
@@ -109,20 +113,13 @@ private:
     }
     static std::string_view key_of(LawForm form) {
         switch (form) {
-            case LawForm::rest:
-                return "law rest";
-            case LawForm::constant_speed:
-                return "law constant speed";
-            case LawForm::constant_acceleration:
-                return "law constant acceleration";
-            case LawForm::harmonic:
-                return "law harmonic";
-            case LawForm::cycloidal:
-                return "law cycloidal";
-            case LawForm::polynomial_345:
-                return "law 3-4-5";
-            case LawForm::modified_trapezoidal:
-                return "law modified trapezoidal";
+            case LawForm::rest: return "law rest";
+            case LawForm::constant_speed: return "law constant speed";
+            case LawForm::constant_acceleration: return "law constant acceleration";
+            case LawForm::harmonic: return "law harmonic";
+            case LawForm::cycloidal: return "law cycloidal";
+            case LawForm::polynomial_345: return "law 3-4-5";
+            case LawForm::modified_trapezoidal: return "law modified trapezoidal";
         }
         return "law rest";
     }
@@ -135,8 +132,8 @@ private:
 
 }  // namespace
 
-CamNotes notes_of(const Cam& cam, const CamGeometry& geometry, double drawn_at, const CycleTable& table, const Mechanism& drawn,
-                  Language language) {
+CamNotes notes_of(const Cam& cam, const CamGeometry& geometry, double drawn_at, const CycleTable& table,
+                  const Mechanism& drawn, Language language) {
     CamNotes notes{drawn_at, CamData(cam, geometry, drawn, language).paragraphs(), {}};
     constexpr std::array<std::string_view, 3> of_motion{"rise of the follower", "speed of the follower",
                                                         "acceleration of the follower"};

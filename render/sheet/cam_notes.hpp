@@ -17,7 +17,7 @@ struct CamNotes {
 };
 
 /// `table` is the cam's, `drawn` its mechanism in one position.
-CamNotes notes_of(const Cam& cam, const CamGeometry& geometry, double drawn_at, const CycleTable& table, const Mechanism& drawn,
-                  Language language);
+CamNotes notes_of(const Cam& cam, const CamGeometry& geometry, double drawn_at, const CycleTable& table,
+                  const Mechanism& drawn, Language language);
 
 }  // namespace kinegraph::render

@@ -6,12 +6,12 @@
 #include <numbers>
 #include <optional>
 
+#include "render/content/title_block.hpp"
+#include "render/equations/prose.hpp"
 #include "render/figures/caption.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/content/title_block.hpp"
 #include "render/tables/extremes.hpp"
-#include "render/equations/prose.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -48,8 +48,8 @@ public:
         while (next_ < plots_.size()) draw_further_page();
         std::vector<Page> pages;
         for (std::size_t i = 0; i < sheets_.size(); ++i)
-            pages.push_back(
-                framed_page(context_, format_, signature_, sheets_[i], i == 0 ? scale_ : std::nullopt, i + 1, sheets_.size()));
+            pages.push_back(framed_page(context_, format_, signature_, sheets_[i], i == 0 ? scale_ : std::nullopt,
+                                        i + 1, sheets_.size()));
         return pages;
     }
 
@@ -97,9 +97,9 @@ private:
                 scale_ = figure.scale;
                 if (table_.is_of_cam) figure.caption = one_piece(word("cam and follower", context_.language));
                 if (cam_ != nullptr)
-                    append(figure.caption, " " + word("at the position", context_.language) + " " +
-                                               drawing::given_number(cam_->drawn * 180 / std::numbers::pi, context_.language) +
-                                               "°");
+                    append(figure.caption,
+                           " " + word("at the position", context_.language) + " " +
+                               drawing::given_number(cam_->drawn * 180 / std::numbers::pi, context_.language) + "°");
                 if (table_.parameter) figure.caption = one_piece(word("mechanism", context_.language));
                 return figure;
             },
@@ -148,18 +148,22 @@ private:
         return block;
     }
 
-    // --- the table ------------------------------------------------------------------------------------------------------------
+    // --- the table
+    // ------------------------------------------------------------------------------------------------------------
     std::string coordinate(double si) const {
         if (table_.parameter) {
             const Unit& unit = table_.parameter->unit;
             const bool is_close = unit.symbol.empty() || unit.symbol == "°";
             return number(si / unit.si.to_double(), 4, context_.language) + (is_close ? "" : " ") + unit.symbol;
         }
-        const Unit unit = table_.turns ? Unit{"°", pi() / 180} : unit_of(QuantityKind::length, context_.solution.mechanism);
+        const Unit unit =
+            table_.turns ? Unit{"°", pi() / 180} : unit_of(QuantityKind::length, context_.solution.mechanism);
         return number(si / unit.si.to_double(), 4, context_.language) + (table_.turns ? "°" : " " + unit.symbol);
     }
     /// Where something is: the driver's coordinate, or the time where it has a law.
-    std::string place(double at) const { return table_.travel.times ? number(at, 4, context_.language) + " s" : coordinate(at); }
+    std::string place(double at) const {
+        return table_.travel.times ? number(at, 4, context_.language) + " s" : coordinate(at);
+    }
     std::string amount(double si, QuantityKind kind) const {
         const Unit unit = unit_of(kind, context_.solution.mechanism);
         return number(si / unit.si.to_double(), 4, context_.language) + (unit.symbol == "°" ? "°" : " " + unit.symbol);
@@ -168,7 +172,8 @@ private:
     Block extremes() {
         Block block;
         set(block.marks,
-            heading_block(context_, width_, word(table_.parameter ? "extremes of rows" : "extremes", context_.language), {}),
+            heading_block(context_, width_, word(table_.parameter ? "extremes of rows" : "extremes", context_.language),
+                          {}),
             {0, 0});
         y_ = 6.2;
         rule(block, theme_.outline);
@@ -213,8 +218,8 @@ private:
             return cells(block, {name, value, {}, value, {}}, theme_.text);
         }
         cells(block,
-              {name, with_powers(amount(least.value, unit)), one_piece(place(least.at)), with_powers(amount(most.value, unit)),
-               one_piece(place(most.at))},
+              {name, with_powers(amount(least.value, unit)), one_piece(place(least.at)),
+               with_powers(amount(most.value, unit)), one_piece(place(most.at))},
               theme_.text);
     }
 
@@ -240,13 +245,14 @@ private:
         if (table_.transmission)
             say(in_words("least transmission angle"),
                 // To hundredths: at a dead point, where it is zero, the position is known no better.
-                number(std::round(table_.transmission->least * 18000 / std::numbers::pi) / 100, 4, context_.language) + "°" + at +
-                    coordinate(table_.transmission->at));
+                number(std::round(table_.transmission->least * 18000 / std::numbers::pi) / 100, 4, context_.language) +
+                    "°" + at + coordinate(table_.transmission->at));
         if (const auto fastest = largest_of_points(Kind::velocity)) say(in_words("largest speed"), *fastest);
         if (const auto hardest = largest_of_points(Kind::acceleration)) say(in_words("largest acceleration"), *hardest);
         for (const Words& fact : table_.facts) {
             std::string line = in(fact, context_.language);
-            for (std::size_t sign = 0; (sign = line.find(" -", sign)) != std::string::npos;) line.replace(sign, 2, " −");
+            for (std::size_t sign = 0; (sign = line.find(" -", sign)) != std::string::npos;)
+                line.replace(sign, 2, " −");
             said.push_back(with_powers(line));
         }
         return said;
@@ -306,8 +312,9 @@ private:
         PointIndex point;
         for (std::size_t i = 0; i + 1 < table_.columns.size(); ++i) {
             const Column &x = table_.columns[i], &y = table_.columns[i + 1];
-            if (x.kind != Column::Kind::result || x.quantity.kind != kind || x.quantity.component != Quantity::Component::x ||
-                y.quantity.point != x.quantity.point || y.quantity.kind != kind)
+            if (x.kind != Column::Kind::result || x.quantity.kind != kind ||
+                x.quantity.component != Quantity::Component::x || y.quantity.point != x.quantity.point ||
+                y.quantity.kind != kind)
                 continue;
             std::vector<double> sizes;
             for (const auto& row : table_.rows) sizes.push_back(length(Spot{row[i], row[i + 1]}));
@@ -318,9 +325,9 @@ private:
             point = x.quantity.point;
         }
         if (point == none) return std::nullopt;
-        return amount(largest.value, kind == Kind::velocity ? QuantityKind::velocity : QuantityKind::acceleration) + " (" +
-               context_.solution.mechanism.point(point).name + ") " + word("at the position", context_.language) + " " +
-               place(largest.at);
+        return amount(largest.value, kind == Kind::velocity ? QuantityKind::velocity : QuantityKind::acceleration) +
+               " (" + context_.solution.mechanism.point(point).name + ") " +
+               word("at the position", context_.language) + " " + place(largest.at);
     }
 
     DrawingContext context_;

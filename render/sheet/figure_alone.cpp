@@ -5,12 +5,12 @@
 #include <functional>
 
 #include "engine/solution/problem_solution.hpp"
+#include "render/content/title_block.hpp"
+#include "render/content/wanted_figures.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
 #include "render/problems/contact_pages.hpp"
 #include "render/problems/problem_sheet.hpp"
-#include "render/content/title_block.hpp"
-#include "render/content/wanted_figures.hpp"
 
 namespace kinegraph::render {
 namespace {

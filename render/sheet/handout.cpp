@@ -1,5 +1,5 @@
-// Handouts: see handout.hpp. Figure 1 is drawn at the scale that it has in the solution and put where the mechanism stands there;
-// text runs through the columns that it leaves, blank rooms with pole and grid follow.
+// Handouts: see handout.hpp. Figure 1 is drawn at the scale that it has in the solution and put where the mechanism
+// stands there; text runs through the columns that it leaves, blank rooms with pole and grid follow.
 #include "render/sheet/handout.hpp"
 
 #include <algorithm>
@@ -9,20 +9,20 @@
 #include <utility>
 
 #include "engine/mechanism/exercise.hpp"
+#include "render/content/bands.hpp"
+#include "render/content/exercise_text.hpp"
+#include "render/content/title_block.hpp"
+#include "render/content/wanted_figures.hpp"
+#include "render/equations/equation_block.hpp"
+#include "render/equations/prose.hpp"
 #include "render/figures/caption.hpp"
 #include "render/figures/exercise_figure.hpp"
 #include "render/figures/figure.hpp"
+#include "render/layout/drawn_sheet.hpp"
+#include "render/layout/page_plan.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/loads_alone.hpp"
-#include "render/content/bands.hpp"
-#include "render/layout/drawn_sheet.hpp"
-#include "render/content/exercise_text.hpp"
-#include "render/layout/page_plan.hpp"
-#include "render/content/title_block.hpp"
-#include "render/content/wanted_figures.hpp"
 #include "render/tables/answers.hpp"
-#include "render/equations/equation_block.hpp"
-#include "render/equations/prose.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -39,7 +39,8 @@ struct Stretch {
 
 class Handout {
 public:
-    Handout(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options, const Fonts& fonts)
+    Handout(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options,
+            const Fonts& fonts)
         : asked_(asked),
           options_(options),
           context_{solution, options.theme, fonts, options.language, options.dimensions},
@@ -73,7 +74,8 @@ private:
         return solution;
     }
 
-    // --- figure 1 -------------------------------------------------------------------------------------------------------------
+    // --- figure 1
+    // -------------------------------------------------------------------------------------------------------------
 
     void place_figure() {
         Figure figure = drawn_.figures.front();
@@ -92,8 +94,8 @@ private:
         taken_.include(at + Spot{drawn_.caption_width, caption});
         if (figure.kind == "mechanism") scale_ = figure.scale;
     }
-    /// The scale at which a question shows a mechanism that the solution, with its centres and beside its text, shows too small
-    /// for data; nothing: that of the solution is good enough, or asked for.
+    /// The scale at which a question shows a mechanism that the solution, with its centres and beside its text, shows
+    /// too small for data; nothing: that of the solution is good enough, or asked for.
     std::optional<double> finer_than_solved(const Figure& solved) const {
         constexpr double readable = 20, for_data = 56;  // mm: of its longer side, round it
         const std::vector<AskedScale>& asked = context_.solution.mechanism.scales;
@@ -118,8 +120,8 @@ private:
         figure.origin = 0.5 * (room.min + room.max) - (0.5 / scale) * (extent.min + extent.max);
         drawn_.caption_width = room.width();
     }
-    /// The mechanism with its data where the solution has it. What needs the room of the caption, which stands at `caption`,
-    /// sends that below; only what leaves the paper all the same moves the mechanism.
+    /// The mechanism with its data where the solution has it. What needs the room of the caption, which stands at
+    /// `caption`, sends that below; only what leaves the paper all the same moves the mechanism.
     Figure question_in_place(const Figure& solved, Spot& caption) const {
         constexpr double air = 1.5;  // of the caption's height, under its letters
         constexpr double rim = 2.5;  // within the frame: a letter may stand in the margin
@@ -155,13 +157,16 @@ private:
         return set_caption(unused, context_, figure, 1, {}, drawn_.caption_width);
     }
 
-    // --- text -----------------------------------------------------------------------------------------------------------------
+    // --- text
+    // -----------------------------------------------------------------------------------------------------------------
 
     double measure() const { return format_.measure / format_.text_size; }
-    Passage passage(const std::string& title, const std::vector<RichText>& paragraphs, const std::string& bullet) const {
+    Passage passage(const std::string& title, const std::vector<RichText>& paragraphs,
+                    const std::string& bullet) const {
         return passage_under(word(title, context_.language), paragraphs, bullet);
     }
-    Passage passage_under(const std::string& words, const std::vector<RichText>& paragraphs, const std::string& bullet) const {
+    Passage passage_under(const std::string& words, const std::vector<RichText>& paragraphs,
+                          const std::string& bullet) const {
         Passage passage{heading_block(context_, measure(), words),
                         heading_block(context_, measure(), words + ", " + word("continued", context_.language)),
                         {},
@@ -171,7 +176,8 @@ private:
         return passage;
     }
     std::vector<Passage> question() const {
-        const std::vector<Answer> sought = answers_sought(context_.solution.mechanism, answers_of(context_, drawn_.figures));
+        const std::vector<Answer> sought =
+            answers_sought(context_.solution.mechanism, answers_of(context_, drawn_.figures));
         Passage asked = passage("sought", sought_of(context_, asked_), "–");
         if (has_turning_sense(context_.solution.mechanism))
             asked.rows.emplace_back(
@@ -270,7 +276,8 @@ private:
             y += block.height();
         };
         for (Passage& passage : passages) {
-            for (SharedBlock* block : {&passage.heading, &passage.heading_again, &passage.head}) *block = reduced(*block);
+            for (SharedBlock* block : {&passage.heading, &passage.heading_again, &passage.head})
+                *block = reduced(*block);
             double whole = passage.heading.height() + passage.head.height() + passage_gap;
             for (const SharedBlock& row : passage.rows) whole += reduced(row).height();
             // What fits a column as a whole is not torn.
@@ -310,7 +317,8 @@ private:
         }
     }
 
-    // --- blank rooms ----------------------------------------------------------------------------------------------------------
+    // --- blank rooms
+    // ----------------------------------------------------------------------------------------------------------
 
     struct Room {
         RichText name;
@@ -366,11 +374,14 @@ private:
         bool open = false;
         for (const Figure& figure : drawn_.figures) {
             if (&figure == &drawn_.figures.front() || !figure.has_scale) continue;
-            if (figure.kind != "velocity" && figure.kind != "acceleration" && figure.kind != "forces" && figure.kind != "closure")
+            if (figure.kind != "velocity" && figure.kind != "acceleration" && figure.kind != "forces" &&
+                figure.kind != "closure")
                 continue;
             if (!is_drawn_for_sought(context_.solution.mechanism, figure)) continue;
             Room room = room_of(figure);
-            const auto down_to = [](double length, double most) { return square * std::floor(std::min(length, most) / square); };
+            const auto down_to = [](double length, double most) {
+                return square * std::floor(std::min(length, most) / square);
+            };
             room.size = {down_to(room.size.x, content.width()), down_to(room.size.y, content.height() - caption)};
             if (!open || x + room.size.x > content.max.x) x = content.min.x, y += row, row = 0;
             if (!open || y + caption + room.size.y > content.max.y) {
@@ -387,8 +398,8 @@ private:
         std::vector<Mark>& marks = sheets_.back();
         const Theme& theme = context_.theme;
         marks.emplace_back(GroupBegin{"room", "", plain(room.name), {}});
-        render::set_text(marks, shaped_within(room.name, theme.body_text, context_.fonts, room.size.x), {at.x, at.y + 3.8},
-                         theme.text, "text");
+        render::set_text(marks, shaped_within(room.name, theme.body_text, context_.fonts, room.size.x),
+                         {at.x, at.y + 3.8}, theme.text, "text");
         const Spot corner = at + Spot{0, caption};
         const Pen thin{0.1, theme.secondary, {}, false};
         for (double x = 0; x <= room.size.x + 0.1; x += square)
@@ -403,8 +414,8 @@ private:
                 context_.fonts.shape(typeset(Symbol{Symbol::Letter::pole, "", ""}, context_.language), theme.body_text);
             // In the middle of a square.
             const Spot middle = pole + Spot{square / 2, square / 2};
-            render::set_text(marks, name, {middle.x - name.width / 2, middle.y + (name.ascent - name.descent) / 2}, theme.text,
-                             "text");
+            render::set_text(marks, name, {middle.x - name.width / 2, middle.y + (name.ascent - name.descent) / 2},
+                             theme.text, "text");
         }
         marks.emplace_back(GroupEnd{});
     }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "render/page/shapes.hpp"
 #include "render/content/title_block.hpp"
+#include "render/page/shapes.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -35,7 +35,8 @@ public:
             for (std::size_t first = 0; first == 0 || first < table_.rows.size(); first += on_a_page)
                 sheets.push_back(sheet(group, first, std::min(first + on_a_page, table_.rows.size())));
         std::vector<Page> pages;
-        for (std::size_t i = 0; i < sheets.size(); ++i) pages.push_back(framed(std::move(sheets[i]), i + 1, sheets.size()));
+        for (std::size_t i = 0; i < sheets.size(); ++i)
+            pages.push_back(framed(std::move(sheets[i]), i + 1, sheets.size()));
         return pages;
     }
 
@@ -84,7 +85,8 @@ private:
             put(head(table_.columns[c]), top + 3.8, theme.text);
             put(small(table_.columns[c].unit), top + 8, theme.secondary);
             for (std::size_t r = first; r < end; ++r)
-                put(cell(table_.rows[r][c]), top + head_height + row_height * static_cast<double>(r - first) + 3.4, theme.text);
+                put(cell(table_.rows[r][c]), top + head_height + row_height * static_cast<double>(r - first) + 3.4,
+                    theme.text);
             left += widths_[c] + between;
         }
         rule(top + head_height + row_height * static_cast<double>(end - first), theme.outline);
@@ -114,7 +116,8 @@ private:
                  shaped_within(one_piece(table_.title, Face::bold), theme.equation, fonts_,
                                format_.content.width() - sheet.width - between),
                  {format_.content.min.x, baseline}, theme.text, "text");
-        page.marks.insert(page.marks.end(), std::make_move_iterator(marks.begin()), std::make_move_iterator(marks.end()));
+        page.marks.insert(page.marks.end(), std::make_move_iterator(marks.begin()),
+                          std::make_move_iterator(marks.end()));
         return page;
     }
 

@@ -19,8 +19,8 @@ struct KeyTable {
     std::vector<std::vector<std::string>> rows;  ///< a cell for each column
 };
 
-/// Of `options` the paper, its orientation, the language, the theme, author and date. Columns that find no place beside the
-/// others go to pages of their own.
+/// Of `options` the paper, its orientation, the language, the theme, author and date. Columns that find no place beside
+/// the others go to pages of their own.
 std::vector<Page> lay_out_key(const KeyTable& table, const SheetOptions& options, const Fonts& fonts);
 
 }  // namespace kinegraph::render

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "engine/mechanism/pair_catalogue.hpp"
+#include "render/content/title_block.hpp"
+#include "render/equations/prose.hpp"
 #include "render/figures/pair_figures.hpp"
 #include "render/page/block.hpp"
 #include "render/page/shapes.hpp"
-#include "render/content/title_block.hpp"
-#include "render/equations/prose.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -93,14 +93,17 @@ private:
         Section section{"plane-pairs", {say_word("pairs of the plane")}, 4, 40, {}};
         for (const PlanePair& pair : plane_pairs) {
             const std::string key(pair.key);
-            Card card{
-                capital(say_word("pair " + key)), [this, kind = pair.kind] { return plane_pair_figure(context_, kind); }, {}};
+            Card card{capital(say_word("pair " + key)),
+                      [this, kind = pair.kind] { return plane_pair_figure(context_, kind); },
+                      {}};
             const std::string freedoms = std::to_string(pair.freedoms());
+            card.lines.push_back(fact(say_word("class"),
+                                      pair.freedoms() > 0
+                                          ? freedoms
+                                          : say({"none, the two are one body", "nessuna, i due sono un corpo solo"})));
             card.lines.push_back(
-                fact(say_word("class"),
-                     pair.freedoms() > 0 ? freedoms : say({"none, the two are one body", "nessuna, i due sono un corpo solo"})));
-            card.lines.push_back(fact(say_word("freedoms left"),
-                                      freedoms + (pair.freedoms() > 0 ? " (" + say_word("freedoms " + key) + ")" : "")));
+                fact(say_word("freedoms left"),
+                     freedoms + (pair.freedoms() > 0 ? " (" + say_word("freedoms " + key) + ")" : "")));
             card.lines.push_back(fact(say_word("reaction"), say_word("reaction " + key)));
             card.lines.push_back(fact(say({"closure", "accoppiamento"}), say(closure_of(pair))));
             section.cards.push_back(std::move(card));
@@ -110,18 +113,19 @@ private:
     }
     Card key_to_arrows() const {
         Card card{say({"How to read it", "Come si legge"}), nullptr, {}};
-        for (
-            const Words& line :
-            {Words("Left the pair with the motions that it allows its bodies against each other: dashed arrows.",
-                   "A sinistra la coppia con i moti relativi che consente: frecce tratteggiate."),
-             Words("Right one body alone with the reactions that the other transmits to it: full arrows.",
-                   "A destra un corpo isolato con le reazioni che l’altro gli trasmette: frecce piene."),
-             Words(
-                 "The class is the number of the freedoms left. In the plane freedoms and components of the reaction add up to three, in space to six.",
-                 "La classe è il numero delle libertà residue. Nel piano libertà e componenti della reazione sono in tutto tre, nello spazio sei."),
-             Words(
-                 "Form closure: the bodies enclose each other. Force closure: a weight or a spring holds them together.",
-                 "Accoppiamento di forma: i corpi si trattengono per la loro forma. Di forza: li tiene a contatto un peso o una molla.")})
+        for (const Words& line :
+             {Words("Left the pair with the motions that it allows its bodies against each other: dashed arrows.",
+                    "A sinistra la coppia con i moti relativi che consente: frecce tratteggiate."),
+              Words("Right one body alone with the reactions that the other transmits to it: full arrows.",
+                    "A destra un corpo isolato con le reazioni che l’altro gli trasmette: frecce piene."),
+              Words("The class is the number of the freedoms left. In the plane freedoms and components of the "
+                    "reaction add up to three, in space to six.",
+                    "La classe è il numero delle libertà residue. Nel piano libertà e componenti della reazione sono "
+                    "in tutto tre, nello spazio sei."),
+              Words("Form closure: the bodies enclose each other. Force closure: a weight or a spring holds them "
+                    "together.",
+                    "Accoppiamento di forma: i corpi si trattengono per la loro forma. Di forza: li tiene a contatto "
+                    "un peso o una molla.")})
             card.lines.push_back(plain_line(line));
         return card;
     }
@@ -135,8 +139,8 @@ private:
             card.lines.push_back(fact(say_word("class"), std::to_string(pair.freedoms)));
             card.lines.push_back(
                 fact(say_word("freedoms left"), std::to_string(pair.freedoms) + " (" + as_formula(pair.motions) + ")"));
-            card.lines.push_back(
-                fact(say_word("reaction"), as_formula(pair.reactions) + " (" + std::to_string(pair.reaction_count()) + ")"));
+            card.lines.push_back(fact(say_word("reaction"),
+                                      as_formula(pair.reactions) + " (" + std::to_string(pair.reaction_count()) + ")"));
             card.lines.push_back(fact(say({"closure", "accoppiamento"}), say(closure_of(pair))));
             section.cards.push_back(std::move(card));
         }
@@ -152,17 +156,19 @@ private:
              [this] { return closure_figure(context_, Closure::form); },
              {plain_line({"The slot holds the roller on both sides: the reaction may have either sense.",
                           "La scanalatura trattiene la rotella dai due lati: la reazione può avere i due versi."})}});
-        section.cards.push_back(
-            {say({"Force closure", "Accoppiamento di forza"}),
-             [this] { return closure_figure(context_, Closure::force); },
-             {plain_line(
-                 {"A spring or a weight presses the roller on one side: the reaction can only push, else the bodies part.",
-                  "Una molla o un peso preme la rotella da un lato: la reazione può solo spingere, altrimenti i corpi si staccano."})}});
+        section.cards.push_back({say({"Force closure", "Accoppiamento di forza"}),
+                                 [this] { return closure_figure(context_, Closure::force); },
+                                 {plain_line({"A spring or a weight presses the roller on one side: the reaction can "
+                                              "only push, else the bodies part.",
+                                              "Una molla o un peso preme la rotella da un lato: la reazione può solo "
+                                              "spingere, altrimenti i corpi si staccano."})}});
         return section;
     }
     Section links() const {
-        Section section{"links", {"Bodies by the number of their pairs", "Membri secondo il numero delle coppie"}, 3, 25, {}};
-        const std::array<Words, 3> names{Words("Binary body", "Membro binario"), Words("Ternary body", "Membro ternario"),
+        Section section{
+            "links", {"Bodies by the number of their pairs", "Membri secondo il numero delle coppie"}, 3, 25, {}};
+        const std::array<Words, 3> names{Words("Binary body", "Membro binario"),
+                                         Words("Ternary body", "Membro ternario"),
                                          Words("Quaternary body", "Membro quaternario")};
         for (int pairs = 2; pairs <= 4; ++pairs)
             section.cards.push_back({say(names.at(static_cast<std::size_t>(pairs) - 2)),
@@ -173,15 +179,17 @@ private:
     Section chains() const {
         Section section{"chains", {"Open and closed chains", "Catene aperte e chiuse"}, 3, 37, {}};
         const auto card = [&](const Words& name, ChainDrawn chain, const Words& line) {
-            section.cards.push_back({say(name), [this, chain] { return chain_figure(context_, chain); }, {plain_line(line)}});
+            section.cards.push_back(
+                {say(name), [this, chain] { return chain_figure(context_, chain); }, {plain_line(line)}});
         };
         card({"Open chain", "Catena aperta"}, ChainDrawn::open,
              {"No loop: each body hangs on the one before it, and the last is free.",
               "Nessuna maglia: ogni membro segue il precedente e l’ultimo è libero."});
-        card(
-            {"Closed chain", "Catena chiusa"}, ChainDrawn::closed,
-            {"Loops, and each body has at least two pairs: {l} = {c} − {m} + 1 independent ones, of {c} binary pairs and {m} bodies.",
-             "Maglie, e ogni membro ha almeno due coppie: {l} = {c} − {m} + 1 indipendenti, con {c} coppie binarie e {m} membri."});
+        card({"Closed chain", "Catena chiusa"}, ChainDrawn::closed,
+             {"Loops, and each body has at least two pairs: {l} = {c} − {m} + 1 independent ones, of {c} binary pairs "
+              "and {m} bodies.",
+              "Maglie, e ogni membro ha almeno due coppie: {l} = {c} − {m} + 1 indipendenti, con {c} coppie binarie e "
+              "{m} membri."});
         card({"Mixed chain", "Catena mista"}, ChainDrawn::mixed,
              {"Loops, and bodies that hang on one pair alone.", "Maglie, e membri che hanno una sola coppia."});
         return section;
@@ -196,9 +204,10 @@ private:
             std::string hinges;
             for (const auto& hinge : schemes[i].hinges)
                 hinges += "(" + std::to_string(hinge[0] + 1) + "–" + std::to_string(hinge[1] + 1) + ")";
-            section.cards.push_back({say(Words("Equivalent scheme {0}", "Schema equivalente {0}", std::to_string(i + 1))),
-                                     [this, scheme = schemes[i]] { return triple_hinge_figure(context_, &scheme); },
-                                     {fact(say({"two binary hinges", "due cerniere binarie"}), hinges)}});
+            section.cards.push_back(
+                {say(Words("Equivalent scheme {0}", "Schema equivalente {0}", std::to_string(i + 1))),
+                 [this, scheme = schemes[i]] { return triple_hinge_figure(context_, &scheme); },
+                 {fact(say({"two binary hinges", "due cerniere binarie"}), hinges)}});
         }
         section.cards.back().lines.push_back(formula(say_word("stars rule")));
         return section;
@@ -215,8 +224,10 @@ private:
             section.cards.push_back(
                 {std::to_string(i + 1), [this, scheme = schemes[i]] { return scheme_figure(context_, scheme); }, {}});
         section.closing = {
-            "In all there are {n}^{n − 2} schemes, as many as trees on {n} bodies (Cayley): 1, 3, 16, 125, 1296 for 2, 3, 4, 5, 6 bodies; of these {n} have all hinges on one body.",
-            "In tutto gli schemi sono {n}^{n − 2}, quanti gli alberi su {n} corpi (Cayley): 1, 3, 16, 125, 1296 per 2, 3, 4, 5, 6 corpi; fra questi {n} hanno tutte le cerniere su un corpo."};
+            "In all there are {n}^{n − 2} schemes, as many as trees on {n} bodies (Cayley): 1, 3, 16, 125, 1296 for 2, "
+            "3, 4, 5, 6 bodies; of these {n} have all hinges on one body.",
+            "In tutto gli schemi sono {n}^{n − 2}, quanti gli alberi su {n} corpi (Cayley): 1, 3, 16, 125, 1296 per 2, "
+            "3, 4, 5, 6 corpi; fra questi {n} hanno tutte le cerniere su un corpo."};
         return section;
     }
 
@@ -226,19 +237,22 @@ private:
 class CatalogueSheet {
 public:
     CatalogueSheet(const DrawingContext& context, const SheetOptions& options)
-        : context_(context), format_(format_of(options.paper, options.orientation)), signature_{options.author, options.date} {}
+        : context_(context),
+          format_(format_of(options.paper, options.orientation)),
+          signature_{options.author, options.date} {}
 
     std::vector<Page> pages(const std::vector<Section>& sections) {
         y_ = format_.content.min.y;
         sheets_.emplace_back();
-        const ShapedLine title =
-            context_.fonts.shape(one_piece(title_of(context_.solution, context_.language), Face::bold), context_.theme.title);
+        const ShapedLine title = context_.fonts.shape(
+            one_piece(title_of(context_.solution, context_.language), Face::bold), context_.theme.title);
         set_text(sheets_.back(), title, {format_.content.min.x, y_ + 4}, context_.theme.text, "text");
         y_ += 9;
         for (const Section& section : sections) put(section);
         std::vector<Page> pages;
         for (std::size_t i = 0; i < sheets_.size(); ++i)
-            pages.push_back(framed_page(context_, format_, signature_, sheets_[i], std::nullopt, i + 1, sheets_.size(), false));
+            pages.push_back(
+                framed_page(context_, format_, signature_, sheets_[i], std::nullopt, i + 1, sheets_.size(), false));
         return pages;
     }
 
@@ -270,9 +284,9 @@ private:
         const bool narrow = format_.content.width() < 200;
         const std::size_t across = std::max<std::size_t>(1, narrow ? (section.across + 1) / 2 : section.across);
         const double width = (format_.content.width() + gap) / static_cast<double>(across) - gap;
-        const Block heading =
-            scaled(heading_block(context_, format_.content.width() / format_.text_size, in(section.heading, context_.language)),
-                   format_.text_size);
+        const Block heading = scaled(heading_block(context_, format_.content.width() / format_.text_size,
+                                                   in(section.heading, context_.language)),
+                                     format_.text_size);
         bool first = true;
         for (std::size_t from = 0; from < section.cards.size(); from += across) {
             std::vector<Block> row;
@@ -299,7 +313,8 @@ private:
         if (section.closing.empty()) return;
         const double text = format_.text_size;
         const Block words = scaled(
-            paragraph_block(context_, format_.content.width() / text, formula(in(section.closing, context_.language))), text);
+            paragraph_block(context_, format_.content.width() / text, formula(in(section.closing, context_.language))),
+            text);
         set(sheets_.back(), words, {format_.content.min.x, y_});
         y_ += words.height + 5;
     }

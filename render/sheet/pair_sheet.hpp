@@ -1,5 +1,6 @@
-// The catalogue of pairs drawn: a card for each pair of the plane and in space, then closure, links, chains and multiple hinges,
-// in rows on as many pages as they take. Takes figures as they come; facts are those of `kinegraph pairs`.
+// The catalogue of pairs drawn: a card for each pair of the plane and in space, then closure, links, chains and
+// multiple hinges, in rows on as many pages as they take. Takes figures as they come; facts are those of `kinegraph
+// pairs`.
 #pragma once
 
 #include <vector>

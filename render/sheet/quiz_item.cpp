@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "engine/solution/problem_solution.hpp"
-#include "render/scene/sentences.hpp"
-#include "render/layout/drawn_sheet.hpp"
 #include "render/content/exercise_text.hpp"
-#include "render/sheet/figure_alone.hpp"
+#include "render/content/title_block.hpp"
+#include "render/layout/drawn_sheet.hpp"
 #include "render/layout/page_plan.hpp"
 #include "render/problems/problem_sections.hpp"
-#include "render/content/title_block.hpp"
+#include "render/scene/sentences.hpp"
+#include "render/sheet/figure_alone.hpp"
 #include "render/tables/answers.hpp"
 #include "render/text/formula.hpp"
 
@@ -23,7 +23,8 @@ namespace {
 /// A decimal with so many digits after the point, without zeros at its end.
 std::string decimal(double value, int decimals) {
     std::array<char, 400> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals).ptr;
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals).ptr;
     std::string text(digits.data(), end);
     if (text.find('.') != std::string::npos) {
         while (text.ends_with('0')) text.pop_back();
@@ -71,7 +72,8 @@ public:
 private:
     Language language() const { return context_.language; }
 
-    // --- of a mechanism -------------------------------------------------------------------------------------------------------
+    // --- of a mechanism
+    // -------------------------------------------------------------------------------------------------------
 
     void tell_mechanism() {
         SheetOptions as_solution = options_;
@@ -79,8 +81,8 @@ private:
         drawn_ = draw_solution(solution_, as_solution, context_.fonts).figures;
         answers_ = answers_of(context_, drawn_);
         const Box content = content_of(format_, true);
-        item_.figure =
-            page_of_figure(context_, exercise_figure(context_, drawn_.front().scale, content.width(), content.height()));
+        item_.figure = page_of_figure(
+            context_, exercise_figure(context_, drawn_.front().scale, content.width(), content.height()));
         item_.question.push_back({word("data", language()), data_of(context_)});
         if (auto scales = scales_of(context_, drawn_, answers_sought(solution_.mechanism, answers_)); !scales.empty())
             item_.question.push_back({word("scales", language()), std::move(scales)});
@@ -110,7 +112,8 @@ private:
         return text;
     }
 
-    // --- of a problem ---------------------------------------------------------------------------------------------------------
+    // --- of a problem
+    // ---------------------------------------------------------------------------------------------------------
 
     void tell_problem() {
         std::vector<ProblemSection> sections = sections_of_problem(context_);
@@ -140,17 +143,19 @@ private:
     }
     RichText said(const Words& words) const { return formula(in(words, language())); }
 
-    // --- what is asked --------------------------------------------------------------------------------------------------------
+    // --- what is asked
+    // --------------------------------------------------------------------------------------------------------
 
     void add_blanks(const std::vector<AskedValue>& asked) {
         bool turns = false, has_vectors = false;
         for (const AskedValue& each : asked) {
-            const double off = is_problem_ ? 0.01 * std::abs(each.value)
-                                           : reading_tolerance(answers_, drawn_, each.column, each.value, solution_.mechanism);
+            const double off = is_problem_
+                                   ? 0.01 * std::abs(each.value)
+                                   : reading_tolerance(answers_, drawn_, each.column, each.value, solution_.mechanism);
             AskedText text = asked_text(context_, each.column);
             const WrittenAnswer number = written(each.value / each.unit_size, off / each.unit_size);
-            item_.blanks.push_back(
-                {each.column.name, std::move(text.words), std::move(text.symbol), number.value, number.tolerance, each.unit});
+            item_.blanks.push_back({each.column.name, std::move(text.words), std::move(text.symbol), number.value,
+                                    number.tolerance, each.unit});
             const QuantityKind kind = each.column.unit;
             turns = turns || kind == QuantityKind::angle || kind == QuantityKind::angular_velocity ||
                     kind == QuantityKind::angular_acceleration || kind == QuantityKind::moment;

@@ -11,26 +11,25 @@ namespace {
 
 bool belongs(Topic section, Condition::Polygon polygon) {
     switch (polygon) {
-        case Condition::Polygon::velocity:
-            return section == Topic::velocity;
-        case Condition::Polygon::acceleration:
-            return section == Topic::acceleration;
-        case Condition::Polygon::force:
-            return section == Topic::forces;
+        case Condition::Polygon::velocity: return section == Topic::velocity;
+        case Condition::Polygon::acceleration: return section == Topic::acceleration;
+        case Condition::Polygon::force: return section == Topic::forces;
     }
     return false;
 }
 
 }  // namespace
 
-bool is_readable(const Solution& solution, Condition::Polygon polygon, const SheetOptions& options, const Fonts& fonts) {
+bool is_readable(const Solution& solution, Condition::Polygon polygon, const SheetOptions& options,
+                 const Fonts& fonts) {
     const DrawnSheet drawn = draw_solution(solution, options, fonts);
     const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
     const std::vector<Answer> answers = answers_of(context, drawn.figures, false);
     return std::all_of(answers.begin(), answers.end(), [&](const Answer& each) {
         // A vector has a direction; what vanishes has none, and no length either.
         const auto letter = each.symbol.letter;
-        const bool turns = letter == Symbol::Letter::omega || letter == Symbol::Letter::alpha || letter == Symbol::Letter::M;
+        const bool turns =
+            letter == Symbol::Letter::omega || letter == Symbol::Letter::alpha || letter == Symbol::Letter::M;
         const bool is_vector = !turns && (each.direction || each.value == 0);
         if (!is_vector || !belongs(each.section, polygon)) return true;
         return each.tolerance && reading_by_hand * each.value / *each.tolerance >= readable_length;

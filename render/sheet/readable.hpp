@@ -6,8 +6,8 @@
 
 namespace kinegraph::render {
 
-/// True where no vector that is sought in a polygon is shorter on the solution's sheet than `readable_length`; also of a solution
-/// without such vectors.
+/// True where no vector that is sought in a polygon is shorter on the solution's sheet than `readable_length`; also of
+/// a solution without such vectors.
 bool is_readable(const Solution& solution, Condition::Polygon polygon, const SheetOptions& options, const Fonts& fonts);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,5 @@
-// The results as plain text for a terminal: one aligned table for each kind of quantity, in the file's units. Knows no font.
+// The results as plain text for a terminal: one aligned table for each kind of quantity, in the file's units. Knows no
+// font.
 #include <algorithm>
 #include <cmath>
 
@@ -41,14 +42,15 @@ std::string table(const std::string& heading, const std::vector<Cells>& rows) {
 
 class Text {
 public:
-    Text(const Solution& solution, Language language) : solution_(solution), language_(language), magnitudes_(solution) {}
+    Text(const Solution& solution, Language language)
+        : solution_(solution), language_(language), magnitudes_(solution) {}
 
     std::string write() const {
         const std::string& title = in(solution_.mechanism.title, language_);
         std::string text = title.empty() ? "" : title + "\n";
         text += mobility();
-        text +=
-            bodies() + points(true) + points(false) + sliding() + relative() + centres() + reactions() + efforts() + resultants();
+        text += bodies() + points(true) + points(false) + sliding() + relative() + centres() + reactions() + efforts() +
+                resultants();
         const auto list = [&](const std::string& key, const std::vector<std::string>& lines) {
             if (lines.empty()) return;
             text += "\n" + word(key, language_) + "\n";
@@ -72,7 +74,8 @@ public:
 private:
     std::string value(double v) const { return number(v, 6, language_); }
     std::string value(const Exact& v, const Unit& unit) const { return value((v / unit.si).to_double()); }
-    /// What a decimal that is not the whole number leaves beside the largest of its kind is nothing to a reader of six digits.
+    /// What a decimal that is not the whole number leaves beside the largest of its kind is nothing to a reader of six
+    /// digits.
     std::string value(const Quantity& quantity, const Exact& v, const Unit& unit) const {
         return magnitudes_.is_noise(quantity, v.to_double()) ? value(0.0) : value(v, unit);
     }
@@ -105,8 +108,10 @@ private:
             if (!motion.omega && !motion.alpha) continue;
             const Quantity spin{.kind = Quantity::Kind::omega, .body = BodyIndex(b)},
                 speeding{.kind = Quantity::Kind::alpha, .body = BodyIndex(b)};
-            rows.push_back({body(BodyIndex(b)), motion.omega ? value(spin, *motion.omega, units.angular_velocity) : "–"});
-            if (has_alpha) rows.back().push_back(motion.alpha ? value(speeding, *motion.alpha, Unit{"rad/s²", 1}) : "–");
+            rows.push_back(
+                {body(BodyIndex(b)), motion.omega ? value(spin, *motion.omega, units.angular_velocity) : "–"});
+            if (has_alpha)
+                rows.back().push_back(motion.alpha ? value(speeding, *motion.alpha, Unit{"rad/s²", 1}) : "–");
         }
         return table(word("bodies", language_), rows);
     }
@@ -114,17 +119,20 @@ private:
     std::string points(bool velocity) const {
         const Unit& unit = velocity ? solution_.mechanism.units.velocity : solution_.mechanism.units.acceleration;
         const std::string v = velocity ? "v" : "a", in_unit = " [" + unit.symbol + "]";
-        std::vector<Cells> rows{{word("point", language_), v + "x" + in_unit, v + "y" + in_unit, "|" + v + "|" + in_unit}};
+        std::vector<Cells> rows{
+            {word("point", language_), v + "x" + in_unit, v + "y" + in_unit, "|" + v + "|" + in_unit}};
         for (const PointMotion& motion : solution_.points) {
             const auto& vector = velocity ? motion.velocity : motion.acceleration;
-            if (!vector || std::find(motion.bodies.begin(), motion.bodies.end(), frame) != motion.bodies.end()) continue;
+            if (!vector || std::find(motion.bodies.begin(), motion.bodies.end(), frame) != motion.bodies.end())
+                continue;
             const std::string& name = solution_.mechanism.point(motion.point).name;
             std::string label = name;
             const auto twins = std::count_if(solution_.points.begin(), solution_.points.end(),
                                              [&](const PointMotion& other) { return other.point == motion.point; });
             if (twins > 1 && !motion.bodies.empty()) {
                 label += " " + word("on", language_) + " ";
-                for (std::size_t i = 0; i < motion.bodies.size(); ++i) label += (i > 0 ? ", " : "") + body(motion.bodies[i]);
+                for (std::size_t i = 0; i < motion.bodies.size(); ++i)
+                    label += (i > 0 ? ", " : "") + body(motion.bodies[i]);
             }
             const Quantity quantity = velocity ? velocity_of(motion) : acceleration_of(motion);
             rows.push_back({label, value(quantity, vector->x, unit), value(quantity, vector->y, unit),
@@ -145,7 +153,8 @@ private:
                 label += ": " + body(joint.bodies[0]) + " " + word("on", language_) + " " + body(joint.bodies[1]);
             rows.push_back(
                 {label, each.velocity ? length_of(Kind::sliding_velocity, *each.velocity, units.velocity) : "–",
-                 each.acceleration ? length_of(Kind::sliding_acceleration, *each.acceleration, units.acceleration) : "–",
+                 each.acceleration ? length_of(Kind::sliding_acceleration, *each.acceleration, units.acceleration)
+                                   : "–",
                  each.coriolis ? length_of(Kind::sliding_coriolis, *each.coriolis, units.acceleration) : "–"});
         }
         return table(word("sliding", language_), rows);
@@ -153,19 +162,20 @@ private:
 
     std::string relative() const {
         const Units& units = solution_.mechanism.units;
-        std::vector<Cells> rows{
-            {word("point", language_), "|v| [" + units.velocity.symbol + "]", "|a| [" + units.acceleration.symbol + "]"}};
+        std::vector<Cells> rows{{word("point", language_), "|v| [" + units.velocity.symbol + "]",
+                                 "|a| [" + units.acceleration.symbol + "]"}};
         for (const RelativeMotion& each : solution_.relative_motion) {
             const auto point = [&](PointIndex p) { return solution_.mechanism.point(p).name; };
             const std::string observer =
                 each.query.translating_with != none
                     ? word("seen from axes translating with", language_) + " " + point(each.query.translating_with)
                     : word("seen from body", language_) + " " + body(each.query.observer);
-            rows.push_back({point(each.query.point) + " " + observer,
-                            each.relative_velocity ? length_of(Kind::velocity, *each.relative_velocity, units.velocity) : "–",
-                            each.relative_acceleration
-                                ? length_of(Kind::acceleration, *each.relative_acceleration, units.acceleration)
-                                : "–"});
+            rows.push_back(
+                {point(each.query.point) + " " + observer,
+                 each.relative_velocity ? length_of(Kind::velocity, *each.relative_velocity, units.velocity) : "–",
+                 each.relative_acceleration
+                     ? length_of(Kind::acceleration, *each.relative_acceleration, units.acceleration)
+                     : "–"});
         }
         return table(word("relative motion", language_), rows);
     }
@@ -190,12 +200,13 @@ private:
         for (const JointForce& each : solution_.forces) {
             const std::string from = each.from == none ? word("pin", language_) : body(each.from);
             const std::string on = each.on == none ? word("pin", language_) : body(each.on);
-            rows.push_back({solution_.mechanism.joint(each.joint).name + ": " + from + " " + word("on", language_) + " " + on,
-                            each.force ? value(any_force, each.force->x, force) : "–",
-                            each.force ? value(any_force, each.force->y, force) : "–",
-                            each.force       ? length_of(Kind::force, *each.force, force)
-                            : each.component ? component(each, force)
-                                             : "–"});
+            rows.push_back(
+                {solution_.mechanism.joint(each.joint).name + ": " + from + " " + word("on", language_) + " " + on,
+                 each.force ? value(any_force, each.force->x, force) : "–",
+                 each.force ? value(any_force, each.force->y, force) : "–",
+                 each.force       ? length_of(Kind::force, *each.force, force)
+                 : each.component ? component(each, force)
+                                  : "–"});
             if (couples) rows.back().push_back(each.couple ? value({.kind = Kind::couple}, *each.couple, moment) : "–");
         }
         return table(word("reactions heading", language_), rows);
@@ -215,12 +226,13 @@ private:
 
     std::string resultants() const {
         const Unit &force = solution_.mechanism.units.force, &moment = solution_.mechanism.units.moment;
-        std::vector<Cells> rows{
-            {word("body", language_), "Fx [" + force.symbol + "]", "Fy [" + force.symbol + "]", "M [" + moment.symbol + "]", ""}};
+        std::vector<Cells> rows{{word("body", language_), "Fx [" + force.symbol + "]", "Fy [" + force.symbol + "]",
+                                 "M [" + moment.symbol + "]", ""}};
         for (const Resultant& each : solution_.resultants) {
             std::string names;
             for (const BodyIndex b : each.bodies) names += (names.empty() ? "" : ", ") + body(b);
-            rows.push_back({names, value(each.force->x, force), value(each.force->y, force), value(*each.couple, moment),
+            rows.push_back({names, value(each.force->x, force), value(each.force->y, force),
+                            value(*each.couple, moment),
                             word(each.vanishes ? "in equilibrium" : "not in equilibrium", language_)});
         }
         return table(word("resultant of what is given", language_), rows);
@@ -234,7 +246,8 @@ private:
             if (centre.at && !centre.at->at_infinity()) {
                 const Vector at = centre.at->place();
                 const Quantity place{.kind = Kind::centre};
-                rows.push_back({name, value(place, at.x / centre.at->w, unit), value(place, at.y / centre.at->w, unit)});
+                rows.push_back(
+                    {name, value(place, at.x / centre.at->w, unit), value(place, at.y / centre.at->w, unit)});
             } else if (centre.at) {
                 const Spot along = unit_of(centre.at->place());
                 rows.push_back({name, "∞ · " + value(along.x), "∞ · " + value(along.y)});

@@ -1,10 +1,10 @@
-// The sheet: figures, equations, tables and steps on pages, nothing overlapping, nothing cut. Owns what is drawn where; knows no
-// mechanics, and takes every figure as it comes: it is moved, never scaled.
+// The sheet: figures, equations, tables and steps on pages, nothing overlapping, nothing cut. Owns what is drawn where;
+// knows no mechanics, and takes every figure as it comes: it is moved, never scaled.
 //
-// Method: a solution is a sequence of bands, each a question with its figures and its text (bands). A band stands in a room as it
-// is worth most (band_layout); bands in their order make rows, rows make the fewest pages (page_plan, sheet_plan). Only then are
-// the figures drawn, each once, into the rooms that are theirs (drawn_figures); what their letters take is known then
-// (figure_needs), and planned with. In the end all is set on pages (sheet_pages).
+// Method: a solution is a sequence of bands, each a question with its figures and its text (bands). A band stands in a
+// room as it is worth most (band_layout); bands in their order make rows, rows make the fewest pages (page_plan,
+// sheet_plan). Only then are the figures drawn, each once, into the rooms that are theirs (drawn_figures); what their
+// letters take is known then (figure_needs), and planned with. In the end all is set on pages (sheet_pages).
 #include "render/sheet/sheet.hpp"
 
 #include <algorithm>
@@ -13,19 +13,20 @@
 #include <utility>
 
 #include "engine/solution/problem_solution.hpp"
-#include "render/problems/contact_pages.hpp"
 #include "render/layout/drawn_sheet.hpp"
-#include "render/sheet/handout.hpp"
-#include "render/problems/problem_sheet.hpp"
 #include "render/layout/sheet_choice.hpp"
 #include "render/layout/sheet_pages.hpp"
+#include "render/problems/contact_pages.hpp"
+#include "render/problems/problem_sheet.hpp"
+#include "render/sheet/handout.hpp"
 
 namespace kinegraph::render {
 namespace {
 
 class Layout {
 public:
-    /// `lettering`: how much room is set aside for letters before a figure is drawn, against what they may be thought to take.
+    /// `lettering`: how much room is set aside for letters before a figure is drawn, against what they may be thought
+    /// to take.
     Layout(const Solution& solution, const SheetOptions& options, const Fonts& fonts, double lettering)
         : context_{solution, options.theme, fonts, options.language, options.dimensions},
           format_(format_of(options.paper, options.orientation)),
@@ -46,7 +47,8 @@ public:
         figures_.enrich();
         tell_where_figures_stand();
         SheetPages pages(context_, format_, signature_, {plan_, bands_, figures_, *text_});
-        DrawnSheet sheet{pages.set(after_), {}, pages.first_caption(), pages.first_caption_width(), figures_.keep_to_rooms()};
+        DrawnSheet sheet{
+            pages.set(after_), {}, pages.first_caption(), pages.first_caption_width(), figures_.keep_to_rooms()};
         std::map<int, Figure*> by_number;
         for (auto& [band, figures] : figures_.by_band())
             for (DrawnFigure& each : figures) by_number[each.number] = &each.figure;
@@ -63,7 +65,8 @@ private:
             const bool takes_what_comes = round >= most_rounds;
             make_plan();
             needs_.begin_round();
-            const bool lacks_equations = !figures_.draw(plan_, !takes_what_comes);  // they stand in the text from now on
+            const bool lacks_equations =
+                !figures_.draw(plan_, !takes_what_comes);  // they stand in the text from now on
             const bool may_go_on = round < 2 * most_rounds || lacks_equations;
             if (!takes_what_comes && (drawn_otherwise() || lacks_equations)) continue;
             figures_.draw_what_fills_its_room();
@@ -86,7 +89,8 @@ private:
             const std::string& question = bands_.list[placed.band].question;
             const auto drawn = figures_.by_band().find(placed.band);
             if (drawn != figures_.by_band().end() && !drawn->second.empty())
-                standing.try_emplace(question, Standing{page, drawn->second.front().number, drawn->second.back().number});
+                standing.try_emplace(question,
+                                     Standing{page, drawn->second.front().number, drawn->second.back().number});
             else if (const auto found = standing.find(question); found != standing.end() && found->second.page != page)
                 bands_.tell_figures(question, found->second.first, found->second.last, found->second.page);
         };
@@ -114,8 +118,8 @@ private:
         plan_.look_again();
         plan_.make();
     }
-    /// Whether a figure is planned for less room from now on, for it would not fill more. One after the other: another may find
-    /// the room that it lacked.
+    /// Whether a figure is planned for less room from now on, for it would not fill more. One after the other: another
+    /// may find the room that it lacked.
     bool takes_a_smaller_room() {
         for (const auto& [band, figures] : figures_.by_band())
             for (const DrawnFigure& drawn : figures)
@@ -133,8 +137,8 @@ private:
         if (found) plan_.look_again();
         return found;
     }
-    /// Whether something came otherwise than planned, so that it is planned anew: a force polygon smaller than the others, a
-    /// figure that has no room at the scale which the file asks for, or none in its room.
+    /// Whether something came otherwise than planned, so that it is planned anew: a force polygon smaller than the
+    /// others, a figure that has no room at the scale which the file asks for, or none in its room.
     bool drawn_otherwise() {
         bool otherwise = false;
         std::optional<double> least, most;  // scale of the force polygons
@@ -170,7 +174,8 @@ private:
             append(text, one_piece(i > 0 ? ", " : " "));
             append(text, followed_by[i]);
         }
-        if (followed_by.size() > most_listed) append(text, one_piece(" … (" + std::to_string(followed_by.size()) + ")"));
+        if (followed_by.size() > most_listed)
+            append(text, one_piece(" … (" + std::to_string(followed_by.size()) + ")"));
         if (!bands_.remark(wanted_.list[drawn.wanted].name + words, text)) return false;
         plan_.texts().forget("remarks");
         return true;
@@ -191,8 +196,8 @@ private:
 }  // namespace
 
 DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    // How a plan settles depends on where it begins: as thought first; then generous, which may give larger figures, and sparing,
-    // which may do with fewer pages or fill them.
+    // How a plan settles depends on where it begins: as thought first; then generous, which may give larger figures,
+    // and sparing, which may do with fewer pages or fill them.
     constexpr double lettering[] = {1, 1.3, 0.8, 0.6};
     SheetChoice choice(format_of(options.paper, options.orientation).inner);
     for (const double each : lettering) {

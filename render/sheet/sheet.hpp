@@ -1,5 +1,5 @@
-// The sheet: figures, equations, tables and steps of a solution laid out on pages, nothing overlapping, nothing cut; what does
-// not fit goes to further pages. Computes no mechanics.
+// The sheet: figures, equations, tables and steps of a solution laid out on pages, nothing overlapping, nothing cut;
+// what does not fit goes to further pages. Computes no mechanics.
 #pragma once
 
 #include <string>

@@ -9,17 +9,17 @@
 #include <string>
 
 #include "engine/solution/problem_solution.hpp"
+#include "render/content/title_block.hpp"
+#include "render/content/wanted_figures.hpp"
+#include "render/equations/prose.hpp"
 #include "render/figures/caption.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/loads_alone.hpp"
-#include "render/scene/sentences.hpp"
 #include "render/problems/contact_pages.hpp"
 #include "render/problems/problem_sheet.hpp"
-#include "render/content/title_block.hpp"
-#include "render/content/wanted_figures.hpp"
+#include "render/scene/loads_alone.hpp"
+#include "render/scene/sentences.hpp"
 #include "render/tables/force_tables.hpp"
-#include "render/equations/prose.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
@@ -88,7 +88,8 @@ struct Contents {
             if (text && !text->names.empty()) names.push_back(text->names);
         }
     }
-    /// The names sought that labels carry, and those that stand beside them there: of a_A = a_A^n one arrow is drawn for both.
+    /// The names sought that labels carry, and those that stand beside them there: of a_A = a_A^n one arrow is drawn
+    /// for both.
     std::set<std::string> found(const std::set<std::string>& sought) const {
         std::set<std::string> found;
         for (const std::vector<std::string>& label : names)
@@ -160,10 +161,12 @@ private:
     const Statement& statement(StatementIndex index) const { return statements()[at_index(index)]; }
     const std::vector<Statement>& statements() const { return solution_.protocol.statements; }
     bool is_wanted(const std::string& name) const {
-        return std::any_of(wanted_.list.begin(), wanted_.list.end(), [&](const Wanted& each) { return each.name == name; });
+        return std::any_of(wanted_.list.begin(), wanted_.list.end(),
+                           [&](const Wanted& each) { return each.name == name; });
     }
 
-    // --- what belongs to which page ------------------------------------------------------------------------------------------
+    // --- what belongs to which page
+    // ------------------------------------------------------------------------------------------
 
     void collect() {
         page_of_.assign(statements().size(), 0);
@@ -205,8 +208,8 @@ private:
         }
         if (steps_.empty()) steps_.push_back({"mechanism", Topic::unnamed, {}, {}, 0, false, true});
     }
-    /// Statements section by section, as each section is opened: a sliding told after the centres stands with its polygon. What
-    /// is found a second time comes after the section that has found it.
+    /// Statements section by section, as each section is opened: a sliding told after the centres stands with its
+    /// polygon. What is found a second time comes after the section that has found it.
     std::vector<StatementIndex> in_order() const {
         std::vector<Topic> sections;
         for (const Statement& statement : statements())
@@ -216,7 +219,8 @@ private:
         for (const Topic section : sections)
             for (const bool again : {false, true})
                 for (const StatementIndex i : indices_of(statements()))
-                    if (statement(i).section == section && (statement(i).message.sentence == Sentence::second_way) == again)
+                    if (statement(i).section == section &&
+                        (statement(i).message.sentence == Sentence::second_way) == again)
                         order.push_back(i);
         return order;
     }
@@ -253,12 +257,13 @@ private:
     }
     std::string first_polygon_of(Topic section) const {
         for (const Polygon& polygon : solution_.protocol.polygons)
-            if (polygon.plane == (section == Topic::acceleration ? Plane::acceleration : Plane::velocity)) return polygon.id;
+            if (polygon.plane == (section == Topic::acceleration ? Plane::acceleration : Plane::velocity))
+                return polygon.id;
         return "";
     }
 
-    /// A statement has a page of its own where it draws or points at something; else it stands with the one before it in its
-    /// section, or, where it opens the section, with the one after it.
+    /// A statement has a page of its own where it draws or points at something; else it stands with the one before it
+    /// in its section, or, where it opens the section, with the one after it.
     void add(StatementIndex index, const std::string& figure) {
         const Statement& statement = this->statement(index);
         std::vector<Block> rows{paragraph(say(statement.message, context_.language))};
@@ -271,10 +276,11 @@ private:
             height += rows.front().height;
         }
         for (Block& row : rows) belong(row.marks, 0, index);
-        Step step{figure, statement.section, {index}, std::move(rows), height, names_a_pair(statement.message.sentence), false};
+        Step step{figure, statement.section, {index}, std::move(rows), height, names_a_pair(statement.message.sentence),
+                  false};
         const Contents contents(large(figure).figure.marks), beside(small(step).marks);
-        step.draws =
-            contents.statements.contains(index) || beside.statements.contains(index) || !contents.found(cited({index})).empty();
+        step.draws = contents.statements.contains(index) || beside.statements.contains(index) ||
+                     !contents.found(cited({index})).empty();
         // Loads that act alone begin anew.
         const bool begins = statement.message.sentence == Sentence::superposition;
         if (steps_.empty() || begins || steps_.back().section != step.section ||
@@ -330,7 +336,8 @@ private:
                 }
         return names;
     }
-    // --- figures -------------------------------------------------------------------------------------------------------------
+    // --- figures
+    // -------------------------------------------------------------------------------------------------------------
 
     Figure draw(const std::string& name, const DrawingContext& context, double room_x, double room_y) {
         if (name == "forces") {
@@ -340,8 +347,8 @@ private:
             return force_polygons_figure(context, room_x, room_y, asked, asked.has_value(), false);
         }
         if (name == "omega" || name == "alpha")
-            return mechanism_with_turnings(context, name == "omega" ? Symbol::Letter::omega : Symbol::Letter::alpha, room_x,
-                                           room_y);
+            return mechanism_with_turnings(context, name == "omega" ? Symbol::Letter::omega : Symbol::Letter::alpha,
+                                           room_x, room_y);
         for (Wanted& wanted : wanted_.list)
             if (wanted.name == name) return wanted.draw(room_x, room_y);
         if (solution_.act_of_motion) return act_of_motion_figure(context, room_x, room_y);
@@ -356,16 +363,16 @@ private:
         room.min.y += 12;
         placed.figure = draw(name, context_, room.width(), room.height());
         const int number = static_cast<int>(large_figures_.size());
-        room.min.y = large_.min.y +
-                     std::max(12.0, set_caption(placed.caption, context_, placed.figure, number, large_.min, large_.width()));
+        room.min.y = large_.min.y + std::max(12.0, set_caption(placed.caption, context_, placed.figure, number,
+                                                               large_.min, large_.width()));
         const Box box = placed.figure.box;
         placed.figure.move(room.min.x - box.min.x + 0.5 * (room.width() - box.width()),
                            room.min.y - box.min.y + 0.3 * std::max(0.0, room.height() - box.height()));
         return placed;
     }
 
-    /// What stands small beside a figure: the mechanism with what turns or with its lines of action; beside itself the circle of
-    /// the centres, or nothing.
+    /// What stands small beside a figure: the mechanism with what turns or with its lines of action; beside itself the
+    /// circle of the centres, or nothing.
     const Figure& small(const Step& step) {
         const bool itself = step.figure == "lines-of-action" || step.figure == "mechanism" || step.figure == "truss" ||
                             step.figure.starts_with("lines-load-");
@@ -398,14 +405,16 @@ private:
         const Placed& placed = large(step.figure);
         const Figure& beside = small(step);
         const Contents contents(placed.figure.marks);
-        const bool adds = std::any_of(step.statements.begin(), step.statements.end(),
-                                      [&](StatementIndex statement) { return contents.statements.contains(statement); });
+        const bool adds = std::any_of(step.statements.begin(), step.statements.end(), [&](StatementIndex statement) {
+            return contents.statements.contains(statement);
+        });
         // A page that adds no line shows what it is read off, or at least of what it speaks.
         std::set<std::string> names;
         std::vector<Mark> segments;
         if (!adds) {
             names = cited(step.statements);
-            const std::set<std::string> found = Contents(revealed(placed.figure.marks, page_of_, index, theme)).found(names);
+            const std::set<std::string> found =
+                Contents(revealed(placed.figure.marks, page_of_, index, theme)).found(names);
             segments = segments_read(step, beside.kind == "mechanism" ? beside : placed.figure);
             if (found.empty() && segments.empty()) names.merge(groups_shown(step));
             names.insert(found.begin(), found.end());
@@ -513,7 +522,8 @@ private:
 bool is_cited(const Mark& mark, const std::set<std::string>& names) {
     if (names.empty()) return false;
     const auto among = [&](const std::string& name) { return names.contains(name); };
-    if (const auto* text = std::get_if<TextMark>(&mark)) return std::any_of(text->names.begin(), text->names.end(), among);
+    if (const auto* text = std::get_if<TextMark>(&mark))
+        return std::any_of(text->names.begin(), text->names.end(), among);
     const auto* group = std::get_if<GroupBegin>(&mark);
     if (!group) return false;
     if (names.contains(group->id) || (group->cls == "centre" && names.contains(group->title))) return true;

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/file/units.hpp"
+#include "engine/results/result_names.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/solution/displacements.hpp"
-#include "engine/results/result_names.hpp"
 #include "engine/solution/sliding.hpp"
-#include "engine/file/units.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"
@@ -76,8 +76,8 @@ private:
         const double si = unit.si.to_double();
         for (const InstantCentre& centre : solution_.centres) {
             if (!centre.at || centre.everywhere || centre.how == InstantCentre::How::primary) continue;
-            Answer answer{centre_symbol(mechanism_, centre.first, centre.second, centre.at->at_infinity()), Topic::centres, 0,
-                          unit.symbol};
+            Answer answer{centre_symbol(mechanism_, centre.first, centre.second, centre.at->at_infinity()),
+                          Topic::centres, 0, unit.symbol};
             if (centre.at->at_infinity()) {
                 answer.direction = std::fmod(degrees_of(centre.at->place()), 180.0);
             } else {
@@ -94,7 +94,8 @@ private:
         const bool turning = quantity.kind == Kind::omega || quantity.kind == Kind::alpha;
         if (turning && is_driven(mechanism_, quantity)) return;
         const bool relative_motion = row.group.section == Topic::relative_motion;
-        const bool sought = turning || quantity.part == Quantity::Part::whole || quantity.part == Quantity::Part::sliding ||
+        const bool sought = turning || quantity.part == Quantity::Part::whole ||
+                            quantity.part == Quantity::Part::sliding ||
                             (relative_motion && quantity.part != Quantity::Part::transport);
         if (!sought || quantity.kind == Kind::unnamed) return;
         Answer answer{row.symbol, row.group.section, row.drawing, row.unit};
@@ -119,12 +120,13 @@ private:
     std::optional<double> direction_of_motion(const ResultRow& row) const {
         for (const DrawnVector& vector : solution_.protocol.vectors)
             if (vector.quantity == row.quantity && name_of(vector.symbol) == row.name)
-                if (const Vector value = solution_.protocol.value_of(vector); !value.is_zero()) return degrees_of(value);
+                if (const Vector value = solution_.protocol.value_of(vector); !value.is_zero())
+                    return degrees_of(value);
         return std::nullopt;
     }
 
-    /// From the vector and the length of which ω or α is the quotient: the pair that is read best, on whichever of the bodies
-    /// that turn together.
+    /// From the vector and the length of which ω or α is the quotient: the pair that is read best, on whichever of the
+    /// bodies that turn together.
     void read_turning(const ResultRow& row, Answer& answer) const {
         if (!length_scale_ || row.drawing == 0) return;
         const bool is_omega = row.quantity.kind == Kind::omega;
@@ -134,7 +136,8 @@ private:
         double least = 0;
         for (const ResultRow& other : motion_) {
             const Quantity& q = other.quantity;
-            if (!other.millimetres || !(*other.millimetres > 0) || q.kind != (is_omega ? Kind::velocity : Kind::acceleration))
+            if (!other.millimetres || !(*other.millimetres > 0) ||
+                q.kind != (is_omega ? Kind::velocity : Kind::acceleration))
                 continue;
             double radius = 0;
             if (q.part == (is_omega ? Quantity::Part::relative : Quantity::Part::tangential)) {
@@ -154,8 +157,8 @@ private:
         answer.read_off = best->symbol;
         answer.detail = best->detail;
     }
-    /// Whether a part of a motion is that of one point of a body against another of the same. (A pin is told by one of its
-    /// bodies: a pin of coupler and rocker turns about the rocker's pivot, and with the rocker.)
+    /// Whether a part of a motion is that of one point of a body against another of the same. (A pin is told by one of
+    /// its bodies: a pin of coupler and rocker turns about the rocker's pivot, and with the rocker.)
     bool is_across(BodyIndex body, const Quantity& part) const {
         const bool has_tip = part.body == body || carries(body, part.point);
         return has_tip && (part.seen_from == none || part.other == body || carries(body, part.seen_from));
@@ -182,7 +185,8 @@ private:
     void add_force(const ResultRow& row) {
         const Kind kind = row.quantity.kind;
         if (kind != Kind::force && kind != Kind::couple && kind != Kind::effort && kind != Kind::bar) return;
-        if (row.symbol.letter == Symbol::Letter::length) return;  // how far aside a force is moved follows from the couple
+        if (row.symbol.letter == Symbol::Letter::length)
+            return;  // how far aside a force is moved follows from the couple
         Answer answer{row.symbol, Topic::forces, row.drawing, row.unit};
         answer.quantity = row.quantity;
         if (row.group.couples) {
@@ -196,7 +200,8 @@ private:
                         answer.direction = degrees_of(applied.force);
             if (solution_.truss && kind == Kind::force)
                 for (const Truss::External& external : solution_.truss->externals)
-                    if (external.joint == row.quantity.joint && !answer.direction) answer.direction = degrees_of(*external.force);
+                    if (external.joint == row.quantity.joint && !answer.direction)
+                        answer.direction = degrees_of(*external.force);
         }
         if (kind == Kind::effort && !row.group.couples) count_along_its_line(answer);
         answers_.push_back(std::move(answer));
@@ -210,7 +215,8 @@ private:
     }
     /// Degrees; nothing of a couple.
     std::optional<double> sense_of(const Effort& effort) const {
-        if (const auto* force = std::get_if<ForceEffort>(&effort)) return degrees_of(direction_of(force->along, solution_.pose));
+        if (const auto* force = std::get_if<ForceEffort>(&effort))
+            return degrees_of(direction_of(force->along, solution_.pose));
         if (const auto* actuator = std::get_if<ActuatorEffort>(&effort)) {
             const VectorOf<double> along = direction_of_sliding(solution_.pose, actuator->joint);
             return whole_turn(std::atan2(along.y, along.x) * 180 / std::numbers::pi);
@@ -269,7 +275,9 @@ private:
 };
 
 /// Digits after the point that a tolerance leaves meaning to.
-int decimals_of(double tolerance) { return std::clamp(static_cast<int>(-std::floor(std::log10(tolerance) + 1e-9)), 0, 9); }
+int decimals_of(double tolerance) {
+    return std::clamp(static_cast<int>(-std::floor(std::log10(tolerance) + 1e-9)), 0, 9);
+}
 struct Cells {
     std::array<ShapedLine, 5> all;  // quantity, value, tolerance, unit, direction
 };
@@ -303,19 +311,16 @@ public:
     }
 
 private:
-    ShapedLine shape(const std::string& text, double size) const { return context_.fonts.shape(with_powers(text), size); }
+    ShapedLine shape(const std::string& text, double size) const {
+        return context_.fonts.shape(with_powers(text), size);
+    }
     std::string head_word(std::size_t column) const {
         switch (column) {
-            case 1:
-                return word("value", context_.language);
-            case 2:
-                return tolerances_ ? "±" : "";
-            case 3:
-                return word("unit", context_.language);
-            case 4:
-                return word("direction", context_.language);
-            default:
-                return "";
+            case 1: return word("value", context_.language);
+            case 2: return tolerances_ ? "±" : "";
+            case 3: return word("unit", context_.language);
+            case 4: return word("direction", context_.language);
+            default: return "";
         }
     }
     Cells cells_of(const Answer& answer) const {
@@ -332,7 +337,8 @@ private:
             if (!answer.tolerance || std::abs(v) >= too_long) return number(v, 4, language);
             return fixed(v, decimals_of(*answer.tolerance), language);
         };
-        const bool turns = answer.symbol.letter == Symbol::Letter::omega || answer.symbol.letter == Symbol::Letter::alpha;
+        const bool turns =
+            answer.symbol.letter == Symbol::Letter::omega || answer.symbol.letter == Symbol::Letter::alpha;
         std::string text = value(answer.value);
         if (turns && answer.value > 0) text.insert(0, "+");
         if (answer.at) text = pair_of(value((*answer.at)[0]), value((*answer.at)[1]), language);
@@ -417,23 +423,20 @@ bool is_on_the_way(const Find& find, Topic section) {
 Topic section_of(const Column& column) {
     switch (column.unit) {
         case QuantityKind::velocity:
-        case QuantityKind::angular_velocity:
-            return Topic::velocity;
+        case QuantityKind::angular_velocity: return Topic::velocity;
         case QuantityKind::acceleration:
-        case QuantityKind::angular_acceleration:
-            return Topic::acceleration;
+        case QuantityKind::angular_acceleration: return Topic::acceleration;
         case QuantityKind::force:
-        case QuantityKind::moment:
-            return Topic::forces;
-        default:
-            return Topic::unnamed;
+        case QuantityKind::moment: return Topic::forces;
+        default: return Topic::unnamed;
     }
 }
 
 Answer told_by_name(const DrawingContext& context, const std::vector<Answer>& answers, const std::vector<Figure>& drawn,
                     const AskedValue& asked) {
     Answer answer{{}, section_of(asked.column), asked.value / asked.unit_size, asked.unit};
-    answer.tolerance = reading_tolerance(answers, drawn, asked.column, asked.value, context.solution.mechanism) / asked.unit_size;
+    answer.tolerance =
+        reading_tolerance(answers, drawn, asked.column, asked.value, context.solution.mechanism) / asked.unit_size;
     if (!(*answer.tolerance > 0)) answer.tolerance.reset();
     answer.quantity = asked.column.quantity;
     answer.words = asked.symbol;
@@ -452,7 +455,8 @@ Answer as_asked(Answer answer, const Column& column, const Solution& solution) {
         if (each.joint != wanted.joint || each.on != wanted.body || each.from != wanted.other) continue;
         answer.quantity = wanted;
         answer.symbol = symbol_of_action(wanted, solution.mechanism);
-        if (wanted.kind == Kind::couple && each.couple) answer.value = std::copysign(answer.value, each.couple->to_double());
+        if (wanted.kind == Kind::couple && each.couple)
+            answer.value = std::copysign(answer.value, each.couple->to_double());
         if (answer.direction && each.force) answer.direction = degrees_of(*each.force);
     }
     return answer;
@@ -461,20 +465,13 @@ Answer as_asked(Answer answer, const Column& column, const Solution& solution) {
 /// Where a section stands among those of a solution; what is of none comes first.
 int order_of(Topic section) {
     switch (section) {
-        case Topic::unnamed:
-            return 0;
-        case Topic::centres:
-            return 1;
-        case Topic::velocity:
-            return 2;
-        case Topic::acceleration:
-            return 3;
-        case Topic::relative_motion:
-            return 4;
-        case Topic::curvature:
-            return 5;
-        case Topic::forces:
-            break;
+        case Topic::unnamed: return 0;
+        case Topic::centres: return 1;
+        case Topic::velocity: return 2;
+        case Topic::acceleration: return 3;
+        case Topic::relative_motion: return 4;
+        case Topic::curvature: return 5;
+        case Topic::forces: break;
     }
     return 6;
 }
@@ -486,8 +483,8 @@ double rounded_up(double tolerance) {
     return std::ceil(tolerance / power - 1e-6) * power;
 }
 
-double reading_tolerance(const std::vector<Answer>& answers, const std::vector<Figure>& drawn, const Column& column, double value,
-                         const Mechanism& mechanism) {
+double reading_tolerance(const std::vector<Answer>& answers, const std::vector<Figure>& drawn, const Column& column,
+                         double value, const Mechanism& mechanism) {
     constexpr double half_a_degree = std::numbers::pi / 360, calculated = 0.01;
     for (const Answer& each : answers)
         if (each.tolerance && is_of(each, column, mechanism))
@@ -505,7 +502,8 @@ std::vector<Answer> answers_sought(const Mechanism& mechanism, std::vector<Answe
     const std::vector<Column> columns = asked_columns(mechanism);
     if (columns.empty()) return answers;
     std::erase_if(answers, [&](const Answer& each) {
-        return std::none_of(columns.begin(), columns.end(), [&](const Column& column) { return is_of(each, column, mechanism); });
+        return std::none_of(columns.begin(), columns.end(),
+                            [&](const Column& column) { return is_of(each, column, mechanism); });
     });
     return answers;
 }
@@ -526,12 +524,13 @@ std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figu
         placed.emplace_back(std::pair(section, place), std::move(answer));
     };
     for (const Column& column : columns) {
-        const auto of =
-            std::find_if(answers.begin(), answers.end(), [&](const Answer& each) { return is_of(each, column, mechanism); });
+        const auto of = std::find_if(answers.begin(), answers.end(),
+                                     [&](const Answer& each) { return is_of(each, column, mechanism); });
         const std::ptrdiff_t place = of == answers.end() ? -1 : of - answers.begin();
         const auto has_name = [&](const AskedValue& each) { return each.column.name == column.name; };
         const auto value = std::find_if(asked.begin(), asked.end(), has_name);
-        const bool is_whole = column.kind == Column::Kind::result && column.quantity.component == Quantity::Component::whole;
+        const bool is_whole =
+            column.kind == Column::Kind::result && column.quantity.component == Quantity::Component::whole;
         if (place >= 0 && is_whole) {
             Answer whole = as_asked(*of, column, context.solution);
             if (!whole.tolerance && value != asked.end())

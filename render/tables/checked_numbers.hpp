@@ -1,5 +1,5 @@
-// Checked numbers: what the check says of quantities, of the vectors drawn and of the forces, SI units. What is rounding beside
-// the largest of its kind is nothing here. Looks up and computes no mechanics.
+// Checked numbers: what the check says of quantities, of the vectors drawn and of the forces, SI units. What is
+// rounding beside the largest of its kind is nothing here. Looks up and computes no mechanics.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,8 @@ public:
 
     std::optional<double> of(const Quantity& quantity) const {
         const auto found = rows_.find(quantity);
-        return found == rows_.end() ? std::nullopt : clean(quantity, found->second.numeric, found->second.graphical == 0);
+        return found == rows_.end() ? std::nullopt
+                                    : clean(quantity, found->second.numeric, found->second.graphical == 0);
     }
     /// The modulus of one of Protocol::vectors.
     std::optional<double> of_vector(int vector) const {
@@ -40,7 +41,8 @@ public:
     }
 
 private:
-    /// `vanishes`: by the construction, on rounded data within their precision; the check's number then shows no more than that.
+    /// `vanishes`: by the construction, on rounded data within their precision; the check's number then shows no more
+    /// than that.
     std::optional<double> clean(const Quantity& quantity, std::optional<double> value, bool vanishes) const {
         if (!value || magnitudes_.is_noise(quantity, *value)) return value ? 0 : value;
         const bool within = vanishes && solution_.pose.is_rounded() &&

@@ -58,7 +58,8 @@ std::vector<double> zeros_of(const CycleTable& table, std::size_t column) {
     const double rounding = rounding_of(table, column);
     const auto is_zero = [&](std::size_t i) { return std::abs(values[i]) <= rounding; };
     const auto at = [&](std::size_t i) { return table.rows[i][table.over()]; };
-    const double way = table.rows.empty() ? 0 : std::abs(table.rows.back()[table.over()] - table.rows.front()[table.over()]);
+    const double way =
+        table.rows.empty() ? 0 : std::abs(table.rows.back()[table.over()] - table.rows.front()[table.over()]);
     std::vector<double> zeros;
     // Where a law jumps two rows lie at one place: what is zero on both is zero once.
     const auto add = [&](double zero) {
@@ -85,7 +86,8 @@ std::vector<double> zeros_of(const CycleTable& table, std::size_t column) {
 double rounding_of(const CycleTable& table, std::size_t column) {
     double largest = 0;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        if (table.columns[i].unit != table.columns[column].unit || table.columns[i].kind == Column::Kind::turn) continue;
+        if (table.columns[i].unit != table.columns[column].unit || table.columns[i].kind == Column::Kind::turn)
+            continue;
         for (const auto& row : table.rows) largest = std::max(largest, std::abs(row[i]));
     }
     constexpr double share = 1e-9;

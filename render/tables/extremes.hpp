@@ -1,4 +1,5 @@
-// Extremes of a cycle: where a column is least, greatest and zero, between the rows as well as on them. Knows no drawing.
+// Extremes of a cycle: where a column is least, greatest and zero, between the rows as well as on them. Knows no
+// drawing.
 #pragma once
 
 #include <utility>
@@ -13,8 +14,8 @@ struct Extreme {
     double at = 0, value = 0;
 };
 
-/// The least and the greatest value; between three rows by the parabola through them, where their neighbours bend alike (so not
-/// at a jump), and at the limits, where the place alone gives it. Of a table without rows: zeros.
+/// The least and the greatest value; between three rows by the parabola through them, where their neighbours bend alike
+/// (so not at a jump), and at the limits, where the place alone gives it. Of a table without rows: zeros.
 std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, std::size_t column);
 /// The same of any values, one a row.
 std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, const std::vector<double>& values);

@@ -22,7 +22,9 @@ using Kind = AppliedForce::Kind;
 
 std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
 
-const std::string& body_name(const Mechanism& mechanism, BodyIndex body) { return mechanism.bodies[at_index(body)].name; }
+const std::string& body_name(const Mechanism& mechanism, BodyIndex body) {
+    return mechanism.bodies[at_index(body)].name;
+}
 /// "1 frame"; its name alone where that says so itself.
 std::string frame_name(const Mechanism& mechanism, Language language) {
     const std::string& name = body_name(mechanism, frame);
@@ -52,8 +54,8 @@ const FreeBody* opposite(const Solution& solution, const FreeBody& body, const A
     return nullptr;
 }
 
-/// As a share of the drawing's size, of a force: what is this small beside it is zero, on rounded data to their precision,
-/// amplified a little.
+/// As a share of the drawing's size, of a force: what is this small beside it is zero, on rounded data to their
+/// precision, amplified a little.
 double least_share(const Pose& pose, double least) {
     constexpr double amplified = 64;
     return std::max(least, amplified * pose.rounding());
@@ -61,7 +63,8 @@ double least_share(const Pose& pose, double least) {
 /// Whether a place lies on the line of action, to what a drawing can show.
 bool on_line(const AppliedForce& applied, const Vector& place, const Pose& pose) {
     const Vector d = place - applied.at;
-    const double away = std::abs(cross(applied.force, d).to_double()) / std::max(kinegraph::length(applied.force), 1e-300);
+    const double away =
+        std::abs(cross(applied.force, d).to_double()) / std::max(kinegraph::length(applied.force), 1e-300);
     return away < least_share(pose, 1e-7) * pose.size.to_double();
 }
 
@@ -93,7 +96,8 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     // Its own concurrency, or that of the body it comes from.
     std::vector<FreeBody::Meet> meets = body.meets;
     for (const FreeBody& other : solution.free_bodies)
-        if (other.body == applied.from && applied.from > frame) meets.insert(meets.end(), other.meets.begin(), other.meets.end());
+        if (other.body == applied.from && applied.from > frame)
+            meets.insert(meets.end(), other.meets.begin(), other.meets.end());
     for (const FreeBody::Meet& meet : meets)
         if (on_line(applied, meet.place, solution.pose) &&
             kinegraph::length(meet.place - own) > least_share(solution.pose, 0) * solution.pose.size.to_double()) {
@@ -182,7 +186,8 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
     double x = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         if (!with_names) break;
-        names[i] = context.fonts.shape(one_piece(word(std::array{"magnitude", "direction", "line"}[i], language)), theme.small);
+        names[i] = context.fonts.shape(one_piece(word(std::array{"magnitude", "direction", "line"}[i], language)),
+                                       theme.small);
         x = std::max(x, names[i].width + 1.8);
     }
     for (Column& column : columns) {
@@ -212,7 +217,8 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
             if (row == 2)
                 centred(column.line, column.middle, baseline, theme.secondary);
             else
-                centred((row == 0 ? column.magnitude : column.direction) ? tick : question, column.middle, baseline, theme.text);
+                centred((row == 0 ? column.magnitude : column.direction) ? tick : question, column.middle, baseline,
+                        theme.text);
     }
     block.height = baseline + 1.8;
     block.marks.emplace_back(line({0, block.height}, {block.width, block.height}, {theme.thin, theme.text, {}, false}));
@@ -231,7 +237,8 @@ const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, co
 RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
-    if (applied.joint == none || body.body == none || applied.kind != Kind::reaction || applied.force.is_zero()) return {};
+    if (applied.joint == none || body.body == none || applied.kind != Kind::reaction || applied.force.is_zero())
+        return {};
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
     if (!joint.pair().is_sleeve()) return {};
     const Vector own = solution.pose.at(joint.point), guide = solution.pose.guides[at_index(applied.joint)];
@@ -250,8 +257,8 @@ RichText beside_guide(const DrawingContext& context, const FreeBody& body, const
     if (most - least > small && (at < least - small || at > most + small))
         return one_piece(word("passes outside", context.language));
     const Unit& unit = mechanism.units.length;
-    RichText text = one_piece(number(std::abs(at) / unit.si.to_double(), 4, context.language) + " " + unit.symbol + " " +
-                              word("passes beside", context.language) + " ");
+    RichText text = one_piece(number(std::abs(at) / unit.si.to_double(), 4, context.language) + " " + unit.symbol +
+                              " " + word("passes beside", context.language) + " ");
     append(text, point(mechanism, joint.point, context.language));
     return text;
 }
@@ -283,7 +290,8 @@ public:
                 }
             }
         add_idle_efforts();
-        forces_.insert(forces_.end(), std::make_move_iterator(couples_.begin()), std::make_move_iterator(couples_.end()));
+        forces_.insert(forces_.end(), std::make_move_iterator(couples_.begin()),
+                       std::make_move_iterator(couples_.end()));
         return std::move(forces_);
     }
 
@@ -313,12 +321,14 @@ private:
     }
     /// A couple between two bodies is told as it acts on the one that the file names first.
     std::pair<const FreeBody*, const AppliedForce*> own_end(const FreeBody& body, const AppliedForce& applied) const {
-        const auto* couple =
-            applied.kind == Kind::effort ? std::get_if<CoupleEffort>(&mechanism_.efforts[at_index(applied.given)]) : nullptr;
+        const auto* couple = applied.kind == Kind::effort
+                                 ? std::get_if<CoupleEffort>(&mechanism_.efforts[at_index(applied.given)])
+                                 : nullptr;
         if (couple == nullptr) return {&body, &applied};
         for (const FreeBody& other : solution_.free_bodies)
             for (const AppliedForce& its : other.forces)
-                if (other.body == couple->body && its.kind == Kind::effort && its.given == applied.given) return {&other, &its};
+                if (other.body == couple->body && its.kind == Kind::effort && its.given == applied.given)
+                    return {&other, &its};
         return {&body, &applied};
     }
     /// Where only the reverse is drawn, that is measured.
@@ -421,8 +431,9 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
     double name_width = context.fonts.shape(one_piece(word("body", language)), theme.small).width,
            active_width = context.fonts.shape(one_piece(word("active forces", language)), theme.small).width;
     for (const FreeBody& body : solution.free_bodies) {
-        const std::string name = body.body != none ? body_name(mechanism, body.body)
-                                                   : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
+        const std::string name = body.body != none
+                                     ? body_name(mechanism, body.body)
+                                     : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
         name_width = std::max(name_width, context.fonts.shape(one_piece(name), theme.body_text).width);
         std::vector<RichText> active;
         for (const AppliedForce& applied : body.forces)
@@ -432,7 +443,8 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
             }
         active_width = std::max(active_width, context.fonts.shape(joined(active), theme.body_text).width);
     }
-    name_width = std::max(name_width, context.fonts.shape(one_piece(frame_name(mechanism, language)), theme.body_text).width);
+    name_width =
+        std::max(name_width, context.fonts.shape(one_piece(frame_name(mechanism, language)), theme.body_text).width);
     name_width = std::min(name_width, most_of_name * width);
     const double active_left = name_width + 4, active_room = std::min(active_width + 0.5, 0.4 * width);
     const double reactions_left = active_left + active_room + 4;
@@ -456,11 +468,12 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         };
         fill(broken(one_piece(name), name_width), 0, colour);
         fill(broken(active, active_room), active_left, theme.text);
-        // Reactions that would have to shrink in a narrow column leave it, by which it is known to be too narrow for the table.
+        // Reactions that would have to shrink in a narrow column leave it, by which it is known to be too narrow for
+        // the table.
         constexpr double narrow = 60;
         const double room = width - reactions_left;
-        fill(width < narrow ? context.fonts.wrap(reactions, theme.body_text, room) : broken(reactions, room), reactions_left,
-             theme.text);
+        fill(width < narrow ? context.fonts.wrap(reactions, theme.body_text, room) : broken(reactions, room),
+             reactions_left, theme.text);
         block.height = deepest - 3.6 + 0.5;
         lines.push_back(std::move(block));
     };
@@ -468,8 +481,8 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         Block head;
         head.marks.emplace_back(line({0, 0}, {width, 0}, {theme.outline, theme.text, {}, false}));
         const auto put = [&](const std::string& key, double x) {
-            set_text(head.marks, context.fonts.shape(one_piece(word(key, language)), theme.small), {x, 3.4}, theme.secondary,
-                     "text");
+            set_text(head.marks, context.fonts.shape(one_piece(word(key, language)), theme.small), {x, 3.4},
+                     theme.secondary, "text");
         };
         put("body", 0);
         put("active forces", active_left);
@@ -514,20 +527,23 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
                 const std::string& own = body_name(mechanism, body.body);
                 const std::string& fixed = body_name(mechanism, frame);
                 Symbol back{applied.force.is_zero() ? Symbol::Letter::M : Symbol::Letter::F,
-                            own.size() == 1 && fixed.size() == 1 ? own + fixed : own + "," + fixed, applied.symbol.term};
+                            own.size() == 1 && fixed.size() == 1 ? own + fixed : own + "," + fixed,
+                            applied.symbol.term};
                 RichText action = typeset(back, language);
                 append(action, " = −");
                 append(action, symbol_of(applied));
                 on_frame.push_back(std::move(action));
             }
         }
-        const std::string name = body.body != none ? body_name(mechanism, body.body)
-                                                   : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
+        const std::string name = body.body != none
+                                     ? body_name(mechanism, body.body)
+                                     : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
         add(name, theme.colour_of(body.body).letter, joined(active), joined(reactions), false);
     }
-    if (!on_frame.empty()) add(frame_name(mechanism, language), theme.secondary, one_piece("–"), joined(on_frame), true);
-    lines.back().marks.emplace_back(
-        line({0, lines.back().height + 0.3}, {width, lines.back().height + 0.3}, {theme.outline, theme.text, {}, false}));
+    if (!on_frame.empty())
+        add(frame_name(mechanism, language), theme.secondary, one_piece("–"), joined(on_frame), true);
+    lines.back().marks.emplace_back(line({0, lines.back().height + 0.3}, {width, lines.back().height + 0.3},
+                                         {theme.outline, theme.text, {}, false}));
     lines.back().height += 0.6;
     if (example) {
         std::string words = word("action and reaction", language);

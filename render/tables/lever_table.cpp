@@ -45,8 +45,12 @@ RichText scalar(RichText text) {
 class LeverTable {
 public:
     explicit LeverTable(const DrawingContext& context)
-        : context_(context), units_(context.solution.mechanism.units), theme_(context.theme), work_(work_of(context.solution)) {
-        for (const VirtualWork::Entry& entry : work_.entries) largest_ = std::max(largest_, std::abs(entry.power.to_double()));
+        : context_(context),
+          units_(context.solution.mechanism.units),
+          theme_(context.theme),
+          work_(work_of(context.solution)) {
+        for (const VirtualWork::Entry& entry : work_.entries)
+            largest_ = std::max(largest_, std::abs(entry.power.to_double()));
         plain_powers_ = largest_ == 0 || (largest_ >= 1e-3 && largest_ < 1e7);
         decimals_ = largest_ > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(largest_))), 0, 6) : 0;
         add_head();
@@ -102,7 +106,9 @@ private:
         KG_ASSERT(solution.virtual_work, "the lever wants the powers");
         return *solution.virtual_work;
     }
-    ShapedLine shape(const std::string& text, double size) const { return context_.fonts.shape(with_powers(text), size); }
+    ShapedLine shape(const std::string& text, double size) const {
+        return context_.fonts.shape(with_powers(text), size);
+    }
     std::string amount(double si, const Unit& unit) const {
         return number(si / unit.si.to_double(), 4, context_.language) + " " + unit.symbol;
     }
@@ -126,9 +132,10 @@ private:
     void add_force(const VirtualWork::Entry& entry) {
         const double f = kinegraph::length(entry.force), p = dot(entry.force, entry.velocity).to_double();
         const double reach = std::abs(p) / f / units_.velocity.si.to_double();
-        lines_.push_back({{quantity(entry.symbol), shape(amount(f, units_.force), theme_.body_text),
-                           shape(number(reach, 4, context_.language), theme_.body_text), shape(power(p), theme_.body_text)},
-                          theme_.colour_of(entry.body).letter});
+        lines_.push_back(
+            {{quantity(entry.symbol), shape(amount(f, units_.force), theme_.body_text),
+              shape(number(reach, 4, context_.language), theme_.body_text), shape(power(p), theme_.body_text)},
+             theme_.colour_of(entry.body).letter});
     }
     void add_couple(const VirtualWork::Entry& entry) {
         couples_ = true;

@@ -1,5 +1,5 @@
-// Long names in tables: what a cell has no room for is broken, set smaller, and in the end cut short, so that columns keep to
-// themselves.
+// Long names in tables: what a cell has no room for is broken, set smaller, and in the end cut short, so that columns
+// keep to themselves.
 #pragma once
 
 #include <vector>

@@ -3,8 +3,8 @@
 #include <map>
 #include <sstream>
 
-#include "engine/mechanism/chain.hpp"
 #include "engine/file/json_text.hpp"
+#include "engine/mechanism/chain.hpp"
 #include "engine/mechanism/pair_catalogue.hpp"
 #include "render/tables/pair_tables.hpp"
 
@@ -31,7 +31,8 @@ std::string lines_of(const std::vector<std::string>& values) {
 }
 std::string file_of(const Members& members) {
     std::string json = "{";
-    for (const auto& [key, value] : members) json += (json.size() > 1 ? ",\n  " : "\n  ") + json_text(key) + ": " + value;
+    for (const auto& [key, value] : members)
+        json += (json.size() > 1 ? ",\n  " : "\n  ") + json_text(key) + ": " + value;
     return json + "\n}\n";
 }
 /// Words parted by spaces and commas.
@@ -53,8 +54,8 @@ std::string words_of(std::string_view text) {
 std::string scheme_json(const BinaryScheme& scheme, const std::vector<std::string>& bodies) {
     std::vector<std::string> hinges;
     for (const auto& hinge : scheme.hinges)
-        hinges.push_back(array_of(
-            {json_text(bodies[static_cast<std::size_t>(hinge[0])]), json_text(bodies[static_cast<std::size_t>(hinge[1])])}));
+        hinges.push_back(array_of({json_text(bodies[static_cast<std::size_t>(hinge[0])]),
+                                   json_text(bodies[static_cast<std::size_t>(hinge[1])])}));
     return array_of(hinges);
 }
 
@@ -109,7 +110,8 @@ std::string pair_catalogue_json() {
     return file_of({{"plane", lines_of(plane)}, {"space", lines_of(space)}});
 }
 
-std::string pair_report_json(const Mechanism& mechanism, const Mobility& mobility, const std::vector<Message>& remarks) {
+std::string pair_report_json(const Mechanism& mechanism, const Mobility& mobility,
+                             const std::vector<Message>& remarks) {
     std::vector<std::string> joints, said;
     for (const Joint& joint : mechanism.joints) joints.push_back(joint_json(mechanism, joint));
     const KinematicChain chain = chain_of(mechanism);

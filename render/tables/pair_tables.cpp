@@ -31,7 +31,9 @@ public:
     }
     void line(const std::string& text) { text_ += (form_ == TextForm::markdown ? "- " : "  ") + text + "\n"; }
     void gap() { text_ += "\n"; }
-    void note(const std::string& text) { text_ += form_ == TextForm::markdown ? "\n" + text + "\n" : "  " + text + "\n"; }
+    void note(const std::string& text) {
+        text_ += form_ == TextForm::markdown ? "\n" + text + "\n" : "  " + text + "\n";
+    }
     /// Left aligned; the first row is the head.
     void table(const std::vector<Cells>& rows) {
         std::vector<std::size_t> widths(rows.front().size(), 0);
@@ -98,7 +100,8 @@ std::string counted(int count, const char* one, const char* several, Language la
 std::string spelt(const BinaryScheme& scheme, const std::vector<std::string>& bodies) {
     std::string text;
     for (const auto& hinge : scheme.hinges)
-        text += "(" + bodies[static_cast<std::size_t>(hinge[0])] + "–" + bodies[static_cast<std::size_t>(hinge[1])] + ")";
+        text +=
+            "(" + bodies[static_cast<std::size_t>(hinge[0])] + "–" + bodies[static_cast<std::size_t>(hinge[1])] + ")";
     return text;
 }
 
@@ -113,10 +116,10 @@ std::string schemes_of(int bodies) {
 
 /// "unary", "binary" …; of more than four the number alone.
 Words arity(int pairs) {
-    static const std::array<Words, 5> names{Words("bodies without pairs", "membri senza coppie"),
-                                            Words("unary bodies", "membri unari"), Words("binary bodies", "membri binari"),
-                                            Words("ternary bodies", "membri ternari"),
-                                            Words("quaternary bodies", "membri quaternari")};
+    static const std::array<Words, 5> names{
+        Words("bodies without pairs", "membri senza coppie"), Words("unary bodies", "membri unari"),
+        Words("binary bodies", "membri binari"), Words("ternary bodies", "membri ternari"),
+        Words("quaternary bodies", "membri quaternari")};
     if (pairs < static_cast<int>(names.size())) return names.at(static_cast<std::size_t>(pairs));
     return {"bodies with {0} pairs", "membri con {0} coppie", std::to_string(pairs)};
 }
@@ -154,23 +157,25 @@ std::string pair_catalogue(Language language, TextForm form) {
     page.heading(say_word("pairs of the plane"));
     for (const PlanePair& pair : plane_pairs) {
         const std::string key(pair.key);
-        page.entry(say_word("pair " + key),
-                   {{say_word("in the file"), page.code(pair.form)},
-                    {say_word("freedoms left"),
-                     std::to_string(pair.freedoms()) + (pair.freedoms() > 0 ? " (" + say_word("freedoms " + key) + ")" : "")},
-                    {say_word("class"), pair.freedoms() > 0 ? std::to_string(pair.freedoms()) : say_word("no pair")},
-                    {say_word("reaction"),
-                     say_word("reaction " + key) + " (" + counted(pair.reactions(), "unknown", "unknowns", language) + ")"},
-                    {say_word("fixed"), say_word("fixed " + key)},
-                    {say_word("instant centre"), say_word("centre " + key)}});
+        page.entry(
+            say_word("pair " + key),
+            {{say_word("in the file"), page.code(pair.form)},
+             {say_word("freedoms left"),
+              std::to_string(pair.freedoms()) + (pair.freedoms() > 0 ? " (" + say_word("freedoms " + key) + ")" : "")},
+             {say_word("class"), pair.freedoms() > 0 ? std::to_string(pair.freedoms()) : say_word("no pair")},
+             {say_word("reaction"),
+              say_word("reaction " + key) + " (" + counted(pair.reactions(), "unknown", "unknowns", language) + ")"},
+             {say_word("fixed"), say_word("fixed " + key)},
+             {say_word("instant centre"), say_word("centre " + key)}});
     }
 
     page.heading(say_word("lower pairs in space"));
     std::vector<Cells> rows{{say_word("pair"), say_word("freedoms left"), say_word("class"), say_word("motions"),
                              say_word("reaction"), say_word("components")}};
     for (const SpacePair& pair : space_pairs)
-        rows.push_back({say_word("space " + std::string(pair.key)), std::to_string(pair.freedoms), std::to_string(pair.freedoms),
-                        std::string(pair.motions), std::string(pair.reactions), std::to_string(pair.reaction_count())});
+        rows.push_back({say_word("space " + std::string(pair.key)), std::to_string(pair.freedoms),
+                        std::to_string(pair.freedoms), std::string(pair.motions), std::string(pair.reactions),
+                        std::to_string(pair.reaction_count())});
     page.table(rows);
     page.note(say_word("axes of pairs"));
 
@@ -197,7 +202,8 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
     page.title(in(mechanism.title, language));
 
     page.heading(say_word("pairs"));
-    std::vector<Cells> rows{{say_word("joint"), say_word("kind of pair"), say_word("bodies of a pair"), say_word("class")}};
+    std::vector<Cells> rows{
+        {say_word("joint"), say_word("kind of pair"), say_word("bodies of a pair"), say_word("class")}};
     std::vector<std::string> multiple;
     for (const Joint& joint : mechanism.joints) {
         const PlanePair& pair = joint.pair();
@@ -211,12 +217,13 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
                         pair.freedoms() > 0 ? std::to_string(pair.freedoms()) : "–"});
         if (names.size() < 3) continue;
         const auto n = static_cast<int>(names.size());
-        std::string line = joint.name + ": " + say_word("multiplicity") + " " + std::to_string(n - 1) + ", " + schemes_of(n) +
-                           " " + say_word("equivalent schemes");
+        std::string line = joint.name + ": " + say_word("multiplicity") + " " + std::to_string(n - 1) + ", " +
+                           schemes_of(n) + " " + say_word("equivalent schemes");
         constexpr int listed_bodies = 4;  // 16 schemes
         if (n <= listed_bodies) {
             std::string all;
-            for (const BinaryScheme& scheme : binary_schemes(n)) all += (all.empty() ? ": " : ", ") + spelt(scheme, names);
+            for (const BinaryScheme& scheme : binary_schemes(n))
+                all += (all.empty() ? ": " : ", ") + spelt(scheme, names);
             line += all;
         }
         multiple.push_back(std::move(line));
@@ -233,17 +240,18 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
     const std::string moving = signed_text(m.bodies - 1), c1 = signed_text(m.class_1), c2 = signed_text(m.class_2),
                       welds = signed_text(m.welds), n = signed_text(m.gruebler);
     page.heading(say_word("count"));
-    page.line("n = 3(m − 1) − 2c₁ − c₂" + std::string(m.welds > 0 ? " − 3w" : "") + " = 3·" + moving + " − 2·" + c1 + " − " + c2 +
-              (m.welds > 0 ? " − 3·" + welds : "") + " = " + n);
+    page.line("n = 3(m − 1) − 2c₁ − c₂" + std::string(m.welds > 0 ? " − 3w" : "") + " = 3·" + moving + " − 2·" + c1 +
+              " − " + c2 + (m.welds > 0 ? " − 3·" + welds : "") + " = " + n);
     page.line("n = 3n_c − n₁ − 2n₂ − 3n₃ = 3·" + moving + " − " + c2 + " − 2·" + c1 + " − 3·" + welds + " = " + n);
     page.note(say_word("symbols of the first count"));
     page.note(say_word("symbols of the second count"));
 
     page.heading(say_word("at this position"));
     const int freedoms = 3 * (m.bodies - 1);
-    page.line(say_word("rank") + ": " + std::to_string(freedoms - m.effective) + " = " + std::to_string(freedoms - m.gruebler) +
-              " " + say_word("constraints") + " − " + std::to_string(m.repeated()) + " " + say_word("repeated") + "; " +
-              signed_text(m.effective) + " " + say_word(m.effective == 1 ? "effective one" : "effective"));
+    page.line(say_word("rank") + ": " + std::to_string(freedoms - m.effective) + " = " +
+              std::to_string(freedoms - m.gruebler) + " " + say_word("constraints") + " − " +
+              std::to_string(m.repeated()) + " " + say_word("repeated") + "; " + signed_text(m.effective) + " " +
+              say_word(m.effective == 1 ? "effective one" : "effective"));
     page.line(say_word("verdict") + ": " + verdict_words(m, language));
     if (!remarks.empty()) {
         page.heading(say_word("remarks"));

@@ -1,5 +1,5 @@
-// Pair tables: the catalogue of pairs and the pairs of one mechanism, as plain text for the terminal, as Markdown for a page, or
-// as JSON for a program (docs/format.md).
+// Pair tables: the catalogue of pairs and the pairs of one mechanism, as plain text for the terminal, as Markdown for a
+// page, or as JSON for a program (docs/format.md).
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ enum class TextForm { plain, markdown, json };
 /// All pairs that a file may use, the lower pairs in space, and the binary schemes of a multiple hinge.
 std::string pair_catalogue(Language language, TextForm form);
 
-/// The pairs of a mechanism, its bodies by the number of their pairs and the chain they make, Grübler's count both ways, the
-/// verdict of the rank, and what there is to remark.
+/// The pairs of a mechanism, its bodies by the number of their pairs and the chain they make, Grübler's count both
+/// ways, the verdict of the rank, and what there is to remark.
 std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, const std::vector<Message>& remarks,
                         Language language, TextForm form);
 

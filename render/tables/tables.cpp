@@ -47,8 +47,8 @@ struct Reading {
     double value = 0;
     int decimals = 0;
 };
-/// What a millimetre is worth to a row that is read off. Seven digits are the scale, the rest is how places on paper are rounded:
-/// with it 34.3 mm × 25 N would be now 857 N, now 858 N.
+/// What a millimetre is worth to a row that is read off. Seven digits are the scale, the rest is how places on paper
+/// are rounded: with it 34.3 mm × 25 N would be now 857 N, now 858 N.
 std::optional<double> scale_of(const ResultRow& row) {
     if (!row.millimetres || !(*row.millimetres > 0) || row.drawing == 0) return std::nullopt;
     const double scale = std::abs(row.drawing) / *row.millimetres;
@@ -109,15 +109,16 @@ public:
                 column.term = &term;
                 column.operation = i > 0 ? "+" : side > 0 ? "=" : "";
                 const RichText symbol = typeset(term.symbol, context.language);
-                column.symbol =
-                    most ? line_in_cell(symbol, setting.size, context.fonts, *most) : context.fonts.shape(symbol, setting.size);
+                column.symbol = most ? line_in_cell(symbol, setting.size, context.fonts, *most)
+                                     : context.fonts.shape(symbol, setting.size);
                 if (term.line.kind != LineReason::Kind::known) {
                     const RichText line = typeset(term.line, context.language);
                     column.lines = most ? lines_in_cell(line, setting.line_size, context.fonts, *most)
                                         : std::vector{context.fonts.shape(line, setting.line_size)};
                 }
                 column.width = std::max(setting.least_column, column.symbol.width + setting.gap);
-                for (const ShapedLine& line : column.lines) column.width = std::max(column.width, line.width + setting.gap);
+                for (const ShapedLine& line : column.lines)
+                    column.width = std::max(column.width, line.width + setting.gap);
                 columns_.push_back(std::move(column));
             }
         std::vector<std::string> names{word("magnitude", context.language), word("direction", context.language)};
@@ -246,15 +247,16 @@ private:
 Block equation_block(const DrawingContext& context, const Equation& equation, double most, double least) {
     // Set as in the book; where that is too wide, closer and then smaller; where that is, too, in rows.
     using Setting = EquationTable::Setting;
-    constexpr std::array settings{Setting{12, 8.5, 11.2, 2.2, 4.4}, Setting{12, 8, 8.5, 1.6, 3.6}, Setting{11, 7.5, 7, 1.3, 3.2},
-                                  Setting{10, 7, 6, 1.2, 3.0}, Setting{9, 6, 5, 1, 2.8}};
+    constexpr std::array settings{Setting{12, 8.5, 11.2, 2.2, 4.4}, Setting{12, 8, 8.5, 1.6, 3.6},
+                                  Setting{11, 7.5, 7, 1.3, 3.2}, Setting{10, 7, 6, 1.2, 3.0}, Setting{9, 6, 5, 1, 2.8}};
     for (const Setting& setting : settings)
         if (const EquationTable table(context, equation, setting); setting.size >= least && table.width() <= most)
             return table.set(most);
     const EquationTable in_rows(context, equation, settings[1]);
     Block block = in_rows.set(most);
     if (block.width <= most) return block;
-    // A single term is wider: names of words. Under each other they may be too high for a page: then two stand in a row.
+    // A single term is wider: names of words. Under each other they may be too high for a page: then two stand in a
+    // row.
     constexpr double highest = 90;  // mm
     const double room = most - in_rows.beside_terms();
     Block broken = EquationTable(context, equation, settings[1], room).set(most);
@@ -268,7 +270,10 @@ namespace {
 class MotionRows {
 public:
     MotionRows(const DrawingContext& context, const std::vector<Figure>& figures)
-        : solution_(context.solution), units_(context.solution.mechanism.units), figures_(figures), checks_(context.solution) {}
+        : solution_(context.solution),
+          units_(context.solution.mechanism.units),
+          figures_(figures),
+          checks_(context.solution) {}
 
     std::vector<ResultRow> rows() && {
         add_polygons(Plane::velocity, Polygon::Kind::motion);
@@ -291,7 +296,8 @@ private:
             if (!value) continue;
             ResultRow row;
             row.quantity = {.kind = kind, .body = BodyIndex(b)};
-            row.symbol = {is_omega ? Symbol::Letter::omega : Symbol::Letter::alpha, solution_.mechanism.bodies[b].name, ""};
+            row.symbol = {is_omega ? Symbol::Letter::omega : Symbol::Letter::alpha, solution_.mechanism.bodies[b].name,
+                          ""};
             row.name = name_of(row.symbol);
             row.drawing = value->to_double() / si;
             if (const auto numeric = checks_.of(row.quantity)) row.numeric = *numeric / si;
@@ -306,7 +312,8 @@ private:
         const Unit& unit = units_.length;
         const double si = unit.si.to_double();
         const std::string id = legal_id("curvature-" + solution_.mechanism.body(found.body).name);
-        const auto figure = std::find_if(figures_.begin(), figures_.end(), [&](const Figure& each) { return each.id == id; });
+        const auto figure =
+            std::find_if(figures_.begin(), figures_.end(), [&](const Figure& each) { return each.id == id; });
         const auto add = [&](const Quantity& quantity, Symbol symbol, double metres) {
             ResultRow row;
             row.quantity = quantity;
@@ -342,8 +349,8 @@ private:
         const Unit& unit = is_acceleration ? units_.acceleration : units_.velocity;
         RowGroup group{is_acceleration ? Topic::acceleration : Topic::velocity};
         if (polygon.kind == Polygon::Kind::relative_motion) group = {Topic::relative_motion, index};
-        const auto figure =
-            std::find_if(figures_.begin(), figures_.end(), [&](const Figure& each) { return each.id == legal_id(polygon.id); });
+        const auto figure = std::find_if(figures_.begin(), figures_.end(),
+                                         [&](const Figure& each) { return each.id == legal_id(polygon.id); });
         std::set<std::string> names;
         for (const int v : polygon.vectors) {
             const DrawnVector& vector = solution_.protocol.vectors[static_cast<std::size_t>(v)];
@@ -425,8 +432,8 @@ struct ResultsTable::Parts {
             widths[c] = std::max(widths[c], width);
         }
     }
-    /// What the names may take of `width` mm beside the numbers; a longer one stands over them. That is for words: symbols rather
-    /// ask for a wider column.
+    /// What the names may take of `width` mm beside the numbers; a longer one stands over them. That is for words:
+    /// symbols rather ask for a wider column.
     double room_of_names(double width) const {
         constexpr double of_symbols = 22;
         double rest = width - least_gap * (columns - 1);
@@ -470,12 +477,15 @@ ResultsTable::Parts::Line ResultsTable::Parts::line_of(const ResultRow& row, dou
     const bool too_short_to_read = reading && row.millimetres && !(*row.millimetres >= readable);
     if (row.numeric && !too_short_to_read) {
         const double gap = drawn - *row.numeric;
-        const double percent = std::abs(gap) <= 1e-9 * most ? 0 : *row.numeric != 0 ? 100 * gap / std::abs(*row.numeric) : 100;
+        const double percent = std::abs(gap) <= 1e-9 * most ? 0
+                               : *row.numeric != 0          ? 100 * gap / std::abs(*row.numeric)
+                                                            : 100;
         difference = fixed(percent, 2, language);
         if (percent >= 0.005) difference.insert(0, "+");
     }
     return {{std::move(quantity), with_powers(row.millimetres ? fixed(*row.millimetres, 1, language) : "–"),
-             with_powers(reading && decimals ? fixed(drawn, std::min(*decimals, reading->decimals), language) : value(drawn)),
+             with_powers(reading && decimals ? fixed(drawn, std::min(*decimals, reading->decimals), language)
+                                             : value(drawn)),
              with_powers(row.numeric ? value(*row.numeric) : "–"), with_powers(row.unit), with_powers(difference)}};
 }
 
@@ -487,16 +497,19 @@ void ResultsTable::Parts::set(std::vector<Mark>& marks, const Line& line, const 
 
 void ResultsTable::Parts::set_over(std::vector<Mark>& marks, const Line& line, const Widths& left, double whole,
                                    double baseline) const {
-    set_text(marks, line_in_cell(line.cells[0], symbol_size(), context.fonts, whole), {left[0], baseline}, context.theme.text,
-             "text");
+    set_text(marks, line_in_cell(line.cells[0], symbol_size(), context.fonts, whole), {left[0], baseline},
+             context.theme.text, "text");
     set_numbers(marks, line, left, baseline + name_pitch);
 }
 
-void ResultsTable::Parts::set_numbers(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const {
+void ResultsTable::Parts::set_numbers(std::vector<Mark>& marks, const Line& line, const Widths& left,
+                                      double baseline) const {
     const Theme& theme = context.theme;
     const bool is_head = &line == &head;
     const Colour colour = is_head ? theme.secondary : theme.text;
-    const auto shape = [&](std::size_t c) { return context.fonts.shape(line.cells[c], is_head ? theme.small : theme.body_text); };
+    const auto shape = [&](std::size_t c) {
+        return context.fonts.shape(line.cells[c], is_head ? theme.small : theme.body_text);
+    };
     set_text(marks, shape(4), {left[4], baseline}, colour, "text");
     for (const std::size_t c : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{5}}) {
         ShapedLine shaped = shape(c);
@@ -545,7 +558,8 @@ std::vector<SharedBlock> ResultsTable::lines(double width) const {
         return marks;
     };
     const auto add = [&](std::vector<SharedBlock>& set, const Parts::Line& each, double height, bool is_last) {
-        set.emplace_back(whole, height + (is_last ? under_last : 0), [=, &each] { return line(each, height, is_last); });
+        set.emplace_back(whole, height + (is_last ? under_last : 0),
+                         [=, &each] { return line(each, height, is_last); });
     };
     std::vector<SharedBlock> set;
     add(set, parts_->head, head_height, parts_->lines.empty());
@@ -571,7 +585,9 @@ const Joint* joint_of(const InstantCentre& centre, const Mechanism& mechanism) {
     return nullptr;
 }
 
-const std::string& point_name(const Mechanism& mechanism, PointIndex point) { return mechanism.points[at_index(point)].name; }
+const std::string& point_name(const Mechanism& mechanism, PointIndex point) {
+    return mechanism.points[at_index(point)].name;
+}
 
 /// A centre inside the name of a line: its hinge where it has one, else its symbol.
 RichText in_a_line(const InstantCentre& centre, const Mechanism& mechanism, Language language) {
@@ -651,7 +667,8 @@ std::vector<const Joint*> two_hinges_of(BodyIndex body, const Mechanism& mechani
 }
 BodyIndex other_of(const Joint& joint, BodyIndex body) { return joint.bodies[joint.bodies[0] == body ? 1 : 0]; }
 
-/// Hinged on the frame, and on a wheel that rolls or meshes on another: nothing but the wheel turns it, all the way round.
+/// Hinged on the frame, and on a wheel that rolls or meshes on another: nothing but the wheel turns it, all the way
+/// round.
 bool carries_wheel(BodyIndex body, const Solution& solution) {
     const std::vector<Joint>& joints = solution.mechanism.joints;
     const auto rolls = [&](BodyIndex wheel) {
@@ -672,8 +689,9 @@ bool carries_wheel(BodyIndex body, const Solution& solution) {
     return on_frame && on_wheel && !on_other;
 }
 
-/// The follower of a four-bar linkage, hinged on the frame, that goes round with its crank (Grashof): of the four lengths the
-/// shortest and the longest are together no longer than the others, and the frame's or its own is the shortest.
+/// The follower of a four-bar linkage, hinged on the frame, that goes round with its crank (Grashof): of the four
+/// lengths the shortest and the longest are together no longer than the others, and the frame's or its own is the
+/// shortest.
 bool goes_round(BodyIndex follower, const Solution& solution) {
     const Mechanism& mechanism = solution.mechanism;
     std::vector<const Joint*> hinges;  // round the linkage, from the follower's on the frame
@@ -720,7 +738,9 @@ std::vector<RichText> coincident_points(BodyIndex body, const Solution& solution
     std::vector<RichText> all;
     std::set<std::string> told;
     const auto point = [&](const std::string& of) { return typeset(Symbol{Symbol::Letter::point, of, ""}, language); };
-    const auto is_of_the_file = [&](const std::string& name) { return solution.mechanism.point_named(name).has_value(); };
+    const auto is_of_the_file = [&](const std::string& name) {
+        return solution.mechanism.point_named(name).has_value();
+    };
     for (const Image& image : solution.protocol.images) {
         const std::string& name = image.symbol.about;
         std::string place = name;  // a file's own names may end with stars
@@ -748,7 +768,8 @@ RichText describe(BodyIndex index, const Solution& solution, Language language) 
         if (joint.pair().is_sleeve()) {
             slides_on_frame = slides_on_frame || with_frame;
             (found == joint.bodies.begin() ? slides : carries_guide) = true;
-            if (is_cylinder(mechanism.index_of(joint), mechanism)) (found == joint.bodies.begin() ? is_rod : is_barrel) = true;
+            if (is_cylinder(mechanism.index_of(joint), mechanism))
+                (found == joint.bodies.begin() ? is_rod : is_barrel) = true;
         }
         if (joint.pair().is_slot() && found != joint.bodies.begin()) carries_guide = true;
     }
@@ -828,7 +849,9 @@ struct CentresTable::Parts {
         }
     }
     double indent(double width) const { return std::min(symbols, 0.3 * width); }
-    double first_baseline(const Line& line, double width) const { return line.symbol.width > indent(width) - 1.5 ? 7.3 : 3.2; }
+    double first_baseline(const Line& line, double width) const {
+        return line.symbol.width > indent(width) - 1.5 ? 7.3 : 3.2;
+    }
     static double height(double last_baseline) { return std::max(pitch, last_baseline + lead - 3.2 + 0.5); }
 
     Block set(const Line& line, double width) const {
@@ -838,8 +861,8 @@ struct CentresTable::Parts {
         std::vector<ShapedLine> wrapped = lines_in_cell(line.how, theme.body_text, context.fonts, room);
         double baseline = first_baseline(line, width);
         set_text(block.marks,
-                 line.symbol.width > width ? line_in_cell(line.name, theme.derived, context.fonts, width) : line.symbol, {0, 3.2},
-                 theme.text, "text");
+                 line.symbol.width > width ? line_in_cell(line.name, theme.derived, context.fonts, width) : line.symbol,
+                 {0, 3.2}, theme.text, "text");
         for (std::size_t k = 0; k < wrapped.size(); ++k) {
             // The coordinates end the last line, or stand on their own.
             const bool goes_on = k + 1 < wrapped.size() || wrapped[k].width + between + line.where.width > room;
@@ -889,7 +912,8 @@ struct BodiesTable::Parts {
         for (const BodyIndex body : mechanism.moving_bodies()) {
             RichText what = describe(body, context.solution, context.language);
             const double wide = context.fonts.width(what, size);
-            lines.push_back({body, context.fonts.shape(one_piece(mechanism.body(body).name), size), std::move(what), wide});
+            lines.push_back(
+                {body, context.fonts.shape(one_piece(mechanism.body(body).name), size), std::move(what), wide});
         }
     }
     static double height(std::size_t count) { return std::max(4.4, static_cast<double>(count) * lead + 0.7); }
@@ -924,7 +948,8 @@ std::vector<SharedBlock> BodiesTable::lines(double width) const {
     constexpr double rounding = 1e-6;
     for (const Parts::Line& line : parts_->lines)
         if (line.left() + line.what_wide < width - rounding)
-            lines.emplace_back(width, Parts::height(1), [parts = parts_, &line, width] { return parts->set(line, width).marks; });
+            lines.emplace_back(width, Parts::height(1),
+                               [parts = parts_, &line, width] { return parts->set(line, width).marks; });
         else
             lines.emplace_back(parts_->set(line, width));
     return lines;

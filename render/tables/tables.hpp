@@ -1,6 +1,6 @@
-// Tables: vector equations with what is known of each term, the results table, the list of centres and the key of bodies, as
-// marks with a size, their origin at the top left. Owns columns and rules; chooses no place on the sheet and computes no
-// mechanics beyond moduli of what was found.
+// Tables: vector equations with what is known of each term, the results table, the list of centres and the key of
+// bodies, as marks with a size, their origin at the top left. Owns columns and rules; chooses no place on the sheet and
+// computes no mechanics beyond moduli of what was found.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,9 @@
 
 namespace kinegraph::render {
 
-/// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. Not wider than `most` mm:
-/// its terms are set closer and smaller, down to `least` points, and where that is not enough it goes on in a further row.
+/// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. Not wider than
+/// `most` mm: its terms are set closer and smaller, down to `least` points, and where that is not enough it goes on in
+/// a further row.
 Block equation_block(const DrawingContext& context, const Equation& equation, double most, double least = 9);
 
 /// What stands between two rules of the table of results.
@@ -41,8 +42,8 @@ struct ResultRow {
 };
 /// Rows for the vectors drawn on `figures` (their axes are measured) and for ω and α of the bodies.
 std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures);
-/// Rows as a table: read off the drawing to 0.1 mm, that times the scale, the number of the check, and by how much the reading
-/// misses it. Its words are measured once, for the widths at which it is tried; its context outlives it.
+/// Rows as a table: read off the drawing to 0.1 mm, that times the scale, the number of the check, and by how much the
+/// reading misses it. Its words are measured once, for the widths at which it is tried; its context outlives it.
 class ResultsTable {
 public:
     ResultsTable(const DrawingContext& context, const std::vector<ResultRow>& rows);
@@ -75,8 +76,8 @@ private:
     std::shared_ptr<const Parts> parts_;
 };
 
-/// The table of Joukowsky's lever: force, its arm h about the pole by the scale of velocities, power; couples with ω; the sum,
-/// and what it says. Not wider than `most` mm as far as its columns can be set closer.
+/// The table of Joukowsky's lever: force, its arm h about the pole by the scale of velocities, power; couples with ω;
+/// the sum, and what it says. Not wider than `most` mm as far as its columns can be set closer.
 Block joukowsky_block(const DrawingContext& context, double most);
 
 }  // namespace kinegraph::render

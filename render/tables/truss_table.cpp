@@ -32,8 +32,8 @@ Columns columns_of(const DrawingContext& context, double width) {
     return {spaces, force_end, std::max(0.62 * used, force_end + apart)};
 }
 
-void put(Block& block, const DrawingContext& context, const RichText& text, double x, bool ends_there, double size, Colour colour,
-         double baseline) {
+void put(Block& block, const DrawingContext& context, const RichText& text, double x, bool ends_there, double size,
+         Colour colour, double baseline) {
     const ShapedLine shaped = context.fonts.shape(text, size);
     set_text(block.marks, shaped, {ends_there ? x - shaped.width : x, baseline}, colour, "text");
 }
@@ -45,7 +45,8 @@ Block head_of(const DrawingContext& context, double width) {
     head.marks.emplace_back(line({0, 0}, {width, 0}, {theme.outline, theme.text, {}, false}));
     const auto words = [&](const char* key) { return one_piece(word(key, context.language)); };
     put(head, context, words("bar"), 0, false, theme.small, theme.secondary, 3.4);
-    if (has_plan(context.solution)) put(head, context, words("spaces"), columns.spaces, false, theme.small, theme.secondary, 3.4);
+    if (has_plan(context.solution))
+        put(head, context, words("spaces"), columns.spaces, false, theme.small, theme.secondary, 3.4);
     put(head, context, head_of_force(context), columns.force_end, true, theme.small, theme.secondary, 3.4);
     put(head, context, words("sense"), columns.sense, false, theme.small, theme.secondary, 3.4);
     head.marks.emplace_back(line({0, 4.8}, {width, 4.8}, {theme.thin, theme.text, {}, false}));
@@ -86,24 +87,24 @@ std::vector<Block> bar_lines(const DrawingContext& context, double width) {
         const double value = truss.tension(bar, context.solution.pose.points) / si;
         RichText name;
         for (const int pin : truss.structure.bars[bar].pins)
-            append_point(name,
-                         typeset(Symbol{Symbol::Letter::point, truss.structure.name_of(context.solution.mechanism, pin), ""},
-                                 context.language));
+            append_point(name, typeset(Symbol{Symbol::Letter::point,
+                                              truss.structure.name_of(context.solution.mechanism, pin), ""},
+                                       context.language));
         const double room = has_plan(context.solution) ? columns.spaces - apart : columns.force_end - room_of_force;
         const bool is_over = context.fonts.width(name, theme.body_text) > room;
         const double baseline = is_over ? first_baseline + pitch : first_baseline;
-        set_text(row.marks, line_in_cell(name, theme.body_text, context.fonts, is_over ? width : room), {0, first_baseline},
-                 theme.text, "text");
+        set_text(row.marks, line_in_cell(name, theme.body_text, context.fonts, is_over ? width : room),
+                 {0, first_baseline}, theme.text, "text");
         if (has_plan(context.solution)) {
-            const std::string spaces =
-                truss.spaces[at_index(truss.bars[bar].left)].letter + "–" + truss.spaces[at_index(truss.bars[bar].right)].letter;
+            const std::string spaces = truss.spaces[at_index(truss.bars[bar].left)].letter + "–" +
+                                       truss.spaces[at_index(truss.bars[bar].right)].letter;
             put(row, context, one_piece(spaces), columns.spaces, false, theme.body_text, theme.text, baseline);
         }
         const bool idle = truss.bars[bar].force->is_zero();
-        put(row, context, one_piece(idle ? "0" : number(value, 4, context.language)), columns.force_end, true, theme.body_text,
-            theme.text, baseline);
-        put(row, context, one_piece(word(sense_word(truss, bar, value), context.language)), columns.sense, false, theme.body_text,
-            theme.text, baseline);
+        put(row, context, one_piece(idle ? "0" : number(value, 4, context.language)), columns.force_end, true,
+            theme.body_text, theme.text, baseline);
+        put(row, context, one_piece(word(sense_word(truss, bar, value), context.language)), columns.sense, false,
+            theme.body_text, theme.text, baseline);
         belong(row.marks, 0, truss.bars[bar].statement);
         row.width = width;
         row.height = baseline + 0.8;
@@ -137,9 +138,11 @@ std::vector<ResultRow> truss_rows(const DrawingContext& context, const std::vect
         if (external.joint == none) continue;
         // The check has it as the action on the frame.
         const Joint& joint = solution.mechanism.joint(external.joint);
-        const BodyIndex from = joint.has_own_node() && joint.pair().is_hinge() ? BodyIndex(none) : joint.other_than(frame);
+        const BodyIndex from =
+            joint.has_own_node() && joint.pair().is_hinge() ? BodyIndex(none) : joint.other_than(frame);
         const Quantity reversed{.kind = Quantity::Kind::force, .body = frame, .other = from, .joint = external.joint};
-        const auto x = checks.of(reversed.along(Quantity::Component::x)), y = checks.of(reversed.along(Quantity::Component::y));
+        const auto x = checks.of(reversed.along(Quantity::Component::x)),
+                   y = checks.of(reversed.along(Quantity::Component::y));
         add({.kind = Quantity::Kind::force, .body = from, .other = frame, .joint = external.joint}, external.symbol,
             kinegraph::length(*external.force) / si, x && y ? std::optional(std::hypot(*x, *y) / si) : std::nullopt);
     }
@@ -147,8 +150,8 @@ std::vector<ResultRow> truss_rows(const DrawingContext& context, const std::vect
         const Quantity quantity{.kind = Quantity::Kind::bar, .body = truss.structure.bars[bar].body};
         std::optional<double> numeric = checks.of(quantity);
         if (numeric) *numeric /= si;
-        add(quantity, {Symbol::Letter::F, truss.structure.bars[bar].name, {}}, truss.tension(bar, solution.pose.points) / si,
-            numeric);
+        add(quantity, {Symbol::Letter::F, truss.structure.bars[bar].name, {}},
+            truss.tension(bar, solution.pose.points) / si, numeric);
     }
     return rows;
 }

@@ -15,21 +15,14 @@ public:
 
     Formula set(const Expression& of) const {
         switch (of.kind) {
-            case Kind::number:
-                return number(of.value);
-            case Kind::pi:
-                return Formula::upright("π");
-            case Kind::constant:
-                return formula_of(constants_[of.constant], language_);
-            case Kind::variable:
-                return Formula::letter(variable_);
-            case Kind::sum:
-                return sum(of);
+            case Kind::number: return number(of.value);
+            case Kind::pi: return Formula::upright("π");
+            case Kind::constant: return formula_of(constants_[of.constant], language_);
+            case Kind::variable: return Formula::letter(variable_);
+            case Kind::sum: return sum(of);
             case Kind::product:
-            case Kind::power:
-                return product(of);
-            case Kind::function:
-                return function(of);
+            case Kind::power: return product(of);
+            case Kind::function: return function(of);
         }
         return {};
     }
@@ -68,7 +61,8 @@ private:
     /// Whether a minus leads, and what follows it.
     static std::pair<bool, Expression> without_sign(const Expression& of) {
         if (of.kind == Kind::number && of.value.sign() < 0) return {true, Expression::number(-of.value)};
-        if (of.kind != Kind::product || of.parts[0].kind != Kind::number || of.parts[0].value.sign() >= 0) return {false, of};
+        if (of.kind != Kind::product || of.parts[0].kind != Kind::number || of.parts[0].value.sign() >= 0)
+            return {false, of};
         Expression bare = of;
         bare.parts[0].value = -bare.parts[0].value;
         if (bare.parts[0].is_number(1)) bare.parts.erase(bare.parts.begin());
@@ -123,7 +117,8 @@ private:
         if (size == Exact(1)) return;
         const mpq_class& q = size.rational();
         constexpr int small = 12;
-        const bool as_decimal = q.get_den() != 1 && !(q.get_den() <= small && q.get_num() <= small) && is_short_decimal(size);
+        const bool as_decimal =
+            q.get_den() != 1 && !(q.get_den() <= small && q.get_num() <= small) && is_short_decimal(size);
         if (q.get_den() == 1 || as_decimal) {
             fraction.above.push_back(number(size));
             return;
@@ -140,9 +135,10 @@ private:
         if (exponent.kind == Kind::number && exponent.value == Exact::ratio(1, 2)) return Formula::root(set(base));
         if (base.kind == Kind::function && base.function != Elementary::exp)
             return Formula::power(name_of_function(base.function), set(exponent)) + Formula::fenced(set(base.parts[0]));
-        const bool is_piece = base.kind == Kind::variable || base.kind == Kind::pi ||
-                              (base.kind == Kind::constant && !constants_[base.constant].name.empty()) ||
-                              (base.kind == Kind::number && base.value.sign() >= 0 && base.value.rational().get_den() == 1);
+        const bool is_piece =
+            base.kind == Kind::variable || base.kind == Kind::pi ||
+            (base.kind == Kind::constant && !constants_[base.constant].name.empty()) ||
+            (base.kind == Kind::number && base.value.sign() >= 0 && base.value.rational().get_den() == 1);
         return Formula::power(is_piece ? set(base) : Formula::fenced(set(base)), set(exponent));
     }
     Formula name_of_function(Elementary function) const {
@@ -150,7 +146,8 @@ private:
         if (function == Elementary::log) name = "ln";
         if (function == Elementary::sin) name = notation(language_).sine;
         if (function == Elementary::asin) name = std::string("a") + notation(language_).sine;
-        if (function == Elementary::asin || function == Elementary::acos || function == Elementary::atan) name.insert(1, "rc");
+        if (function == Elementary::asin || function == Elementary::acos || function == Elementary::atan)
+            name.insert(1, "rc");
         return Formula::upright(name);
     }
     Formula function(const Expression& of) const {
@@ -166,7 +163,8 @@ private:
 
 }  // namespace
 
-Formula formula_of(const Expression& of, const NamedConstants& constants, std::string_view variable, Language language) {
+Formula formula_of(const Expression& of, const NamedConstants& constants, std::string_view variable,
+                   Language language) {
     return Setting(constants, variable, language).set(of);
 }
 

@@ -95,28 +95,17 @@ Unit suitable_unit(double si, QuantityKind kind, const Units& units) {
             if (size >= 1e9) return {"GPa", 1000000000};
             if (size >= 1e4 || size == 0) return {"MPa", 1000000};
             return units.pressure;
-        case QuantityKind::angle:
-            return {"°", pi() / 180};
-        case QuantityKind::angular_velocity:
-            return units.angular_velocity;
-        case QuantityKind::velocity:
-            return units.velocity;
-        case QuantityKind::acceleration:
-            return units.acceleration;
-        case QuantityKind::mass:
-            return units.mass;
-        case QuantityKind::force:
-            return units.force;
-        case QuantityKind::moment:
-            return units.moment;
-        case QuantityKind::inertia:
-            return units.inertia;
-        case QuantityKind::time:
-            return {"s", 1};
-        case QuantityKind::wear:
-            return {"mm³/(N m)", Exact::ratio(1, 1000000000)};
-        default:
-            return {"", 1};
+        case QuantityKind::angle: return {"°", pi() / 180};
+        case QuantityKind::angular_velocity: return units.angular_velocity;
+        case QuantityKind::velocity: return units.velocity;
+        case QuantityKind::acceleration: return units.acceleration;
+        case QuantityKind::mass: return units.mass;
+        case QuantityKind::force: return units.force;
+        case QuantityKind::moment: return units.moment;
+        case QuantityKind::inertia: return units.inertia;
+        case QuantityKind::time: return {"s", 1};
+        case QuantityKind::wear: return {"mm³/(N m)", Exact::ratio(1, 1000000000)};
+        default: return {"", 1};
     }
 }
 
@@ -130,8 +119,9 @@ Words amount(double si, QuantityKind kind, const Units& units, int digits) {
     return in_all([&](Language language) { return amount(si, kind, units, language, digits); });
 }
 Words numeral(double value, int digits) {
-    return in_all(
-        [&](Language language) { return digits == as_given ? given(value, language) : number(value, digits, language); });
+    return in_all([&](Language language) {
+        return digits == as_given ? given(value, language) : number(value, digits, language);
+    });
 }
 
 }  // namespace kinegraph::render

@@ -12,7 +12,8 @@ namespace {
 constexpr std::string_view dot_above = "\u0307", two_dots_above = "\u0308";
 
 bool is_of_xml(char32_t code) {
-    return code == '\t' || code == '\n' || (code >= 0x20 && code != 0xFFFE && code != 0xFFFF && code != replacement_character);
+    return code == '\t' || code == '\n' ||
+           (code >= 0x20 && code != 0xFFFE && code != 0xFFFF && code != replacement_character);
 }
 
 void put_in(std::string& html, const char* element, const std::string& content) {
@@ -50,24 +51,12 @@ std::string xml_text(std::string_view text) {
         const std::size_t from = at;
         const char32_t code = next_code_point(text, at);
         switch (code) {
-            case '&':
-                escaped += "&amp;";
-                break;
-            case '<':
-                escaped += "&lt;";
-                break;
-            case '>':
-                escaped += "&gt;";
-                break;
-            case '"':
-                escaped += "&quot;";
-                break;
-            case '{':
-                escaped += "&#123;";
-                break;
-            case '}':
-                escaped += "&#125;";
-                break;
+            case '&': escaped += "&amp;"; break;
+            case '<': escaped += "&lt;"; break;
+            case '>': escaped += "&gt;"; break;
+            case '"': escaped += "&quot;"; break;
+            case '{': escaped += "&#123;"; break;
+            case '}': escaped += "&#125;"; break;
             default:
                 if (is_of_xml(code))
                     escaped += text.substr(from, at - from);

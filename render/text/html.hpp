@@ -8,8 +8,8 @@
 
 namespace kinegraph::render {
 
-/// Text of XML, in an element or in an attribute's quotes. What is no UTF-8, or no character of XML, is U+FFFD. Braces, too, go
-/// as character references: platforms read what stands in them.
+/// Text of XML, in an element or in an attribute's quotes. What is no UTF-8, or no character of XML, is U+FFFD. Braces,
+/// too, go as character references: platforms read what stands in them.
 std::string xml_text(std::string_view text);
 
 /// Faces as <i> and <b>, scripts as <sub> and <sup>, dots over a letter as combining characters; a line break is <br/>.

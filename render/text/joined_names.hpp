@@ -5,8 +5,8 @@
 
 namespace kinegraph::render {
 
-/// Adds a point to what a line is named by. Names of a letter or two stand together, "O₂A"; where one is a word, a dash parts
-/// them, for it would run into the other.
+/// Adds a point to what a line is named by. Names of a letter or two stand together, "O₂A"; where one is a word, a dash
+/// parts them, for it would run into the other.
 void append_point(RichText& line, const RichText& point);
 
 }  // namespace kinegraph::render

@@ -13,8 +13,9 @@ constexpr std::array<Notation, languages.size()> notations{{
 }};
 
 bool same_letters(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](unsigned char left, unsigned char right) { return std::tolower(left) == std::tolower(right); });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char left, unsigned char right) {
+        return std::tolower(left) == std::tolower(right);
+    });
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Languages: what differs between them besides words — their codes, the decimal mark, letters and names of functions as each
-// language's textbooks have them. Whoever adds one gives it a row here and a column in words.cpp.
+// Languages: what differs between them besides words — their codes, the decimal mark, letters and names of functions as
+// each language's textbooks have them. Whoever adds one gives it a row here and a column in words.cpp.
 #pragma once
 
 #include <array>

@@ -21,7 +21,8 @@ constexpr auto greek =
                           {"omega", "ω", "\\omega"}, {"theta", "θ", "\\theta"},   {"Delta", "Δ", "\\Delta"}});
 
 const Greek* greek_named(std::string_view name) {
-    const auto* const found = std::find_if(greek.begin(), greek.end(), [&](const Greek& each) { return each.name == name; });
+    const auto* const found =
+        std::find_if(greek.begin(), greek.end(), [&](const Greek& each) { return each.name == name; });
     return found == greek.end() ? nullptr : &*found;
 }
 
@@ -39,7 +40,8 @@ std::string escaped(const std::string& text) {
                                                                                {'&', "\\&"}});
     std::string safe;
     for (const char c : text) {
-        const auto* const found = std::find_if(special.begin(), special.end(), [&](const auto& each) { return each.first == c; });
+        const auto* const found =
+            std::find_if(special.begin(), special.end(), [&](const auto& each) { return each.first == c; });
         if (found == special.end())
             safe += c;
         else
@@ -243,7 +245,8 @@ Formula& Formula::operator+=(Formula more) {
         parts.push_back(std::move(own));
     }
     if (more.kind == Kind::row)
-        parts.insert(parts.end(), std::make_move_iterator(more.parts.begin()), std::make_move_iterator(more.parts.end()));
+        parts.insert(parts.end(), std::make_move_iterator(more.parts.begin()),
+                     std::make_move_iterator(more.parts.end()));
     else
         parts.push_back(std::move(more));
     return *this;
@@ -278,22 +281,20 @@ std::string Formula::plain() const {
             return all;
         }
         case Kind::text:
-        case Kind::sign:
-            return as_plain;
-        case Kind::fraction:
-            return inner(parts[0]) + "/" + inner(parts[1]);
-        case Kind::root:
-            return "√(" + parts[0].plain() + ")";
+        case Kind::sign: return as_plain;
+        case Kind::fraction: return inner(parts[0]) + "/" + inner(parts[1]);
+        case Kind::root: return "√(" + parts[0].plain() + ")";
         case Kind::power:
-            return inner(parts[0]) + "^" + (parts[1].kind == Kind::row ? "{" + parts[1].plain() + "}" : parts[1].plain());
-        case Kind::fence:
-            return "(" + parts[0].plain() + ")";
+            return inner(parts[0]) + "^" +
+                   (parts[1].kind == Kind::row ? "{" + parts[1].plain() + "}" : parts[1].plain());
+        case Kind::fence: return "(" + parts[0].plain() + ")";
         case Kind::matrix: {
             const std::string between_rows = "; ";
             const bool has_own_brackets = columns > 1 && as_plain == between_rows;
             std::string all = has_own_brackets ? "[[" : "[";
             for (std::size_t i = 0; i < parts.size(); ++i) {
-                if (i > 0) all += i % columns > 0 ? as_plain : has_own_brackets ? "]" + between_rows + "[" : between_rows;
+                if (i > 0)
+                    all += i % columns > 0 ? as_plain : has_own_brackets ? "]" + between_rows + "[" : between_rows;
                 all += parts[i].plain();
             }
             return all + (has_own_brackets ? "]]" : "]");
@@ -310,16 +311,11 @@ std::string Formula::latex() const {
             return all;
         }
         case Kind::text:
-        case Kind::sign:
-            return as_latex;
-        case Kind::fraction:
-            return "\\frac{" + parts[0].latex() + "}{" + parts[1].latex() + "}";
-        case Kind::root:
-            return "\\sqrt{" + parts[0].latex() + "}";
-        case Kind::power:
-            return "{" + parts[0].latex() + "}^{" + parts[1].latex() + "}";
-        case Kind::fence:
-            return "\\left(" + parts[0].latex() + "\\right)";
+        case Kind::sign: return as_latex;
+        case Kind::fraction: return "\\frac{" + parts[0].latex() + "}{" + parts[1].latex() + "}";
+        case Kind::root: return "\\sqrt{" + parts[0].latex() + "}";
+        case Kind::power: return "{" + parts[0].latex() + "}^{" + parts[1].latex() + "}";
+        case Kind::fence: return "\\left(" + parts[0].latex() + "\\right)";
         case Kind::matrix: {
             std::string all = "\\left[\\begin{array}{" + std::string(columns, 'c') + "}";
             for (std::size_t i = 0; i < parts.size(); ++i)

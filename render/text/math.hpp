@@ -1,5 +1,5 @@
-// Formulas as values: letters with dots and scripts, fractions, roots, powers, matrices in brackets. A formula prints itself as
-// plain text and as LaTeX; setting it in type is page's (render/page/set_formula.hpp). Knows no quantity.
+// Formulas as values: letters with dots and scripts, fractions, roots, powers, matrices in brackets. A formula prints
+// itself as plain text and as LaTeX; setting it in type is page's (render/page/set_formula.hpp). Knows no quantity.
 #pragma once
 
 #include <string>
@@ -43,8 +43,8 @@ public:
     static Formula root(Formula of);
     static Formula power(Formula base, Formula exponent);
     static Formula fenced(Formula inside);
-    /// Row by row, `columns` in each. `between`: entries of a row in plain text; "; ", as in Italian, where a comma is the
-    /// decimal sign, then has rows in brackets of their own.
+    /// Row by row, `columns` in each. `between`: entries of a row in plain text; "; ", as in Italian, where a comma is
+    /// the decimal sign, then has rows in brackets of their own.
     static Formula matrix(std::vector<Formula> entries, std::size_t columns, const char* between = ", ");
 
     Formula& operator+=(Formula more);

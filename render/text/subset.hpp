@@ -1,5 +1,5 @@
-// Subsets: the part of a font file that some characters need, so that a file of ours can bring it along. HarfBuzz's subsetter
-// stands behind it, which only those runs load that ask for live text; known to subset.cpp alone.
+// Subsets: the part of a font file that some characters need, so that a file of ours can bring it along. HarfBuzz's
+// subsetter stands behind it, which only those runs load that ask for live text; known to subset.cpp alone.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ struct WantedType {
     std::set<std::uint32_t> glyphs;  ///< with the characters that stand for them
 };
 
-/// An OpenType file with what is wanted of `file` (OpenType too): glyphs with the same outlines, widths, kerning and ligatures.
-/// The same bytes for the same two. Empty where `file` is no font that can be divided.
+/// An OpenType file with what is wanted of `file` (OpenType too): glyphs with the same outlines, widths, kerning and
+/// ligatures. The same bytes for the same two. Empty where `file` is no font that can be divided.
 std::string font_subset(std::string_view file, const WantedType& wanted);
 
 }  // namespace kinegraph::render

@@ -78,37 +78,26 @@ double blank_advance(char32_t c, double space) {
     switch (c) {
         case 0x00A0:
         case 0x2028:
-        case 0x2029:
-            return space;
+        case 0x2029: return space;
         case 0x2000:
         case 0x2002:
-        case 0x2007:
-            return 0.5;
+        case 0x2007: return 0.5;
         case 0x2001:
         case 0x2003:
-        case 0x3000:
-            return 1;
-        case 0x2004:
-            return 1 / 3.0;
+        case 0x3000: return 1;
+        case 0x2004: return 1 / 3.0;
         case 0x2005:
-        case 0x2008:
-            return 0.25;
-        case 0x2006:
-            return 1 / 6.0;
+        case 0x2008: return 0.25;
+        case 0x2006: return 1 / 6.0;
         case 0x2009:
-        case 0x202F:
-            return 0.2;
-        case 0x200A:
-            return 0.1;
-        case 0x205F:
-            return 4 / 18.0;
+        case 0x202F: return 0.2;
+        case 0x200A: return 0.1;
+        case 0x205F: return 4 / 18.0;
         case 0x00AD:
         case 0x034F:
         case 0x061C:
-        case 0xFEFF:
-            return 0;
-        default:
-            break;
+        case 0xFEFF: return 0;
+        default: break;
     }
     if (c < 0x20 || (c >= 0x7F && c < 0xA0)) return space;
     const bool unseen = (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || (c >= 0x2060 && c <= 0x206F) ||
@@ -119,7 +108,8 @@ double blank_advance(char32_t c, double space) {
 std::string code_name(char32_t c) {
     static constexpr std::string_view digits = "0123456789ABCDEF";
     std::string name = "U+";
-    for (int shift = c > 0xFFFFF ? 20 : c > 0xFFFF ? 16 : 12; shift >= 0; shift -= 4) name += digits[(c >> shift) & 0xF];
+    for (int shift = c > 0xFFFFF ? 20 : c > 0xFFFF ? 16 : 12; shift >= 0; shift -= 4)
+        name += digits[(c >> shift) & 0xF];
     return name;
 }
 
@@ -152,8 +142,8 @@ struct Fonts::State {
         double scale = 1, y = 0;
         bool coded = false;
     };
-    void shape_run(std::span<const char32_t> run, std::span<const std::uint32_t> from, std::uint8_t face, const Form& form,
-                   Word& into);
+    void shape_run(std::span<const char32_t> run, std::span<const std::uint32_t> from, std::uint8_t face,
+                   const Form& form, Word& into);
     void draw_code(char32_t c, std::uint32_t from, Word& into);
 };
 
@@ -205,7 +195,8 @@ void Fonts::State::draw_code(char32_t c, std::uint32_t from, Word& into) {
     box.top = into.last.top + code_padding + code_line;
     into.advance = box.right + code_side;
     into.boxes.push_back(box);
-    into.last = {box.left - code_line / 2, box.bottom - code_line / 2, box.right + code_line / 2, box.top + code_line / 2};
+    into.last = {box.left - code_line / 2, box.bottom - code_line / 2, box.right + code_line / 2,
+                 box.top + code_line / 2};
     into.top = std::max(into.top, into.last.top);
     into.bottom = std::min(into.bottom, into.last.bottom);
 }
@@ -247,7 +238,8 @@ Word Fonts::State::set_word(std::string_view text, std::uint8_t face) {
         } else {
             while (end < characters.size() && faces_of[end] == of) ++end;
             const std::size_t count = end - begin;
-            shape_run(std::span(characters).subspan(begin, count), std::span(begins).subspan(begin, count), of, {}, word);
+            shape_run(std::span(characters).subspan(begin, count), std::span(begins).subspan(begin, count), of, {},
+                      word);
         }
     }
     return word;
@@ -362,7 +354,8 @@ public:
         if (piece.dots > 0 && !base.last.blank()) dot(piece, base.last, size, part);
         x_ += base.advance;
         if (piece.sub.empty() && piece.sup.empty()) return;
-        const Run sub = set(piece.sub, sub_said, piece.sub_face, size * script_scale, {x_, subscript_drop * size}, part);
+        const Run sub =
+            set(piece.sub, sub_said, piece.sub_face, size * script_scale, {x_, subscript_drop * size}, part);
         double lean = 0;
         if (italic(piece.face) && !base.last.blank()) {
             lean = size * std::clamp((base.last.right - x_) / size, least_italic_correction, most_italic_correction);
@@ -418,7 +411,8 @@ private:
             Path path;
             const double left = at.x + box.left * size, right = at.x + box.right * size;
             const double top = at.y - box.top * size, bottom = at.y - box.bottom * size;
-            path.segments = {MoveTo{{left, top}}, LineTo{{right, top}}, LineTo{{right, bottom}}, LineTo{{left, bottom}}, Close{}};
+            path.segments = {MoveTo{{left, top}}, LineTo{{right, top}}, LineTo{{right, bottom}}, LineTo{{left, bottom}},
+                             Close{}};
             path.stroked = true;
             path.pen.width = code_line * size;
             path.pen.colour = to.colour;
@@ -480,7 +474,8 @@ std::string with_whole_powers_of_ten(std::string text) {
     return text;
 }
 
-/// The same text with raised digits as superscripts, the words with such in pieces of their own; `text` itself where it has none.
+/// The same text with raised digits as superscripts, the words with such in pieces of their own; `text` itself where it
+/// has none.
 const RichText& with_raised_digits(const RichText& text, RichText& changed) {
     const auto concerns = [](const Piece& piece) { return !has_scripts(piece) && has_raised_digits(piece.text); };
     if (std::none_of(text.begin(), text.end(), concerns)) return text;
@@ -647,7 +642,8 @@ void break_lines(const std::vector<Stretch>& stretches, double measure, Set set)
         while (end < stretches.size() && !stretches[end].blank) to_end += stretches[end++].width;
         if (word == end) break;  // nothing but blanks is left
         if (to_end - to_word > measure + tolerance && end - word > 1) {
-            // What no line holds is divided before its symbols, and behind one that a line holds: a formula of long names.
+            // What no line holds is divided before its symbols, and behind one that a line holds: a formula of long
+            // names.
             const std::size_t whole = end;
             for (end = word, to_end = to_word; end < whole; ++end) {
                 const bool fits = to_end - to_word + stretches[end].width <= measure + tolerance;
@@ -692,7 +688,8 @@ std::vector<Stretch> stretches_of(State& state, const RichText& text, double siz
             while (end < words.size() && breaks(words[end]) == blank) ++end;
             const Word* word = blank ? nullptr : &state.word(words.substr(at, end - at), piece.face);
             const double em =
-                blank ? state.faces[static_cast<std::size_t>(piece.face)].space * static_cast<double>(end - at) : word->advance;
+                blank ? state.faces[static_cast<std::size_t>(piece.face)].space * static_cast<double>(end - at)
+                      : word->advance;
             const Reach reach = blank ? Reach{} : Reach{word->reach.over * size, word->reach.under * size};
             stretches.push_back({p, at, end, blank, em * size, false, word, reach});
             at = end;
@@ -742,7 +739,8 @@ MeasuredText Fonts::measured(RichText text, double size_points) const {
 
 ShapedLine Fonts::set(const MeasuredText& text, const MeasuredText::Line& line) const {
     const MeasuredText::Parts& parts = *text.parts_;
-    return line_of(*state_, parts.text, std::span(parts.stretches).subspan(line.first, line.end - line.first), parts.size);
+    return line_of(*state_, parts.text, std::span(parts.stretches).subspan(line.first, line.end - line.first),
+                   parts.size);
 }
 
 std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, double measure) const {
@@ -758,7 +756,9 @@ std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, d
     return lines;
 }
 
-const Outline& Fonts::outline(std::uint8_t face, std::uint32_t index) const { return state_->drawing(face, index).outline; }
+const Outline& Fonts::outline(std::uint8_t face, std::uint32_t index) const {
+    return state_->drawing(face, index).outline;
+}
 
 std::string_view Fonts::file(std::uint8_t face) const {
     KG_ASSERT(face < state_->faces.size(), "the font has four faces");
@@ -811,8 +811,9 @@ ShapedLine shaped_within(const RichText& line, double size, const Fonts& fonts, 
         }
         return low;
     };
-    const std::size_t pieces = longest(
-        0, text.size() - 1, [&](std::size_t n) { return RichText(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(n)); });
+    const std::size_t pieces = longest(0, text.size() - 1, [&](std::size_t n) {
+        return RichText(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(n));
+    });
     text.resize(std::max<std::size_t>(pieces, 1));
     if (pieces == 0) {
         Piece& first = text.front();

@@ -25,8 +25,9 @@ struct Glyph {
     std::uint32_t index = 0;
     double size = 0;
     Spot origin;
-    std::uint32_t at = 0;  ///< where its character begins in plain(as_set(text)) of its line's text; a ligature: its first one
-    bool coded = false;    ///< of the code in a box that stands for a character which the font has not
+    std::uint32_t at =
+        0;  ///< where its character begins in plain(as_set(text)) of its line's text; a ligature: its first one
+    bool coded = false;  ///< of the code in a box that stands for a character which the font has not
 };
 
 /// A shaped line, its origin at the left of the baseline, mm, y downwards.
@@ -49,8 +50,8 @@ struct ShapedLine {
 /// How far the em box of a letter reaches over and under its baseline, em: near enough for the edge of what is set.
 constexpr double letter_over = 0.72, letter_under = 0.22;
 
-/// Text whose words are measured, to be broken into lines at one width after the other. Good as long as its fonts are, and until
-/// they start anew.
+/// Text whose words are measured, to be broken into lines at one width after the other. Good as long as its fonts are,
+/// and until they start anew.
 class MeasuredText {
 public:
     /// A line of it: its stretches, and how far the em boxes of its letters reach over and under the baseline, mm.
@@ -79,8 +80,8 @@ public:
     Fonts& operator=(Fonts&&) noexcept;
     ~Fonts() override;
 
-    /// Sets one line at `size` points. A character that no face has is drawn as its code in a box (U+XXXX) and reported through
-    /// `missing()`.
+    /// Sets one line at `size` points. A character that no face has is drawn as its code in a box (U+XXXX) and reported
+    /// through `missing()`.
     ShapedLine shape(RichText text, double size_points) const;
     /// What shape() gives as its width.
     double width(const RichText& text, double size_points) const;
@@ -93,7 +94,8 @@ public:
     std::string_view file(std::uint8_t face) const override;
     /// Characters met so far that the font has not, in the order of Unicode ("U+4E2D").
     std::vector<std::string> missing() const;
-    /// For a further sheet of many: forgets the missing characters, and the words set so far where they have become very many.
+    /// For a further sheet of many: forgets the missing characters, and the words set so far where they have become
+    /// very many.
     void start_anew();
 
 private:
@@ -101,8 +103,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// A line of text no wider than `measure` mm: pieces go from the end, then characters of the first, for an ellipsis. What the
-/// line says stays whole.
+/// A line of text no wider than `measure` mm: pieces go from the end, then characters of the first, for an ellipsis.
+/// What the line says stays whole.
 ShapedLine shaped_within(const RichText& text, double size, const Fonts& fonts, double measure);
 
 /// Points to millimetres.

@@ -13,8 +13,8 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr std::array<const char*, 4> file_names = {"STIXGeneral-Regular.otf", "STIXGeneral-Italic.otf", "STIXGeneral-Bold.otf",
-                                                   "STIXGeneral-BoldItalic.otf"};
+constexpr std::array<const char*, 4> file_names = {"STIXGeneral-Regular.otf", "STIXGeneral-Italic.otf",
+                                                   "STIXGeneral-Bold.otf", "STIXGeneral-BoldItalic.otf"};
 constexpr const char* debian_directory = "/usr/share/fonts/opentype/stix";
 
 struct Release {
@@ -39,7 +39,8 @@ void reach(double p, double control_1, double control_2, double q, double& least
     const double sum = -0.5 * (b + std::copysign(std::sqrt(under_root), b));
     for (const double t : {sum / a, c / sum}) {
         if (!(t > 0 && t < 1)) continue;
-        const double u = 1 - t, at = std::round(u * u * (u * p + 3 * t * control_1) + t * t * (3 * u * control_2 + t * q));
+        const double u = 1 - t,
+                     at = std::round(u * u * (u * p + 3 * t * control_1) + t * t * (3 * u * control_2 + t * q));
         least = std::min(least, at);
         most = std::max(most, at);
     }
@@ -56,7 +57,8 @@ public:
         ink_ = {box_.min.x * unit_, box_.min.y * unit_, box_.max.x * unit_, box_.max.y * unit_};
     }
 
-    static void move(hb_draw_funcs_t* /*pen*/, void* self, hb_draw_state_t* /*state*/, float x, float y, void* /*data*/) {
+    static void move(hb_draw_funcs_t* /*pen*/, void* self, hb_draw_state_t* /*state*/, float x, float y,
+                     void* /*data*/) {
         auto& c = *static_cast<Collector*>(self);
         if (c.segments_.empty())
             c.box_ = {{x, y}, {x, y}};
@@ -65,7 +67,8 @@ public:
         c.segments_.emplace_back(MoveTo{c.em({x, y})});
         c.go_to({x, y});
     }
-    static void line(hb_draw_funcs_t* /*pen*/, void* self, hb_draw_state_t* /*state*/, float x, float y, void* /*data*/) {
+    static void line(hb_draw_funcs_t* /*pen*/, void* self, hb_draw_state_t* /*state*/, float x, float y,
+                     void* /*data*/) {
         auto& c = *static_cast<Collector*>(self);
         c.segments_.emplace_back(LineTo{c.em({x, y})});
         c.go_to({x, y});
@@ -124,8 +127,8 @@ public:
         hb_buffer_t* b = buffer_.get();
         hb_buffer_clear_contents(b);
         static_assert(sizeof(char32_t) == sizeof(hb_codepoint_t));
-        hb_buffer_add_codepoints(b, reinterpret_cast<const hb_codepoint_t*>(run.data()), static_cast<int>(run.size()), 0,
-                                 static_cast<int>(run.size()));
+        hb_buffer_add_codepoints(b, reinterpret_cast<const hb_codepoint_t*>(run.data()), static_cast<int>(run.size()),
+                                 0, static_cast<int>(run.size()));
         hb_buffer_set_direction(b, HB_DIRECTION_LTR);
         hb_buffer_set_script(b, HB_SCRIPT_LATIN);
         hb_buffer_set_language(b, language_);
@@ -135,7 +138,8 @@ public:
         const hb_glyph_position_t* places = hb_buffer_get_glyph_positions(b, &count);
         placed.clear();
         for (unsigned i = 0; i < count; ++i)
-            placed.push_back({infos[i].codepoint, places[i].x_offset, places[i].y_offset, places[i].x_advance, infos[i].cluster});
+            placed.push_back(
+                {infos[i].codepoint, places[i].x_offset, places[i].y_offset, places[i].x_advance, infos[i].cluster});
     }
     Drawn draw(std::uint32_t glyph) const override {
         Drawn drawn;
@@ -173,8 +177,10 @@ tl::expected<Typefaces, Words> open_typefaces() {
         const Owned<hb_face_t> face(read ? hb_face_create(blob.get(), 0) : nullptr);
         if (!face || hb_face_get_glyph_count(face.get()) == 0)
             return tl::unexpected(Words(
-                "{0} {1}: install the Debian package fonts-stix, or name the directory of its files in KINEGRAPH_FONT_DIR",
-                "{0} {1}: installare il pacchetto Debian fonts-stix, o indicare la cartella dei suoi file in KINEGRAPH_FONT_DIR",
+                "{0} {1}: install the Debian package fonts-stix, or name the directory of its files in "
+                "KINEGRAPH_FONT_DIR",
+                "{0} {1}: installare il pacchetto Debian fonts-stix, o indicare la cartella dei suoi file in "
+                "KINEGRAPH_FONT_DIR",
                 path, read ? Words("is no font", "non è un font") : Words("cannot be read", "non si può leggere")));
         opened[i] = std::make_unique<OpenTypeFace>(std::move(blob), face.get());
     }

@@ -1,5 +1,6 @@
-// A face of the font as setting needs it: which characters it has, how a run of them is shaped, what its glyphs look like. What
-// stands behind it (HarfBuzz, which takes longer to load than many runs take) is known to typeface.cpp alone.
+// A face of the font as setting needs it: which characters it has, how a run of them is shaped, what its glyphs look
+// like. What stands behind it (HarfBuzz, which takes longer to load than many runs take) is known to typeface.cpp
+// alone.
 #pragma once
 
 #include <array>
@@ -31,12 +32,12 @@ struct Drawn {
     Ink ink;
 };
 
-/// Nothing but virtual functions, so that it may come from a module that is loaded while the program runs; no exception leaves
-/// it.
+/// Nothing but virtual functions, so that it may come from a module that is loaded while the program runs; no exception
+/// leaves it.
 class Typeface {
 public:
-    /// A glyph in its place in a run, in units of the font: its offset from the pen, and how far it moves the pen. `from` counts
-    /// the characters of the run that stand before it.
+    /// A glyph in its place in a run, in units of the font: its offset from the pen, and how far it moves the pen.
+    /// `from` counts the characters of the run that stand before it.
     struct Placed {
         std::uint32_t glyph = 0;
         int x = 0, y = 0, advance = 0;
@@ -64,8 +65,8 @@ protected:
 /// Regular, italic, bold, bold italic, as Face counts them.
 using Typefaces = std::array<std::unique_ptr<Typeface>, 4>;
 
-/// Opens the four faces of STIX General, from $KINEGRAPH_FONT_DIR or where Debian has them. Error: names the missing file and the
-/// Debian package (`fonts-stix`).
+/// Opens the four faces of STIX General, from $KINEGRAPH_FONT_DIR or where Debian has them. Error: names the missing
+/// file and the Debian package (`fonts-stix`).
 tl::expected<Typefaces, Words> open_typefaces();
 
 }  // namespace kinegraph::render

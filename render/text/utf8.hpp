@@ -1,5 +1,5 @@
-// UTF-8 from any file to code points: whatever is not well formed becomes U+FFFD, byte by byte, and nothing is ever read
-// beyond the end. Knows nothing of fonts or of markup.
+// UTF-8 from any file to code points: whatever is not well formed becomes U+FFFD, byte by byte, and nothing is ever
+// read beyond the end. Knows nothing of fonts or of markup.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 11> r
 
 constexpr char32_t replacement_character = 0xFFFD;
 
-/// Takes the code point at `at` and moves `at` behind it. Overlong forms, surrogates and values past U+10FFFF are not well
-/// formed.
+/// Takes the code point at `at` and moves `at` behind it. Overlong forms, surrogates and values past U+10FFFF are not
+/// well formed.
 inline char32_t next_code_point(std::string_view text, std::size_t& at) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t lead = byte(at++);
@@ -80,7 +80,8 @@ inline void append_utf8(std::string& text, char32_t code) {
     }
 }
 
-/// The text as a file of ours can hold it: what is not UTF-8, and what XML 1.0 forbids, becomes U+FFFD. Escapes nothing.
+/// The text as a file of ours can hold it: what is not UTF-8, and what XML 1.0 forbids, becomes U+FFFD. Escapes
+/// nothing.
 inline std::string well_formed(std::string_view text) {
     std::string out;
     out.reserve(text.size());

@@ -18,7 +18,8 @@ namespace kinegraph::render {
 RichText say(const Message& message, Language language);
 /// What such sentences find, of others that say the same: "Likewise ω_4 = 2.5 rad/s, ω_5 = 0."
 RichText say_likewise(const std::vector<const Message*>& messages, Language language);
-/// The same for the terminal and for files of results: names as the mechanism file has them, symbols by their plain names.
+/// The same for the terminal and for files of results: names as the mechanism file has them, symbols by their plain
+/// names.
 std::string tell(const Message& message, Language language);
 /// A quantity as it is typeset: v_B bold italic with its subscript, ω_3 italic, n and t upright, dots for Italian ω̇_3.
 RichText typeset(const Symbol& symbol, Language language);

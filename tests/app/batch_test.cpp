@@ -1,5 +1,5 @@
-// `kinegraph batch`: a filter that answers line by line as `solve` would, whatever the number of workers, and knows its work
-// again.
+// `kinegraph batch`: a filter that answers line by line as `solve` would, whatever the number of workers, and knows its
+// work again.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -68,7 +68,8 @@ protected:
 
 TEST_F(Batch, AnswersAsSolveDoes) {
     const std::string lines = R"({"id": 1, "file": "crank.json", "set": {"r": "45 mm", "phi": "50°"}}
-{"id": "all", "file": "crank.json", "set": {"r": "45 mm", "phi": "50°"}, "want": ["json", "svg", "png", "pdf"], "to": "new/a"}
+{"id": "all", "file": "crank.json", "set": {"r": "45 mm", "phi": "50°"}, "want": ["json", "svg", "png", "pdf"],
+ "to": "new/a"}
 {"id": 3, "mechanism": )" + json::parse(with_parameters(four_bar_)).dump() +
                               R"(, "set": {"r": "= 9/2 * 10 mm", "phi": "50°"}, "want": ["svg", "json"]})" + "\n";
     const Outcome outcome = batch(lines);
@@ -149,7 +150,8 @@ TEST_F(Batch, WrongLinesSayWhyAndStopNothing) {
         {R"({"mechanism": {"kinegraph": 1, "points": {"A": 3}}})", "mechanism: /points/A: "},
     };
     std::string lines = "\n";  // an empty line is none
-    for (const auto& row : rows) lines += std::string(row.line) + "\n" + R"({"id": "good", "file": "crank.json"})" + "\r\n";
+    for (const auto& row : rows)
+        lines += std::string(row.line) + "\n" + R"({"id": "good", "file": "crank.json"})" + "\r\n";
     const Outcome outcome = batch(lines, "--jobs 3");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_TRUE(lines_are(outcome.err, "kinegraph: lines that could not be carried out: 26 of 52 .*")) << outcome.err;
@@ -181,7 +183,8 @@ TEST_F(Batch, TellsWhatCouldNotBeFound) {
 }
 
 TEST_F(Batch, GivesTheSameBytesWithAnyNumberOfWorkers) {
-    for (const char* name : {"exam_2001", "gas_force", "oldham_coupling", "sluice_gate"}) fs::copy(example_file(name), folder_);
+    for (const char* name : {"exam_2001", "gas_force", "oldham_coupling", "sluice_gate"})
+        fs::copy(example_file(name), folder_);
     const auto lines = [](const std::string& folder) {
         std::string all;
         for (int i = 0; i < unless_sanitized(18, 6); ++i) {
@@ -226,7 +229,8 @@ TEST_F(Batch, ResumeDoesWhatIsMissingAndNothingElse) {
     const Outcome again = batch(changed, "--resume --jobs 2");
     EXPECT_TRUE(again.out == whole.out) << again.out;
     EXPECT_TRUE(lines_are(again.err, "kinegraph: lines done before: 3 of 6"));
-    for (const std::string name : {"0.svg", "0.json", "4.svg", "5.json"}) EXPECT_EQ(number(name), numbers[name]) << name;
+    for (const std::string name : {"0.svg", "0.json", "4.svg", "5.json"})
+        EXPECT_EQ(number(name), numbers[name]) << name;
     for (const std::string name : {"1.json", "2.svg", "3.svg"}) EXPECT_NE(number(name), numbers[name]) << name;
     Snapshot after = files("out");
     EXPECT_FALSE(after["3.json"] == made.at("3.json"));
@@ -242,7 +246,8 @@ TEST_F(Batch, KilledItLeavesWholeFilesAndIsResumed) {
     const Snapshot made = files("out");
     fs::remove_all(folder_ / "out");
     write("lines", lines);
-    write("kill.sh", "'" + program_ + "' batch --jobs 2 <lines >/dev/null &\nuntil [ -e out/" + std::to_string(count / 2) +
+    write("kill.sh", "'" + program_ + "' batch --jobs 2 <lines >/dev/null &\nuntil [ -e out/" +
+                         std::to_string(count / 2) +
                          ".json ]; do sleep 0.002; done\nkill -9 $!\nwait $!\n[ $? = 137 ]\n");
     ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && bash kill.sh 2>/dev/null").c_str()), 0);
     const Snapshot left = files("out");
@@ -256,10 +261,10 @@ TEST_F(Batch, KilledItLeavesWholeFilesAndIsResumed) {
 
 TEST_F(Batch, StopsInOrderOnASignal) {
     write("lines", cranks(3, R"(["json"])", "out"));
-    write("stop.sh",
-          "mkfifo pipe\n'" + program_ +
-              "' batch <pipe >answers 2>said &\nexec 3>pipe\ncat lines >&3\nuntil [ -e out/2.json ]; do sleep 0.01; done\n" +
-              "kill -TERM $!\nwait $!\n[ $? = 143 ]\n");
+    write("stop.sh", "mkfifo pipe\n'" + program_ +
+                         "' batch <pipe >answers 2>said &\nexec 3>pipe\ncat lines >&3\nuntil [ -e out/2.json ]; do "
+                         "sleep 0.01; done\n" +
+                         "kill -TERM $!\nwait $!\n[ $? = 143 ]\n");
     ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && bash stop.sh 2>/dev/null").c_str()), 0);
     EXPECT_EQ(answers(contents(folder_ / "answers")).size(), 3U);
     EXPECT_TRUE(lines_are(contents(folder_ / "said"), "kinegraph: stopped, lines answered: 3; --resume does the rest"));
@@ -274,16 +279,16 @@ TEST_F(Batch, StopsOnASignalWhereItsInputIsAlwaysReady) {
         SCOPED_TRACE(signal);
         fs::remove_all(folder_ / "out");
         write("stop.sh", "'" + program_ + "' batch --jobs " + jobs +
-                             " <lines >answers 2>said &\nuntil [ -e out/3.json ]; do sleep 0.002; done\nkill -" + signal +
-                             " $!\nwait $!\n[ $? = " + status + " ]\n");
+                             " <lines >answers 2>said &\nuntil [ -e out/3.json ]; do sleep 0.002; done\nkill -" +
+                             signal + " $!\nwait $!\n[ $? = " + status + " ]\n");
         ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && bash stop.sh 2>/dev/null").c_str()), 0);
         const std::string answered = contents(folder_ / "answers");
         const std::size_t number = answers(answered).size();
         EXPECT_LT(number, static_cast<std::size_t>(count));
         EXPECT_TRUE(whole.out.starts_with(answered));
         EXPECT_EQ(files("out").size(), 2 * number) << "a line was begun and not answered";
-        EXPECT_TRUE(lines_are(contents(folder_ / "said"),
-                              "kinegraph: stopped, lines answered: " + std::to_string(number) + "; --resume does the rest"));
+        EXPECT_TRUE(lines_are(contents(folder_ / "said"), "kinegraph: stopped, lines answered: " +
+                                                              std::to_string(number) + "; --resume does the rest"));
         EXPECT_TRUE(batch(lines, "--resume --jobs 2").out == whole.out);
         EXPECT_TRUE(files("out") == made);
     }
@@ -332,12 +337,13 @@ TEST_F(Batch, AResultNeverTakesTheMechanismsPlace) {
 }
 
 TEST_F(Batch, MemoryDoesNotGrowWithTheLines) {
-    if (unless_sanitized(0, 1) == 1) GTEST_SKIP() << "sanitizers hold on to what is freed, to see whether it is used again";
+    if (unless_sanitized(0, 1) == 1)
+        GTEST_SKIP() << "sanitizers hold on to what is freed, to see whether it is used again";
     const auto peak = [&](int count) {
         std::string lines;
         for (int i = 0; i < count; ++i)
-            lines +=
-                R"({"file": "crank.json", "set": {"r": ")" + std::to_string(30 + i % 40) + "." + std::to_string(i) + " mm\"}}\n";
+            lines += R"({"file": "crank.json", "set": {"r": ")" + std::to_string(30 + i % 40) + "." +
+                     std::to_string(i) + " mm\"}}\n";
         write("lines", lines);
         const pid_t child = ::fork();
         if (child == 0) {

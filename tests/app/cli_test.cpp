@@ -51,14 +51,16 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
         {"solve four_bar.json -o - -o - --format json", "kinegraph: standard output can carry one output only"},
         {"solve four_bar.json -o a.svg -o a.svg", "kinegraph: -o a.svg is given twice"},
         {"solve four_bar.json -o a.svg -o ./a.svg", "kinegraph: two outputs .*a.svg"},
-        {"solve four_bar.json -o four_bar.json", "kinegraph: -o four_bar.json would overwrite the mechanism file itself"},
+        {"solve four_bar.json -o four_bar.json",
+         "kinegraph: -o four_bar.json would overwrite the mechanism file itself"},
         {"solve four_bar.json -o ./four_bar.json", "kinegraph: .*would overwrite the mechanism file itself"},
         {"solve four_bar.json -o a.png --format gif", "kinegraph: --format.*"},
         {"solve four_bar.json -o a.svg --lang de", "kinegraph: --lang.*"},
         {"solve four_bar.json -o a.svg --paper A5", "kinegraph: --paper.*"},
         {"solve four_bar.json -o a.svg --orientation askew", "kinegraph: --orientation.*"},
         {"solve four_bar.json -o a.svg --figure forces",
-         "four_bar.json: --figure forces: there is no such figure; there are mechanism, centres, velocity, acceleration, .*"},
+         "four_bar.json: --figure forces: there is no such figure; there are mechanism, centres, velocity, "
+         "acceleration, .*"},
         {"solve four_bar.json -o a.png --dpi 0", "kinegraph: --dpi.*20 to 1200.*"},
         {"solve four_bar.json -o a.png --dpi 1e9", "kinegraph: --dpi.*"},
         {"solve four_bar.json -o a.png --dpi nan", "kinegraph: --dpi.*"},
@@ -130,12 +132,15 @@ TEST_F(CommandLine, AFileOfAnotherKindHasOneFaultThatSaysWhoseItIs) {
         const char* said;
     } rows[] = {
         {"cam four_bar.json",
-         "four_bar.json: /points: no cam stands in this file: \"points\" is of a mechanism or a problem; use \"kinegraph solve\"\n"},
+         "four_bar.json: /points: no cam stands in this file: \"points\" is of a mechanism or a problem; use "
+         "\"kinegraph solve\"\n"},
         {"cam four_bar.json --lang it",
-         "four_bar.json: /points: in questo file non c’è una camma: \"points\" è di un meccanismo o di un problema; usare "
+         "four_bar.json: /points: in questo file non c’è una camma: \"points\" è di un meccanismo o di un problema; "
+         "usare "
          "\"kinegraph solve\"\n"},
         {"cam ball.json",
-         "ball.json: /hertz: no cam stands in this file: \"hertz\" is of a mechanism or a problem; use \"kinegraph solve\"\n"},
+         "ball.json: /hertz: no cam stands in this file: \"hertz\" is of a mechanism or a problem; use \"kinegraph "
+         "solve\"\n"},
         {"solve cam.json", "cam.json: /cam: no mechanism stands in this file but a cam; use \"kinegraph cam\"\n"},
         {"check cam.json --lang it",
          "cam.json: /cam: in questo file non c’è un meccanismo ma una camma; usare \"kinegraph cam\"\n"},
@@ -170,7 +175,8 @@ TEST_F(CommandLine, SpeaksOneLanguage) {
         {"solve four_bar.json --lang it --paper A5", "kinegraph: --paper: .*A5.* non è fra .*"},
         {"solve four_bar.json --lang it --bogus", "kinegraph: argomento inatteso: --bogus.*"},
         {"solve four_bar.json --lang it -o a.bmp", "kinegraph: -o a.bmp: l’estensione .*"},
-        {"solve four_bar.json --lang it -o a.svg --figure forces", "four_bar.json: --figure forces: non c’è questa figura; .*"},
+        {"solve four_bar.json --lang it -o a.svg --figure forces",
+         "four_bar.json: --figure forces: non c’è questa figura; .*"},
         {"diff four_bar.json four_bar.json --lang it", "four_bar.json: non è né PNG né SVG"},
     };
     for (const auto& row : rows) {
@@ -309,13 +315,17 @@ TEST_F(CommandLine, OutputsAreWrittenAllOrNone) {
         const char* arguments;
         const char* said;
     } rows[] = {
-        {"solve four_bar.json -o absent/a.svg -o kept.svg", "absent/a.svg: cannot be written: No such file or directory"},
-        {"solve four_bar.json -o kept.svg -o absent/a.svg", "absent/a.svg: cannot be written: No such file or directory"},
+        {"solve four_bar.json -o absent/a.svg -o kept.svg",
+         "absent/a.svg: cannot be written: No such file or directory"},
+        {"solve four_bar.json -o kept.svg -o absent/a.svg",
+         "absent/a.svg: cannot be written: No such file or directory"},
         {"solve four_bar.json -o kept.svg -o new.json -o folder.svg", "folder.svg: cannot be written: Is a directory"},
-        {"solve four_bar.json -o kept.svg -o /dev/full --format svg", "/dev/full: cannot be written: No space left on device"},
+        {"solve four_bar.json -o kept.svg -o /dev/full --format svg",
+         "/dev/full: cannot be written: No space left on device"},
         {"solve four_bar.json -o kept.svg -o - --format json >/dev/full",
          "standard output: cannot be written: No space left on device"},
-        {"solve four_bar.json -o kept.svg -o - --format json >&-", "standard output: cannot be written: Bad file descriptor"},
+        {"solve four_bar.json -o kept.svg -o - --format json >&-",
+         "standard output: cannot be written: Bad file descriptor"},
         {"solve four_bar.json >/dev/full", "standard output: cannot be written: No space left on device"},
         {"check four_bar.json >/dev/full", "standard output: cannot be written: No space left on device"},
         {"--version >/dev/full", "standard output: cannot be written: No space left on device"},
@@ -348,7 +358,8 @@ TEST_F(CommandLine, ModulesAreLoadedByTheRunsAloneThatNeedThem) {
         const auto before = snapshot();
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, 4) << arguments;
-        EXPECT_TRUE(lines_are(outcome.err, "kinegraph: " + said + " by a module of the program, which cannot be loaded: .*"))
+        EXPECT_TRUE(
+            lines_are(outcome.err, "kinegraph: " + said + " by a module of the program, which cannot be loaded: .*"))
             << arguments;
         EXPECT_EQ(changed_since(before), "") << arguments;
     };
@@ -374,7 +385,8 @@ TEST_F(CommandLine, AnOutputKeepsItsModeAndItsLink) {
 TEST_F(CommandLine, AReaderThatLeavesIsAFailureToWriteNotADeath) {
     // The reader is gone before the program starts; its status is left in a file.
     const std::string command = "cd '" + folder_.string() +
-                                "' && { sleep 0.2; '" KINEGRAPH_PROGRAM "' solve four_bar.json 2>said; echo $? >status; } | :";
+                                "' && { sleep 0.2; '" KINEGRAPH_PROGRAM
+                                "' solve four_bar.json 2>said; echo $? >status; } | :";
     ASSERT_EQ(std::system(command.c_str()), 0);
     EXPECT_EQ(contents(folder_ / "status"), "4\n");
     EXPECT_EQ(contents(folder_ / "said"), "standard output: cannot be written: Broken pipe\n");
@@ -385,7 +397,8 @@ TEST_F(CommandLine, OddNamesAreOnlyNames) {
     fs::copy(folder_ / "four_bar.json", folder_ / odd);
     fs::path script = streams_ / "name";
     std::ofstream(script) << odd;
-    const Outcome outcome = run("solve \"$(cat '" + script.string() + "')\" -o \"$(cat '" + script.string() + "').svg\"");
+    const Outcome outcome =
+        run("solve \"$(cat '" + script.string() + "')\" -o \"$(cat '" + script.string() + "').svg\"");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_TRUE(is_there(odd + ".svg"));
     EXPECT_FALSE(is_there("x"));

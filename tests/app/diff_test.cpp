@@ -24,12 +24,16 @@ protected:
         picture = {20, 25, std::vector<render::Colour>(500, {255, 255, 255}), std::nullopt};
         write("narrow.png", encode_png(picture));
         write("broken.png", encode_png(picture).substr(0, 70));
-        write("square.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="25.4mm" height="25.4mm" viewBox="0 0 10 10">)"
-                            R"(<rect width="10" height="10" fill="#fff"/><rect x="2" y="2" width="5" height="6"/></svg>)");
-        write("shorter.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="25.4mm" height="25.4mm" viewBox="0 0 10 10">)"
-                             R"(<rect width="10" height="10" fill="#fff"/><rect x="2" y="2" width="5" height="5"/></svg>)");
+        write("square.svg",
+              R"(<svg xmlns="http://www.w3.org/2000/svg" width="25.4mm" height="25.4mm" viewBox="0 0 10 10">)"
+              R"(<rect width="10" height="10" fill="#fff"/><rect x="2" y="2" width="5" height="6"/></svg>)");
+        write("shorter.svg",
+              R"(<svg xmlns="http://www.w3.org/2000/svg" width="25.4mm" height="25.4mm" viewBox="0 0 10 10">)"
+              R"(<rect width="10" height="10" fill="#fff"/><rect x="2" y="2" width="5" height="5"/></svg>)");
     }
-    render::Picture picture(const std::string& name) const { return render::decode_png(contents(folder_ / name)).value(); }
+    render::Picture picture(const std::string& name) const {
+        return render::decode_png(contents(folder_ / name)).value();
+    }
 };
 
 TEST_F(DiffCommand, EqualIsZero) {
@@ -43,7 +47,8 @@ TEST_F(DiffCommand, EqualIsZero) {
 TEST_F(DiffCommand, ADifferenceIsOneAndIsShown) {
     const Outcome outcome = run("diff white.png dotted.png -o d.png");
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.out, "white.png, dotted.png: 0.5 % of the pixels differ (5 of 1000), columns 0 to 8, rows 10 to 10\n");
+    EXPECT_EQ(outcome.out,
+              "white.png, dotted.png: 0.5 % of the pixels differ (5 of 1000), columns 0 to 8, rows 10 to 10\n");
     EXPECT_EQ(outcome.err, "");
     const render::Picture shown = picture("d.png");
     EXPECT_EQ(shown.width, 3 * 40 + 2 * 8);
@@ -61,7 +66,8 @@ TEST_F(DiffCommand, TheThresholdIsAShareOfThePixels) {
 TEST_F(DiffCommand, OtherSizesAreADifferenceWhateverTheThreshold) {
     const Outcome outcome = run("diff white.png narrow.png --threshold 1 -o d.png");
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_TRUE(lines_are(outcome.out, "white.png, narrow.png: 40 × 25 pixels became 20 × 25; 50 % of the pixels differ.*"));
+    EXPECT_TRUE(
+        lines_are(outcome.out, "white.png, narrow.png: 40 × 25 pixels became 20 × 25; 50 % of the pixels differ.*"));
     EXPECT_EQ(picture("d.png").width, 3 * 40 + 2 * 8);
 }
 
@@ -110,8 +116,9 @@ TEST_F(DiffCommand, SvgsAreDrawnAndCompared) {
     EXPECT_EQ(run("diff square.svg square.svg").out, "square.svg, square.svg: the same\n");
     const Outcome outcome = run("diff square.svg shorter.svg -o d.png");
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.out,
-              "square.svg, shorter.svg: 5 % of the pixels differ (1125 of 22500), columns 30 to 104, rows 105 to 119\n");
+    EXPECT_EQ(
+        outcome.out,
+        "square.svg, shorter.svg: 5 % of the pixels differ (1125 of 22500), columns 30 to 104, rows 105 to 119\n");
     EXPECT_EQ(picture("d.png").height, 150);
     EXPECT_EQ(run("diff square.svg square.svg -o d.png --dpi 300").status, 0);
     EXPECT_EQ(picture("d.png").height, 300);
@@ -135,8 +142,9 @@ TEST_F(DiffCommand, HostileSvgsAreRefused) {
         for (int k = 0; k < 10; ++k) doubling += "<use xlink:href=\"#g" + std::to_string(i - 1) + "\"/>";
         doubling += "</g>";
     }
-    for (const std::string& text : {std::string("<svg"), std::string("<html/>"), begin + "width=\"1e9\" height=\"1e9\"/>",
-                                    begin + "width=\"0\" height=\"0\"/>", doubling + "</svg>"}) {
+    for (const std::string& text :
+         {std::string("<svg"), std::string("<html/>"), begin + "width=\"1e9\" height=\"1e9\"/>",
+          begin + "width=\"0\" height=\"0\"/>", doubling + "</svg>"}) {
         write("hostile.svg", text);
         const Outcome outcome = run("diff square.svg hostile.svg -o d.png");
         EXPECT_EQ(outcome.status, 2) << text.substr(0, 200);
@@ -145,7 +153,8 @@ TEST_F(DiffCommand, HostileSvgsAreRefused) {
     }
     // A file beside it is not read.
     write("hostile.svg",
-          begin + "width=\"25.4mm\" height=\"25.4mm\"><image width=\"96\" height=\"96\" xlink:href=\"dotted.png\"/></svg>");
+          begin +
+              "width=\"25.4mm\" height=\"25.4mm\"><image width=\"96\" height=\"96\" xlink:href=\"dotted.png\"/></svg>");
     write("empty.svg", begin + "width=\"25.4mm\" height=\"25.4mm\"></svg>");
     EXPECT_EQ(run("diff empty.svg hostile.svg").status, 0);
 }

@@ -1,5 +1,5 @@
-// Quizzes of learning platforms, read back: XML by a parser, cloze fields by Moodle's grammar, packages by the directory of the
-// zip; every answer held against the results.
+// Quizzes of learning platforms, read back: XML by a parser, cloze fields by Moodle's grammar, packages by the
+// directory of the zip; every answer held against the results.
 #include <gtest/gtest.h>
 
 #include <charconv>
@@ -37,10 +37,11 @@ pugi::xml_document read_xml(const std::string& text, const std::string& what) {
     return document;
 }
 
-// --- Moodle's cloze fields ----------------------------------------------------------------------------------------------------
+// --- Moodle's cloze fields
+// ----------------------------------------------------------------------------------------------------
 
-/// {1:NUMERICAL:=12.5:0.3}, by the grammar of embedded answers: a weight, a type, alternatives parted by ~, each with a share of
-/// the points, an answer with its tolerance after a colon, and feedback after #.
+/// {1:NUMERICAL:=12.5:0.3}, by the grammar of embedded answers: a weight, a type, alternatives parted by ~, each with a
+/// share of the points, an answer with its tolerance after a colon, and feedback after #.
 struct ClozeField {
     int weight = 0;
     std::string type;
@@ -120,8 +121,12 @@ std::string from_base64(const std::string& text) {
 }
 
 TEST(Base64, IsThatOfTheStandard) {
-    for (const auto& [bytes, text] : std::vector<std::pair<std::string, std::string>>{
-             {"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foobar", "Zm9vYmFy"}, {"\xFF\xFE\x00", "//4="}})
+    for (const auto& [bytes, text] : std::vector<std::pair<std::string, std::string>>{{"", ""},
+                                                                                      {"f", "Zg=="},
+                                                                                      {"fo", "Zm8="},
+                                                                                      {"foo", "Zm9v"},
+                                                                                      {"foobar", "Zm9vYmFy"},
+                                                                                      {"\xFF\xFE\x00", "//4="}})
         EXPECT_EQ(render::base64(bytes), text);
     std::string all;
     for (int c = 0; c < 256; ++c) all += static_cast<char>(c);
@@ -144,7 +149,8 @@ TEST(Html, IsWellFormedWhateverANameHolds) {
     EXPECT_EQ(html.find_first_of("{}"), std::string::npos) << "nothing that a platform reads as a field";
 }
 
-// --- items --------------------------------------------------------------------------------------------------------------------
+// --- items
+// --------------------------------------------------------------------------------------------------------------------
 
 std::vector<render::AskedValue> asked_of(const Variant& variant) {
     const Units& units = variant.solution.mechanism.units;
@@ -159,7 +165,8 @@ std::vector<render::AskedValue> asked_of(const Variant& variant) {
 class QuizOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(QuizOf, AsksForItsResultsAndTellsTheSolution) {
-    const std::string text = contents(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / (GetParam() + std::string(".json")));
+    const std::string text =
+        contents(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / (GetParam() + std::string(".json")));
     auto variants = Variants::of(text, "test.json", {}, 7);
     ASSERT_TRUE(variants);
     const auto found = variants->next([](const Solution&, Condition::Polygon) { return true; });
@@ -199,8 +206,8 @@ TEST_P(QuizOf, AsksForItsResultsAndTellsTheSolution) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, QuizOf,
-                         testing::Values("four_bar", "slider_crank", "quick_return", "six_bar", "planetary_train", "sluice_gate",
-                                         "truss", "cam", "impact", "exam"),
+                         testing::Values("four_bar", "slider_crank", "quick_return", "six_bar", "planetary_train",
+                                         "sluice_gate", "truss", "cam", "impact", "exam"),
                          [](const auto& each) { return std::string(each.param); });
 
 TEST(Sought, IsWhatTheFileAsksFor) {
@@ -218,13 +225,15 @@ TEST(Sought, IsWhatTheFileAsksFor) {
     EXPECT_TRUE(pages::says(render::lay_out(solution, options, tests::fonts()), "del corpo 0 sul corpo 1 in A"));
 }
 
-// --- what the command writes --------------------------------------------------------------------------------------------------
+// --- what the command writes
+// --------------------------------------------------------------------------------------------------
 
 /// The files of an archive whose entries are stored as they are, by its central directory.
 std::map<std::string, std::string> unpacked(const std::string& zip, std::set<std::string>& dates) {
     const auto little = [&](std::size_t at, int bytes) {
         std::size_t value = 0;
-        for (int i = bytes; i-- > 0;) value = value << 8U | static_cast<unsigned char>(zip.at(at + static_cast<std::size_t>(i)));
+        for (int i = bytes; i-- > 0;)
+            value = value << 8U | static_cast<unsigned char>(zip.at(at + static_cast<std::size_t>(i)));
         return value;
     };
     std::map<std::string, std::string> files;
@@ -287,7 +296,8 @@ protected:
 };
 
 TEST_F(QuizFiles, AreReadBackAndAnswerByTheKey) {
-    const Outcome made = run("variants train.json --seed 7 --roster students.csv --format svg --for moodle,qti --for csv -o out");
+    const Outcome made =
+        run("variants train.json --seed 7 --roster students.csv --format svg --for moodle,qti --for csv -o out");
     ASSERT_EQ(made.status, 0) << made.err;
     const auto key = this->key();
     ASSERT_EQ(key.size(), 2U);
@@ -318,7 +328,8 @@ TEST_F(QuizFiles, AreReadBackAndAnswerByTheKey) {
             const ClozeField::Alternative& answer = fields[i].alternatives.front();
             EXPECT_EQ(answer.share, "=");
             told.emplace_back(number_in(answer.answer), number_in(answer.tolerance));
-            EXPECT_LE(std::abs(told.back().first - number_in(key[v].at(asked_[i]))), 0.01 * told.back().second) << asked_[i];
+            EXPECT_LE(std::abs(told.back().first - number_in(key[v].at(asked_[i]))), 0.01 * told.back().second)
+                << asked_[i];
         }
         EXPECT_NE(body.find("rad/s"), std::string::npos) << "the unit stands behind its field";
     }
@@ -341,7 +352,8 @@ TEST_F(QuizFiles, AreReadBackAndAnswerByTheKey) {
         ASSERT_LT(v, key.size());
         const auto document = read_xml(package.at(resource.attribute("href").value()), "item");
         const pugi::xml_node item = document.child("assessmentItem");
-        for (const char* required : {"identifier", "title", "adaptive", "timeDependent"}) EXPECT_TRUE(item.attribute(required));
+        for (const char* required : {"identifier", "title", "adaptive", "timeDependent"})
+            EXPECT_TRUE(item.attribute(required));
         EXPECT_EQ(item.attribute("identifier").value(), std::string(resource.attribute("identifier").value()));
         const pugi::xml_node body = item.child("itemBody");
         const auto figure = body.select_node(".//img").node();
@@ -421,7 +433,8 @@ TEST_F(QuizFiles, AreReadBackAndAnswerByTheKey) {
 
 TEST_F(QuizFiles, AreTheSameBytesEverywhere) {
     ASSERT_EQ(run("variants train.json --count 1 --format svg --for qti --for moodle -o out").status, 0);
-    ASSERT_EQ(run("variants train.json --count 1 --format svg --for qti --for moodle -o there", "export TZ=Asia/Tokyo LC_ALL=C;")
+    ASSERT_EQ(run("variants train.json --count 1 --format svg --for qti --for moodle -o there",
+                  "export TZ=Asia/Tokyo LC_ALL=C;")
                   .status,
               0);
     for (const char* name : {"/qti.zip", "/moodle.xml"})

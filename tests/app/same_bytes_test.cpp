@@ -14,9 +14,10 @@ class SameBytes : public CommandLine {
 protected:
     /// What a run in the folder writes, in all forms, with what it says.
     std::string bytes(const std::string& before = "", const std::string& file = "four_bar.json") const {
-        const Outcome outcome = run(
-            "solve '" + file + "' --lang it -o a.svg -o a.png -o a.pdf -o a.json && '" KINEGRAPH_PROGRAM "' solve '" + file + "'",
-            before);
+        const Outcome outcome =
+            run("solve '" + file +
+                    "' --lang it -o a.svg -o a.png -o a.pdf -o a.json && '" KINEGRAPH_PROGRAM "' solve '" + file + "'",
+                before);
         EXPECT_EQ(outcome.status, 0) << outcome.err;
         std::string all = outcome.out + '\0' + outcome.err;
         for (const auto& [name, text] : snapshot())
@@ -55,8 +56,10 @@ TEST_F(SameBytes, InEveryLocale) {
         EXPECT_TRUE(here == bytes("export LC_ALL=" + std::string(locale) + ";")) << locale;
     // Not every machine has an Italian locale: one is made where its sources are.
     const fs::path made = folder("locales");
-    if (std::system(("localedef -i it_IT -f UTF-8 '" + (made / "it_IT.UTF-8").string() + "' >/dev/null 2>&1").c_str()) != 0)
-        GTEST_SKIP() << "no sources to make an Italian locale of (Debian package locales); tried with those that are there";
+    if (std::system(
+            ("localedef -i it_IT -f UTF-8 '" + (made / "it_IT.UTF-8").string() + "' >/dev/null 2>&1").c_str()) != 0)
+        GTEST_SKIP()
+            << "no sources to make an Italian locale of (Debian package locales); tried with those that are there";
     EXPECT_TRUE(here == bytes("export LOCPATH='" + made.string() + "' LC_ALL=it_IT.UTF-8 LANG=it_IT.UTF-8;"));
 }
 
@@ -67,10 +70,11 @@ TEST_F(SameBytes, WithOtherFontsInstalled) {
     const fs::path home = folder("home");
     fs::create_directories(home / ".fonts");
     fs::copy_file(stix / "STIXGeneral-Bold.otf", home / ".fonts" / "STIXGeneral-Regular.otf");
-    std::ofstream(home / "fonts.conf") << "<?xml version=\"1.0\"?><!DOCTYPE fontconfig SYSTEM \"fonts.dtd\"><fontconfig><dir>" +
-                                              (home / ".fonts").string() + "</dir></fontconfig>";
-    const std::string set = "export HOME='" + home.string() + "' XDG_DATA_HOME='" + home.string() + "' FONTCONFIG_FILE='" +
-                            (home / "fonts.conf").string() + "';";
+    std::ofstream(home / "fonts.conf")
+        << "<?xml version=\"1.0\"?><!DOCTYPE fontconfig SYSTEM \"fonts.dtd\"><fontconfig><dir>" +
+               (home / ".fonts").string() + "</dir></fontconfig>";
+    const std::string set = "export HOME='" + home.string() + "' XDG_DATA_HOME='" + home.string() +
+                            "' FONTCONFIG_FILE='" + (home / "fonts.conf").string() + "';";
     EXPECT_TRUE(here == bytes(set));
     EXPECT_TRUE(here == bytes("export FONTCONFIG_FILE=/nowhere FONTCONFIG_PATH=/nowhere HOME=/nowhere;"));
     // Fonts are opened by path: the same files elsewhere are the same font, others beside them are not looked at.
@@ -79,7 +83,8 @@ TEST_F(SameBytes, WithOtherFontsInstalled) {
     fs::copy_file(stix / "STIXGeneral-Bold.otf", moved / "Another.otf");
     EXPECT_TRUE(here == bytes("export KINEGRAPH_FONT_DIR='" + moved.string() + "';"));
     // And that it matters which font it is.
-    fs::copy_file(stix / "STIXGeneral-Bold.otf", moved / "STIXGeneral-Regular.otf", fs::copy_options::overwrite_existing);
+    fs::copy_file(stix / "STIXGeneral-Bold.otf", moved / "STIXGeneral-Regular.otf",
+                  fs::copy_options::overwrite_existing);
     EXPECT_FALSE(here == bytes("export KINEGRAPH_FONT_DIR='" + moved.string() + "';"));
 }
 
@@ -88,12 +93,14 @@ TEST_F(SameBytes, AMissingFontIsFourAndNamesThePackage) {
     const fs::path some = folder("some");
     fs::copy("/usr/share/fonts/opentype/stix/STIXGeneral-Regular.otf", some);
     for (const std::string& place : {std::string("/nowhere"), some.string()}) {
-        const Outcome outcome = run("solve four_bar.json -o a.svg -o a.json", "export KINEGRAPH_FONT_DIR='" + place + "';");
+        const Outcome outcome =
+            run("solve four_bar.json -o a.svg -o a.json", "export KINEGRAPH_FONT_DIR='" + place + "';");
         EXPECT_EQ(outcome.status, 4);
         EXPECT_TRUE(lines_are(outcome.err, "kinegraph: .*\\.otf.*fonts-stix.*"));
         EXPECT_EQ(changed_since(before), "");
     }
-    EXPECT_EQ(run("solve four_bar.json -o a.json", "export KINEGRAPH_FONT_DIR=/nowhere;").status, 0) << "numbers need no font";
+    EXPECT_EQ(run("solve four_bar.json -o a.json", "export KINEGRAPH_FONT_DIR=/nowhere;").status, 0)
+        << "numbers need no font";
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ TEST_F(Sweep, WritesOneRowAPositionToStandardOutput) {
               "turn,time,angle 2,omega 2,alpha 2,angle 3,omega 3,alpha 3,angle 4,omega 4,alpha 4"
               ",x A,y A,vx A,vy A,ax A,ay A,x B,y B,vx B,vy B,ax B,ay B")
         << "columns in the order of the results";
-    EXPECT_TRUE(
-        lines_are(swept.err, R"(four_bar\.json: largest difference from the numeric check: .* of the largest of its kind .*)"));
+    EXPECT_TRUE(lines_are(
+        swept.err, R"(four_bar\.json: largest difference from the numeric check: .* of the largest of its kind .*)"));
 }
 
 TEST_F(Sweep, WritesCsvAndJsonTogetherTheSameNumbers) {
@@ -66,15 +66,17 @@ TEST_F(Sweep, WritesCentrodesAndDrawsThem) {
         EXPECT_EQ(branch["turn"].size(), branch["fixed"].size());
         EXPECT_EQ(branch["turn"].size(), branch["moving"].size());
     }
-    EXPECT_NE(contents(folder_ / "a.svg").find(R"(class="centrode" data-name="1,3" data-on="moving")"), std::string::npos);
+    EXPECT_NE(contents(folder_ / "a.svg").find(R"(class="centrode" data-name="1,3" data-on="moving")"),
+              std::string::npos);
     const Outcome without = run("sweep four_bar.json --steps 10 -o b.json");
     EXPECT_FALSE(Json::parse(contents(folder_ / "b.json")).contains("centrodes"));
 }
 
 TEST_F(Sweep, RefusesCentrodesOfNoBodies) {
-    for (const auto& [pair, said] : {std::pair("1,33", "--centrodes: no body is named \"33\" \\(did you mean \"3\"\\?\\)"),
-                                     {"3", "--centrodes \"3\" is no pair of bodies; give two as \"1,3\""},
-                                     {"1,1", "--centrodes \"1,1\": a body has no motion against itself; give two bodies"}}) {
+    for (const auto& [pair, said] :
+         {std::pair("1,33", "--centrodes: no body is named \"33\" \\(did you mean \"3\"\\?\\)"),
+          {"3", "--centrodes \"3\" is no pair of bodies; give two as \"1,3\""},
+          {"1,1", "--centrodes \"1,1\": a body has no motion against itself; give two bodies"}}) {
         const Outcome swept = run("sweep four_bar.json -o a.json --centrodes " + std::string(pair));
         EXPECT_EQ(swept.status, 2) << pair;
         EXPECT_TRUE(lines_are(swept.err, "four_bar\\.json: " + std::string(said))) << swept.err;
@@ -127,7 +129,8 @@ TEST_F(Sweep, SaysInOneLineWhatIsWrongAndWritesNothing) {
             R"(four_bar\.json: --step is of a driver that goes along.* the number of steps is --steps\))");
     refused("scara.json --driver 2 --driver 3", R"(scara\.json: --step is of a driver that goes along.*)");
     refused("scara.json --driver 2 --driver 2 --step 1", R"(scara\.json: --driver 2 is given twice)");
-    refused("scara.json --driver 2 --driver 3 --step 1mm", R"(scara\.json: --step "1mm" is a length; an angle is wanted here)");
+    refused("scara.json --driver 2 --driver 3 --step 1mm",
+            R"(scara\.json: --step "1mm" is a length; an angle is wanted here)");
     refused("four_bar.json --branch 1", R"(four_bar\.json: /drivers/0: no branch is to be chosen.*)");
 }
 
@@ -138,7 +141,8 @@ TEST_F(Sweep, DriversGoTogether) {
     const Json json = Json::parse(contents(folder_ / "a.json"));
     EXPECT_NEAR(json["along"]["3"], -0.5, 1e-15);
     const auto& columns = json["columns"];
-    const auto column = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), "angle 3") - columns.begin());
+    const auto column =
+        static_cast<std::size_t>(std::find(columns.begin(), columns.end(), "angle 3") - columns.begin());
     const double turned = json["rows"][10][column].get<double>() - json["rows"][0][column].get<double>();
     EXPECT_NEAR(turned, (20 - 10) * std::numbers::pi / 180, 1e-12) << "body 3 turns against body 2";
 }
@@ -150,7 +154,8 @@ TEST_F(Sweep, ADriverWithALawGoesThroughItInTime) {
     EXPECT_NE(swept.err.find("driver 2 follows its law, from 0 s to 2 s"), std::string::npos) << swept.err;
     const auto lines = lines_of(contents(folder_ / "law.csv"));
     ASSERT_EQ(lines.size(), 6U);
-    EXPECT_EQ(lines[3].substr(0, lines[3].find(',', lines[3].find(',') + 1)), "-0.7853981633974483,1") << "half way at half time";
+    EXPECT_EQ(lines[3].substr(0, lines[3].find(',', lines[3].find(',') + 1)), "-0.7853981633974483,1")
+        << "half way at half time";
     EXPECT_NE(contents(folder_ / "law.svg").find("data-unit=\"s\""), std::string::npos);
     EXPECT_EQ(run("sweep law.json --from 20° -o b.csv").status, 2) << "times, not turns";
     const Outcome at = run("solve law.json --at 1s --format json");
@@ -170,7 +175,8 @@ TEST_F(Sweep, ACamIsDrawnAndItsMechanismSolved) {
     EXPECT_NE(contents(folder_ / "cam-2.svg").find("data-name=\"pressure angle\""), std::string::npos);
     EXPECT_EQ(run("solve at.json -o at.svg").err, "") << "its own file is no matter for remarks";
     const auto before = snapshot();
-    for (const char* wrong : {"cam cam.json --steps 1", "cam cam.json --at 400", "cam four_bar.json", "cam none.json"}) {
+    for (const char* wrong :
+         {"cam cam.json --steps 1", "cam cam.json --at 400", "cam four_bar.json", "cam none.json"}) {
         const Outcome refused = run(std::string(wrong) + " -o x.csv -o x.svg");
         EXPECT_EQ(refused.status, 2) << wrong;
         EXPECT_EQ(changed_since(before), "") << wrong;
@@ -185,14 +191,17 @@ TEST_F(Sweep, ACornerOfAPitchCurveIsToldAndItsUndercutFails) {
     EXPECT_EQ(told.status, 3);
     EXPECT_NE(told.err.find("undercut between 10"), std::string::npos) << told.err;
     EXPECT_NE(told.err.find("convex corner"), std::string::npos) << told.err;
-    EXPECT_NE(told.err.find("remark: at 0° the speed of the follower jumps from 0 m/s to 0.1571 m/s"), std::string::npos)
+    EXPECT_NE(told.err.find("remark: at 0° the speed of the follower jumps from 0 m/s to 0.1571 m/s"),
+              std::string::npos)
         << told.err;
-    EXPECT_NE(told.err.find("remark: at 110° the speed of the follower jumps from 0.1571 m/s to 0 m/s"), std::string::npos)
+    EXPECT_NE(told.err.find("remark: at 110° the speed of the follower jumps from 0.1571 m/s to 0 m/s"),
+              std::string::npos)
         << told.err;
     const Outcome italian = run("cam cam.json -o cam.csv --lang it");
     EXPECT_EQ(italian.status, 3);
     EXPECT_NE(italian.err.find("sottotaglio fra 10"), std::string::npos) << italian.err;
-    EXPECT_NE(italian.err.find("osservazione: a 110° la velocità della punteria salta da 0,1571 m/s a 0 m/s"), std::string::npos)
+    EXPECT_NE(italian.err.find("osservazione: a 110° la velocità della punteria salta da 0,1571 m/s a 0 m/s"),
+              std::string::npos)
         << italian.err;
 }
 
@@ -210,13 +219,14 @@ TEST_F(Sweep, ACamsSheetHasItsDataAndSaysItsSigns) {
     const std::string english = sheets("en"), italian = sheets("it");
     for (const char* words :
          {"base circle r_b = 35 mm", "the cam turns counter-clockwise, ω_2", "oscillating roller follower r_r = 9 mm",
-          "arm 80 mm", "positive away from the cam, here clockwise: ω_3 = −dβ/dt", "0°–120°: rise of 22°, polynomial 3-4-5",
-          "120°–160°: dwell", "160°–290°: return of 22°, constant acceleration", "Cam and follower at 60°",
-          "Rise of the follower", "Pressure angle", "pitch curve", "base circle", "\"225.0°\"", "data-name=\"rise angle rate\"",
+          "arm 80 mm", "positive away from the cam, here clockwise: ω_3 = −dβ/dt",
+          "0°–120°: rise of 22°, polynomial 3-4-5", "120°–160°: dwell",
+          "160°–290°: return of 22°, constant acceleration", "Cam and follower at 60°", "Rise of the follower",
+          "Pressure angle", "pitch curve", "base circle", "\"225.0°\"", "data-name=\"rise angle rate\"",
           "class=\"drawn-position\" data-value=\"60"})
         EXPECT_NE(english.find(words), std::string::npos) << words;
-    for (const char* words : {"circonferenza di base r_b = 35 mm", "qui in senso orario: ω_3 = −dβ/dt", "120°–160°: sosta",
-                              "Camma e punteria a 60°", "Alzata della punteria", "curva primitiva"})
+    for (const char* words : {"circonferenza di base r_b = 35 mm", "qui in senso orario: ω_3 = −dβ/dt",
+                              "120°–160°: sosta", "Camma e punteria a 60°", "Alzata della punteria", "curva primitiva"})
         EXPECT_NE(italian.find(words), std::string::npos) << words;
     EXPECT_EQ(english.find("225.5°"), std::string::npos) << "the jump is where the law has it";
     EXPECT_LT(Json::parse(run("solve at.json --format json").out)["bodies"]["3"]["omega"], 0) << "as the sheet says";
@@ -255,7 +265,8 @@ TEST_F(Sweep, RefusesWhatIsOutOfReach) {
 
 TEST_F(Sweep, APlotIsReadBackFromItsAxes) {
     const Outcome swept =
-        run("sweep four_bar.json --steps 36 --plot 'omega 3,omega 4' --trace B --trace 'A,on 4' --poses 3 -o s.svg -o s.json");
+        run("sweep four_bar.json --steps 36 --plot 'omega 3,omega 4' --trace B --trace 'A,on 4' --poses 3 -o s.svg -o "
+            "s.json");
     ASSERT_EQ(swept.status, 0) << swept.err;
     const std::string svg = contents(folder_ / "s.svg");
     const Json json = Json::parse(contents(folder_ / "s.json"));
@@ -312,10 +323,10 @@ TEST_F(SolveAt, GivesASheetOrAFileForEachPosition) {
 
 TEST_F(SolveAt, SaysWhatIsWrong) {
     write("rocker.json", spoilt("\"distance\": 40", "\"distance\": 120"));
-    EXPECT_TRUE(
-        lines_are(run("solve rocker.json --at 200°").err, R"(rocker\.json: --at: 200° is out of reach: driver 2 stops at .*)"));
-    EXPECT_TRUE(
-        lines_are(run("solve four_bar.json --at 3kg").err, R"(four_bar\.json: --at: "3kg" is a mass; an angle is wanted here)"));
+    EXPECT_TRUE(lines_are(run("solve rocker.json --at 200°").err,
+                          R"(rocker\.json: --at: 200° is out of reach: driver 2 stops at .*)"));
+    EXPECT_TRUE(lines_are(run("solve four_bar.json --at 3kg").err,
+                          R"(four_bar\.json: --at: "3kg" is a mass; an angle is wanted here)"));
     EXPECT_EQ(run("solve four_bar.json --at every 0").status, 2);
     EXPECT_EQ(run("solve parallel_crank.json --at 126.869897645844°").status, 3);
 }

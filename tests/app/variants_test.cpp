@@ -34,7 +34,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST_F(VariantsCommand, WritesSheetsResultsFilesAndKeys) {
     write("students.csv", "name,surname\nAnna,Rossi\n\"Bruno\",\"De \"\"Santis\"\"\"\n");
-    const Outcome made = run("variants train.json --seed 7 --roster students.csv -o out/ --format svg --date 2026-11-23");
+    const Outcome made =
+        run("variants train.json --seed 7 --roster students.csv -o out/ --format svg --date 2026-11-23");
     ASSERT_EQ(made.status, 0) << made.err;
     const auto files = files_of("out");
     for (const char* name : {"001.json", "001-question.svg", "001-solution.svg", "001-results.json", "002.json",
@@ -53,8 +54,8 @@ TEST_F(VariantsCommand, WritesSheetsResultsFilesAndKeys) {
     EXPECT_EQ(solved.status, 0) << solved.err;
     EXPECT_EQ(contents(folder_ / "again.json"), files.at("001-results.json"));
     EXPECT_EQ(Json::parse(files.at("001-results.json"))["bodies"]["3"]["omega"], -8);
-    EXPECT_TRUE(
-        lines_are(made.err, R"(train\.json: (2 variants in out/; \d+ of 8316 combinations were looked at|\d+ rejected: .*))"))
+    EXPECT_TRUE(lines_are(
+        made.err, R"(train\.json: (2 variants in out/; \d+ of 8316 combinations were looked at|\d+ rejected: .*))"))
         << made.err;
 }
 
@@ -86,9 +87,11 @@ TEST_F(VariantsCommand, SaysWhatIsWrongInOneLine) {
     wrong("train.json -o out --roster open.csv", "open.csv: line 2: a quote is not closed");
     wrong("train.json -o out --roster latin.csv", "latin.csv: line 2: this is no UTF-8; save it as such");
     wrong("train.json -o out --roster none.csv", "none.csv: cannot be read: No such file or directory");
-    wrong("train.json -o out --roster three.csv --count 2", "kinegraph: --count 2 is fewer than the 3 names of the roster");
+    wrong("train.json -o out --roster three.csv --count 2",
+          "kinegraph: --count 2 is fewer than the 3 names of the roster");
     wrong("train.json -o out --count 2 --merge --format svg", "kinegraph: --merge makes PDF; take --format svg out");
-    wrong("four_bar.json -o out --count 2", "four_bar.json: nothing varies; add \"vary\" with the values that a parameter takes");
+    wrong("four_bar.json -o out --count 2",
+          "four_bar.json: nothing varies; add \"vary\" with the values that a parameter takes");
     wrong("four_bar.json -o out --count 2 --lang it",
           "four_bar.json: non varia nulla; aggiungere \"vary\" con i valori che un parametro assume");
     write("twice.csv", "name,surname\nAnna,Rossi\nBruno,Neri\n\n\"Anna\",Rossi\n");
@@ -128,9 +131,12 @@ TEST_F(VariantsCommand, TakesWholeNumbersThatCanBeCountedAlone) {
         wrong("variants train.json -o out --count " + number,
               "--count: \"" + shown + "\" is not a whole number from 1 up to 1000000");
         wrong("batch </dev/null --jobs " + number, "--jobs: \"" + shown + "\" is not a whole number from 1 up to 1024");
-        wrong("sweep four_bar.json --steps " + number, "--steps: \"" + shown + "\" is not a whole number from 0 up to 10000000");
-        wrong("sweep four_bar.json --poses " + number, "--poses: \"" + shown + "\" is not a whole number from 0 up to 360");
-        wrong("sweep four_bar.json --branch " + number, "--branch: \"" + shown + "\" is not a whole number from 1 up to 1000");
+        wrong("sweep four_bar.json --steps " + number,
+              "--steps: \"" + shown + "\" is not a whole number from 0 up to 10000000");
+        wrong("sweep four_bar.json --poses " + number,
+              "--poses: \"" + shown + "\" is not a whole number from 0 up to 360");
+        wrong("sweep four_bar.json --branch " + number,
+              "--branch: \"" + shown + "\" is not a whole number from 1 up to 1000");
     }
     EXPECT_EQ(changed_since(before), "");
     EXPECT_EQ(run("variants train.json -o out --count 1 --format svg --seed 18446744073709551615").status, 0);
@@ -141,7 +147,8 @@ TEST_F(VariantsCommand, KnowsTheHeadingOfARosterByItsWords) {
     for (const std::string heading :
          {"Cognome e nome", "Nome e cognome", "Student name", "Matr.;Cognome e Nome", "N. matricola\tStudente",
           "STUDENT ID,Last name,First name", "\"Name, surname\"", "E-mail;Note"}) {
-        const auto separator = heading.find_first_of(";\t") == std::string::npos ? ',' : heading[heading.find_first_of(";\t")];
+        const auto separator =
+            heading.find_first_of(";\t") == std::string::npos ? ',' : heading[heading.find_first_of(";\t")];
         const auto fields = heading.starts_with('"') ? 0 : std::count(heading.begin(), heading.end(), separator);
         write("list.csv", heading + "\nAnna Rossi" + std::string(static_cast<std::size_t>(fields), separator) + "\n");
         const Outcome made = run("variants train.json --roster list.csv -o out --format svg");
@@ -149,30 +156,35 @@ TEST_F(VariantsCommand, KnowsTheHeadingOfARosterByItsWords) {
         EXPECT_NE(made.err.find("1 variant in out"), std::string::npos) << heading << ": " << made.err;
     }
     write("list.csv", "Anna Name\nE. Di Nome-Rossi\n");
-    EXPECT_NE(run("variants train.json --roster list.csv -o out --format svg").err.find("2 variants in out"), std::string::npos);
+    EXPECT_NE(run("variants train.json --roster list.csv -o out --format svg").err.find("2 variants in out"),
+              std::string::npos);
 }
 
-/// What the key does not list is not there: variants of an earlier run beyond the last, sheets of another format. What has been
-/// altered since stays.
+/// What the key does not list is not there: variants of an earlier run beyond the last, sheets of another format. What
+/// has been altered since stays.
 TEST_F(VariantsCommand, LeavesNothingOfAnEarlierRunThatTheKeyDoesNotList) {
     ASSERT_EQ(run("variants train.json --count 5 --seed 1 --format svg -o st").status, 0);
     write("st/notes.txt", "mine");
     write("st/005-solution.svg", "altered by hand");
     const Outcome made = run("variants train.json --count 3 --seed 2 --format png --dpi 40 -o st");
     EXPECT_EQ(made.status, 0) << made.err;
-    EXPECT_NE(made.err.find("train.json: 004 to 005 of an earlier run are taken away, for the key does not list them\n"),
-              std::string::npos)
+    EXPECT_NE(
+        made.err.find("train.json: 004 to 005 of an earlier run are taken away, for the key does not list them\n"),
+        std::string::npos)
         << made.err;
     for (const std::string name :
          {"004.json", "004-question.svg", "004-results.json", "005.json", ".kinegraph/004", "001-question.svg"})
         EXPECT_FALSE(is_there("st/" + name)) << name;
-    for (const std::string name : {"notes.txt", "005-solution.svg", "003.json", "003-question.png", "key.csv", ".kinegraph/003"})
+    for (const std::string name :
+         {"notes.txt", "005-solution.svg", "003.json", "003-question.png", "key.csv", ".kinegraph/003"})
         EXPECT_TRUE(is_there("st/" + name)) << name;
     // The same variants in another format are no others.
     ASSERT_EQ(run("variants train.json --count 3 --seed 2 --format svg -o st").status, 0);
     EXPECT_TRUE(is_there("st/001-question.png") && is_there("st/001-question.svg"));
-    const Outcome italian = run("variants train.json --count 2 --seed 2 --format png --dpi 40 --resume --lang it -o st");
-    EXPECT_NE(italian.err.find("tolta la 003 di un’esecuzione precedente, che la chiave non elenca\n"), std::string::npos)
+    const Outcome italian =
+        run("variants train.json --count 2 --seed 2 --format png --dpi 40 --resume --lang it -o st");
+    EXPECT_NE(italian.err.find("tolta la 003 di un’esecuzione precedente, che la chiave non elenca\n"),
+              std::string::npos)
         << italian.err;
 }
 
@@ -180,10 +192,10 @@ TEST_F(VariantsCommand, RefusesAValueForWhatVaries) {
     const auto before = snapshot();
     const Outcome refused = run("variants train.json --count 2 -o out --set z2=30 --set r2=40mm");
     EXPECT_EQ(refused.status, 2);
-    EXPECT_EQ(
-        refused.err,
-        "kinegraph: --set z2: z2 varies in this exercise, and a value set would be lost; set another parameter, or take z2 out "
-        "of \"vary\"\n");
+    EXPECT_EQ(refused.err,
+              "kinegraph: --set z2: z2 varies in this exercise, and a value set would be lost; set another parameter, "
+              "or take z2 out "
+              "of \"vary\"\n");
     EXPECT_EQ(changed_since(before), "");
 }
 
@@ -210,7 +222,8 @@ TEST_F(VariantsCommand, LeavesOutWhatComesToAnotherVariantsMechanism) {
     file["require"] = Json::array();
     file["vary"] = {{"m", {{"choose", {"1 mm", "2 mm", "3 mm"}}}}};
     std::string text = file.dump();
-    for (std::size_t at = 0; (at = text.find("m*", at)) != std::string::npos; at += 11) text.replace(at, 2, "max(m, 2 mm)*");
+    for (std::size_t at = 0; (at = text.find("m*", at)) != std::string::npos; at += 11)
+        text.replace(at, 2, "max(m, 2 mm)*");
     write("same.json", text);
     const Outcome made = run("variants same.json --count 3 -o out --format svg");
     EXPECT_EQ(made.status, 3) << made.err;
@@ -218,9 +231,11 @@ TEST_F(VariantsCommand, LeavesOutWhatComesToAnotherVariantsMechanism) {
               "same.json: 2 variants in out; 3 of 3 combinations were looked at\n"
               "same.json: 1 rejected: the same mechanism as another variant’s\n"
               "same.json: the conditions leave 2 of 3 combinations; 3 were asked for\n");
-    EXPECT_EQ(run("variants same.json --count 1 -o one --format svg").err.substr(0, 35), "same.json: 1 variant in one; 1 of 3");
+    EXPECT_EQ(run("variants same.json --count 1 -o one --format svg").err.substr(0, 35),
+              "same.json: 1 variant in one; 1 of 3");
     const Outcome italian = run("variants same.json --count 1 -o one --format svg --lang it");
-    EXPECT_NE(italian.err.find("1 variante in one; è stata esaminata 1 di 3 combinazioni"), std::string::npos) << italian.err;
+    EXPECT_NE(italian.err.find("1 variante in one; è stata esaminata 1 di 3 combinazioni"), std::string::npos)
+        << italian.err;
 }
 
 TEST_F(VariantsCommand, WhatIsAskedForAndIsNotThereAllCommandsRefuse) {
@@ -251,9 +266,10 @@ TEST_F(VariantsCommand, WhatIsAskedForAndIsNotThereWatchSaysToo) {
     Json file = Json::parse(contents(folder_ / "train.json"));
     file["ask"] = Json::array({"alpha 3"});
     write("wrong.json", file.dump());
-    write("watch.sh", "'" + program_ +
-                          "' watch wrong.json >said 2>&1 &\nfor i in {1..500}; do grep -q ask/0 said && break; "
-                          "sleep 0.02; done\nkill -TERM $!\nwait $!\ngrep -q '/ask/0: .*there is no result \"alpha 3\"' said\n");
+    write("watch.sh",
+          "'" + program_ +
+              "' watch wrong.json >said 2>&1 &\nfor i in {1..500}; do grep -q ask/0 said && break; "
+              "sleep 0.02; done\nkill -TERM $!\nwait $!\ngrep -q '/ask/0: .*there is no result \"alpha 3\"' said\n");
     EXPECT_EQ(std::system(("cd '" + folder_.string() + "' && bash watch.sh 2>/dev/null").c_str()), 0)
         << contents(folder_ / "said");
 }
@@ -261,11 +277,13 @@ TEST_F(VariantsCommand, WhatIsAskedForAndIsNotThereWatchSaysToo) {
 TEST_F(VariantsCommand, CountsThoseThatTheConditionsLeave) {
     std::string text = contents(folder_ / "train.json");
     text.replace(text.find("\"from\": 20, \"to\": 40"), 20, "\"from\": 30, \"to\": 30");
-    text.replace(text.find("\"require\": ["), 12, "\"require\": [\"m = 2 mm\", \"w = 10 rad/s\", \"phi = 50°\", \"z3 < 20\", ");
+    text.replace(text.find("\"require\": ["), 12,
+                 "\"require\": [\"m = 2 mm\", \"w = 10 rad/s\", \"phi = 50°\", \"z3 < 20\", ");
     write("few.json", text);
     const Outcome made = run("variants few.json --count 5 -o out --format svg");
     EXPECT_EQ(made.status, 3) << made.err;
-    EXPECT_NE(made.err.find("the conditions leave 2 of 756 combinations; 5 were asked for"), std::string::npos) << made.err;
+    EXPECT_NE(made.err.find("the conditions leave 2 of 756 combinations; 5 were asked for"), std::string::npos)
+        << made.err;
     EXPECT_TRUE(fs::exists(folder_ / "out" / "002-solution.svg")) << "what there is is written";
     EXPECT_FALSE(fs::exists(folder_ / "out" / "003.json"));
 }
@@ -275,10 +293,12 @@ TEST_F(VariantsCommand, StopsWithWholeFiles) {
                                 "' variants train.json --count 100000 -o out --format svg 2>err & pid=$!; until [ -e "
                                 "out/002.json ] || ! kill -0 $pid; do sleep 0.02; done; kill -INT $pid; wait $pid; }";
     EXPECT_NE(std::system(command.c_str()), 0);
-    EXPECT_NE(contents(folder_ / "err").find("stopped: what is there is whole; --resume writes the rest"), std::string::npos);
+    EXPECT_NE(contents(folder_ / "err").find("stopped: what is there is whole; --resume writes the rest"),
+              std::string::npos);
     EXPECT_TRUE(is_there("out/key.csv"));
     for (const auto& [name, bytes] : files_of("out")) {
-        EXPECT_TRUE(name.ends_with(".json") || name.ends_with(".svg") || name.starts_with("key.")) << name << " was left behind";
+        EXPECT_TRUE(name.ends_with(".json") || name.ends_with(".svg") || name.starts_with("key."))
+            << name << " was left behind";
         EXPECT_TRUE(!name.ends_with(".svg") || bytes.ends_with("</svg>\n")) << name;
         EXPECT_TRUE(!name.ends_with(".json") || bytes.ends_with("}\n")) << name;
     }
@@ -291,9 +311,10 @@ TEST_F(VariantsCommand, ResumesWhatWasInterrupted) {
     fs::create_directories(folder_ / "out" / "002-solution.svg");
     const Outcome hindered = run(arguments + "out --count 3");
     EXPECT_EQ(hindered.status, 4);
-    EXPECT_EQ(hindered.err,
-              "out/002-solution.svg: cannot be written: Is a directory\n"
-              "train.json: 1 of 3 variants are in out, each of them whole; their key is missing, --resume writes the rest\n");
+    EXPECT_EQ(
+        hindered.err,
+        "out/002-solution.svg: cannot be written: Is a directory\n"
+        "train.json: 1 of 3 variants are in out, each of them whole; their key is missing, --resume writes the rest\n");
     EXPECT_TRUE(is_there("out/001-results.json") && !is_there("out/002.json") && !is_there("out/key.csv"));
     fs::remove(folder_ / "out" / "002-solution.svg");
     const auto before = fs::last_write_time(folder_ / "out" / "001-question.svg");
@@ -315,10 +336,10 @@ TEST_F(VariantsCommand, ResumesWhatWasInterrupted) {
 TEST_F(VariantsCommand, SaysWhatADiskThatIsFullLeavesOut) {
     const Outcome full = run("variants train.json --count 2 -o out --format svg", "ulimit -f 8;");
     EXPECT_EQ(full.status, 4);
-    EXPECT_TRUE(
-        lines_are(full.err,
-                  "out/001-(question|solution)\\.svg: cannot be written: File too large|train\\.json: 0 of 2 variants are in "
-                  "out, .*--resume writes the rest"))
+    EXPECT_TRUE(lines_are(
+        full.err,
+        "out/001-(question|solution)\\.svg: cannot be written: File too large|train\\.json: 0 of 2 variants are in "
+        "out, .*--resume writes the rest"))
         << full.err;
     EXPECT_TRUE(files_of("out").empty()) << "nothing half written";
 }
@@ -361,8 +382,9 @@ TEST_F(SweepOver, SolvesTheFileForEachValue) {
 
 TEST_F(SweepOver, IsDrawnAndHeldAgainstTheCheck) {
     fs::copy(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "four_bar.json", folder_ / "vary.json");
-    const Outcome drawn = run(
-        "sweep vary.json --over r --from \"35 mm\" --to \"60 mm\" --step \"1 mm\" --plot \"omega 3,omega 4\" -o r.svg -o r.json");
+    const Outcome drawn =
+        run("sweep vary.json --over r --from \"35 mm\" --to \"60 mm\" --step \"1 mm\" --plot \"omega 3,omega 4\" -o "
+            "r.svg -o r.json");
     ASSERT_EQ(drawn.status, 0) << drawn.err;
     const Json rows = Json::parse(contents(folder_ / "r.json"));
     ASSERT_TRUE(rows["largest difference"].is_object());
@@ -386,9 +408,9 @@ TEST_F(SweepOver, LeavesOutWhatDoesNotCloseAndSaysWhatIsWrong) {
     fs::copy(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "four_bar.json", folder_ / "vary.json");
     const Outcome open = run("sweep vary.json --over d --from \"150 mm\" --to \"450 mm\" --step \"150 mm\"");
     EXPECT_EQ(open.status, 3);
-    EXPECT_TRUE(
-        open.err.starts_with("vary.json: 2 rows are left out, where the file gives no unique answer: d = 300 mm … 450 mm\n"
-                             "vary.json: largest difference from the numeric check: "))
+    EXPECT_TRUE(open.err.starts_with(
+        "vary.json: 2 rows are left out, where the file gives no unique answer: d = 300 mm … 450 mm\n"
+        "vary.json: largest difference from the numeric check: "))
         << open.err;
     EXPECT_EQ(lines_of(open.out).size(), 2U);
     const auto wrong = [&](const std::string& arguments, const std::string& said) {

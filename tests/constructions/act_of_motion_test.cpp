@@ -1,5 +1,6 @@
-// The act of motion of one body: whatever is given of a rigid motion, in vectors or in directions, gives it back exactly; what no
-// rigid body has is refused with the projections that show it; what the data leave open is said. And its figure.
+// The act of motion of one body: whatever is given of a rigid motion, in vectors or in directions, gives it back
+// exactly; what no rigid body has is refused with the projections that show it; what the data leave open is said. And
+// its figure.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 #include <random>
 #include <string>
 
-#include "engine/results/quantity_name.hpp"
 #include "constructions/solving/solve.hpp"
+#include "engine/results/quantity_name.hpp"
 #include "render/figures/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/sheet.hpp"
@@ -60,7 +61,9 @@ Solution solved(const Data& data) { return solved(mechanism_of(data)); }
 
 const InstantCentre& centre_of(const Solution& solution) { return solution.centres.at(0); }
 Recorded<Vector> velocity(const Solution& solution, std::size_t point) { return solution.points.at(point).velocity; }
-Recorded<Vector> acceleration(const Solution& solution, std::size_t point) { return solution.points.at(point).acceleration; }
+Recorded<Vector> acceleration(const Solution& solution, std::size_t point) {
+    return solution.points.at(point).acceleration;
+}
 bool says(const Solution& solution, const std::string& what) {
     return std::any_of(solution.unsolved.begin(), solution.unsolved.end(), [&](const Unsolved& unsolved) {
         return english(unsolved.what) == what && english(unsolved.why).size() > 10;
@@ -102,11 +105,8 @@ Values given_of(Chance& chance, const std::vector<std::pair<std::string, Vector>
     for (const auto& [name, place] : points) {
         const Vector vector = value(place);
         switch (chance.in(0, 3)) {
-            case 0:
-                break;
-            case 1:
-                values.emplace_back(name, vector);
-                break;
+            case 0: break;
+            case 1: values.emplace_back(name, vector); break;
             default:
                 if (!vector.is_zero()) values.emplace_back(name, along(Exact(chance.in(0, 1) == 0 ? 2 : -3) * vector));
         }
@@ -118,7 +118,8 @@ Values given_of(Chance& chance, const std::vector<std::pair<std::string, Vector>
 int rank_of(const Values& values, const std::vector<std::pair<std::string, Vector>>& points) {
     std::vector<std::array<Exact, 3>> rows;
     for (const auto& [name, value] : values) {
-        const auto at = std::find_if(points.begin(), points.end(), [&name = name](const auto& p) { return p.first == name; });
+        const auto at =
+            std::find_if(points.begin(), points.end(), [&name = name](const auto& p) { return p.first == name; });
         const auto row = [&](const Vector& n) { rows.push_back({n.x, n.y, dot(n, quarter_turn(at->second))}); };
         if (std::holds_alternative<Vector>(value)) {
             row({1, 0});
@@ -150,7 +151,8 @@ TEST(ActOfMotion, WhatIsGivenOfARigidMotionGivesItBackExactly) {
         Data data;
         for (const char* name : {"A", "B", "D", "E"}) data.points.emplace_back(name, chance.vector(4));
         data.velocities = given_of(chance, data.points, [&](const Vector& place) { return motion.velocity(place); });
-        data.accelerations = given_of(chance, data.points, [&](const Vector& place) { return motion.acceleration(place); });
+        data.accelerations =
+            given_of(chance, data.points, [&](const Vector& place) { return motion.acceleration(place); });
         const Solution solution = solved(data);
         SCOPED_TRACE("round " + std::to_string(round));
         for (const Unsolved& unsolved : solution.unsolved)
@@ -203,7 +205,8 @@ TEST(ActOfMotion, AgreesWithTheCheck) {
         Data data;
         for (const char* name : {"A", "B", "D", "E"}) data.points.emplace_back(name, chance.vector(20));
         data.velocities = given_of(chance, data.points, [&](const Vector& place) { return motion.velocity(place); });
-        data.accelerations = given_of(chance, data.points, [&](const Vector& place) { return motion.acceleration(place); });
+        data.accelerations =
+            given_of(chance, data.points, [&](const Vector& place) { return motion.acceleration(place); });
         const Solution solution = solved(data);
         for (const CheckRow& row : solution.checks) {
             ++rows;
@@ -249,7 +252,8 @@ TEST(ActOfMotion, TurnedMirroredAndMovedItGivesTheSameTransformed) {
         Data data;
         for (const char* name : {"A", "B", "D"}) data.points.emplace_back(name, chance.vector(5));
         data.velocities = given_of(chance, data.points, [&](const Vector& place) { return motion.velocity(place); });
-        data.accelerations = given_of(chance, data.points, [&](const Vector& place) { return motion.acceleration(place); });
+        data.accelerations =
+            given_of(chance, data.points, [&](const Vector& place) { return motion.acceleration(place); });
         // Some that no rigid body has, too: verdicts do not turn either.
         if (round % 3 == 0)
             for (auto& each : data.velocities)
@@ -364,7 +368,8 @@ TEST(ActOfMotion, TwoPointsAtRestAreABodyAtRest) {
     EXPECT_TRUE(centre_of(solution).everywhere);
     EXPECT_EQ(velocity(solution, 2), (Vector{}));
     // Three directions whose perpendiculars have no common point: the same.
-    const Solution lines = solved(Data{triangle, {{"A", along({1, 0})}, {"B", along({0, 1})}, {"D", along({1, 7})}}, {}});
+    const Solution lines =
+        solved(Data{triangle, {{"A", along({1, 0})}, {"B", along({0, 1})}, {"D", along({1, 7})}}, {}});
     EXPECT_TRUE(lines.unsolved.empty());
     EXPECT_TRUE(centre_of(lines).everywhere);
     EXPECT_TRUE(has_sentence(lines, Sentence::act_rest_by_lines));
@@ -407,12 +412,14 @@ TEST(ActOfMotion, MoreThanNeededIsHeldAgainstTheRest) {
     const Solution bad = solved(Data{triangle, {{"A", Vector{0, 0}}, {"B", Vector{0, 4}}, {"D", Vector{-2, 3}}}, {}});
     EXPECT_TRUE(says(bad, "velocity of body 2"));
     EXPECT_TRUE(bad.act_of_motion->differing) << "on AD or BD they differ";
-    const Solution astray = solved(Data{triangle, {{"A", Vector{0, 0}}, {"B", Vector{0, 4}}, {"D", along({1, 1})}}, {}});
+    const Solution astray =
+        solved(Data{triangle, {{"A", Vector{0, 0}}, {"B", Vector{0, 4}}, {"D", along({1, 1})}}, {}});
     EXPECT_TRUE(says(astray, "velocity of body 2"));
     EXPECT_TRUE(has_sentence(astray, Sentence::act_misses));
     // On one line projections are equal and the tips still are on no line.
-    const Solution bent = solved(
-        Data{{{"A", {0, 0}}, {"B", {1, 0}}, {"D", {2, 0}}}, {{"A", Vector{0, 1}}, {"B", Vector{0, 2}}, {"D", Vector{0, 5}}}, {}});
+    const Solution bent = solved(Data{{{"A", {0, 0}}, {"B", {1, 0}}, {"D", {2, 0}}},
+                                      {{"A", Vector{0, 1}}, {"B", Vector{0, 2}}, {"D", Vector{0, 5}}},
+                                      {}});
     EXPECT_TRUE(says(bent, "velocity of body 2"));
     EXPECT_FALSE(bent.act_of_motion->differing);
     EXPECT_FALSE(bent.bodies[1].omega || velocity(bent, 0)) << "nothing of what contradicts itself is a result";
@@ -500,7 +507,8 @@ TEST(ActOfMotion, FindsWhatIsAsked) {
     EXPECT_TRUE(says(solved(mechanism), "acceleration of body 2")) << "none is given";
 }
 
-// --- the figure --------------------------------------------------------------------------------------------------------------
+// --- the figure
+// --------------------------------------------------------------------------------------------------------------
 
 const render::Fonts& fonts() {
     static const render::Fonts opened = render::Fonts::open().value();
@@ -515,8 +523,9 @@ std::map<std::string, std::pair<double, double>> lengths_of(const render::Figure
         if (group == nullptr || group->cls != "velocity") continue;
         std::map<std::string, std::string> attributes(group->attributes.begin(), group->attributes.end());
         const auto& axis = std::get<render::Axis>(figure.marks[i + 1]);
-        lengths[attributes.at("data-name")] = {render::length(axis.tip - axis.tail),
-                                               std::stod(attributes.at("data-value")) / std::stod(attributes.at("data-scale"))};
+        lengths[attributes.at("data-name")] = {
+            render::length(axis.tip - axis.tail),
+            std::stod(attributes.at("data-value")) / std::stod(attributes.at("data-scale"))};
     }
     return lengths;
 }
@@ -524,7 +533,8 @@ std::map<std::string, std::pair<double, double>> lengths_of(const render::Figure
 TEST(ActOfMotion, WhatIsMeasuredOnTheFigureIsTheVelocity) {
     const Solution solution = solved(Data{triangle, {{"A", Vector{2, 1}}, {"B", along({1, 1})}}, {}});
     const render::Theme theme;
-    const auto lengths = lengths_of(render::act_of_motion_figure({solution, theme, fonts(), render::Language::en}, 150, 120));
+    const auto lengths =
+        lengths_of(render::act_of_motion_figure({solution, theme, fonts(), render::Language::en}, 150, 120));
     ASSERT_EQ(lengths.size(), 3U);
     for (const auto& [name, length] : lengths) EXPECT_NEAR(length.first, length.second, 1e-6) << name;
 }
@@ -542,7 +552,8 @@ TEST(ActOfMotion, EveryCaseIsDrawnInBothLanguages) {
         {{{"A", {0, 0}}, {"B", {0, 0}}}, {{"A", Vector{1, 1}}, {"B", Vector{1, 2}}}, {}},
         {triangle, {{"A", Vector{0, 0}}, {"B", Vector{0, 4}}}, {{"A", Vector{1, 1}}, {"B", along({1, 2})}}},
         {{{"A", {0, 0}}, {"B", {Exact::from_decimal("1e60").value(), 0}}},
-         {{"A", Vector{0, Exact::from_decimal("1e-60").value()}}, {"B", Vector{0, Exact::from_decimal("1e60").value()}}},
+         {{"A", Vector{0, Exact::from_decimal("1e-60").value()}},
+          {"B", Vector{0, Exact::from_decimal("1e60").value()}}},
          {}},
     };
     for (const Data& data : cases)

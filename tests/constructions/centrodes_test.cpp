@@ -24,7 +24,8 @@ Centrodes traced(const std::string& text, const char* first, const char* second)
     const auto cycle = Cycle::of(*mechanism, *pose, 0);
     const bool turns = std::holds_alternative<SpinDriver>(mechanism->drivers[0]);
     const Travel travel = *travel_of(cycle->positions(), turns, {}, {});
-    return *trace_centrodes(*mechanism, *pose, 0, travel, *mechanism->body_named(first), *mechanism->body_named(second));
+    return *trace_centrodes(*mechanism, *pose, 0, travel, *mechanism->body_named(first),
+                            *mechanism->body_named(second));
 }
 Centrodes traced_example(const std::string& name, const char* first, const char* second) {
     return traced(tests::contents(tests::example_file(name)), first, second);
@@ -74,7 +75,8 @@ TEST(Centrodes, OfAnAntiparallelogramOnItsShortLinkAreEllipses) {
     ASSERT_FALSE(centrodes.branches.empty());
     for (const Centrodes::Branch& branch : centrodes.branches)
         for (std::size_t i = 0; i < branch.fixed.size(); ++i) {
-            // Foci at the pivots, the axis as long as a crank; the moving one is its mirror image, with foci at the pins.
+            // Foci at the pivots, the axis as long as a crank; the moving one is its mirror image, with foci at the
+            // pins.
             EXPECT_NEAR(distance(branch.fixed[i], at("O2")) + distance(branch.fixed[i], at("O4")), axis, 1e-9);
             EXPECT_NEAR(distance(branch.moving[i], at("A")) + distance(branch.moving[i], at("B")), axis, 1e-9);
         }
@@ -85,14 +87,16 @@ TEST(Centrodes, OnItsLongLinkAreHyperbolasCutAtInfinity) {
     const Centrodes centrodes = traced(R"({"kinegraph": 1, "frame": 1, "points": {"O2": [0, 0], "O4": [0.1, 0],
         "A": {"from": "O2", "distance": 0.06, "angle": 70},
         "B": {"meet": [{"circle": "A", "radius": 0.1}, {"circle": "O4", "radius": 0.06}], "side": "right"}},
-        "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]}, "joints": [{"revolute": "O2", "bodies": [1, 2]},
+        "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]}, "joints": [{"revolute": "O2", "bodies": [1,
+        2]},
         {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [1, 4]}],
         "drivers": [{"body": 2, "omega": 1}]})",
                                        "1", "3");
     ASSERT_EQ(centrodes.infinities.size(), 2U);
     // The coupler's ω vanishes where crank and rocker are parallel: cos θ = a/d.
     const double drawn = 70 * std::numbers::pi / 180, parallel = std::acos(0.06 / 0.1);
-    for (const double each : centrodes.infinities) EXPECT_NEAR(std::abs(std::cos(each + drawn)), std::cos(parallel), 1e-9);
+    for (const double each : centrodes.infinities)
+        EXPECT_NEAR(std::abs(std::cos(each + drawn)), std::cos(parallel), 1e-9);
     bool cut = false;
     for (const Centrodes::Branch& branch : centrodes.branches) {
         cut = cut || branch.goes_to_infinity || branch.comes_from_infinity;
@@ -109,8 +113,8 @@ TEST(Centrodes, OfTwoMovingBodiesRollToo) {
 }
 
 TEST(Centrodes, StayWhereAllOfTheMotionStops) {
-    // At both ends of the lever's stroke coupler and ram stand still; at infinity the pole is where the coupler alone does not
-    // turn.
+    // At both ends of the lever's stroke coupler and ram stand still; at infinity the pole is where the coupler alone
+    // does not turn.
     const Centrodes centrodes = traced_example("quick_return", "1", "5");
     EXPECT_LE(centrodes.infinities.size(), 2U);
     for (const double each : centrodes.infinities)

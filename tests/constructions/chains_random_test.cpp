@@ -1,7 +1,9 @@
-// Two thousand mechanisms built on the chains of four, six and eight links (tests/support/chains.hpp): every inversion, every link
-// driven, under loads. None that the check solves is refused, and each obeys the laws of motion and of statics, exactly.
+// Two thousand mechanisms built on the chains of four, six and eight links (tests/support/chains.hpp): every inversion,
+// every link driven, under loads. None that the check solves is refused, and each obeys the laws of motion and of
+// statics, exactly.
 //
-// Each is named by its seed; KINEGRAPH_SEED=n runs that one alone and prints its file, KINEGRAPH_RANDOM_MECHANISMS=n so many.
+// Each is named by its seed; KINEGRAPH_SEED=n runs that one alone and prints its file, KINEGRAPH_RANDOM_MECHANISMS=n so
+// many.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +30,8 @@
 namespace kinegraph {
 namespace {
 
-// --- the chains --------------------------------------------------------------------------------------------------------------
+// --- the chains
+// --------------------------------------------------------------------------------------------------------------
 
 TEST(Chains, AreAsManyAsTheBooksSay) {
     EXPECT_EQ(chains_of(4).size(), 1U);
@@ -72,14 +75,18 @@ TEST(Chains, AreDrawnWithEveryPair) {
     for (const auto& [pair, drawn] : count) EXPECT_GE(drawn, 20) << pair;
 }
 
-// --- mechanisms --------------------------------------------------------------------------------------------------------------
+// --- mechanisms
+// --------------------------------------------------------------------------------------------------------------
 
 struct Tally {
-    int held = 0;          ///< motion and forces solved, in agreement with the check, obeying all laws
-    int motion_only = 0;   ///< the effort acts where it can balance nothing: motion held, and no force that is not determined
+    int held = 0;  ///< motion and forces solved, in agreement with the check, obeying all laws
+    int motion_only =
+        0;  ///< the effort acts where it can balance nothing: motion held, and no force that is not determined
     int undetermined = 0;  ///< a dead point or a change point: the check does not solve it either
-    int in_doubles = 0, roughly = 0, not_in_doubles = 0;  ///< replayed in doubles: as in Exact, nearly so, a verdict drowned
-    int fresh = 0, flipped = 0;  ///< with other speeds and loads the record gave a fresh solution, or said which verdict changed
+    int in_doubles = 0, roughly = 0,
+        not_in_doubles = 0;  ///< replayed in doubles: as in Exact, nearly so, a verdict drowned
+    int fresh = 0,
+        flipped = 0;  ///< with other speeds and loads the record gave a fresh solution, or said which verdict changed
 };
 
 bool is_of_forces(const Unsolved& unsolved) { return unsolved.what.sentence == Sentence::all_forces; }
@@ -107,7 +114,8 @@ std::optional<Solution> solved(const std::string& text, const std::string& name)
 }
 
 void hold_solution(const Solution& solution, Tally& tally) {
-    for (const Unsolved& unsolved : solution.unsolved) EXPECT_GT(english(unsolved.why).size(), 10u) << english(unsolved.what);
+    for (const Unsolved& unsolved : solution.unsolved)
+        EXPECT_GT(english(unsolved.why).size(), 10u) << english(unsolved.what);
     const NumericMotion motion = check_motion(solution.mechanism, solution.pose);
     const NumericForces forces = check_forces(solution.mechanism, solution.pose, motion);
     const bool free = solution.mobility.effective != 1 || solution.mobility.driven != 1;
@@ -167,12 +175,14 @@ bool hold(std::uint64_t seed, Tally& tally) {
 void hold_quarter(int quarter) {
     Tally tally;
     EXPECT_TRUE(kinegraph::hold_quarter(
-        quarter, unless_sanitized(2000, 200), [&](std::uint64_t seed) { return hold(seed, tally); }, testing::Test::HasFailure))
+        quarter, unless_sanitized(2000, 200), [&](std::uint64_t seed) { return hold(seed, tally); },
+        testing::Test::HasFailure))
         << "too few draws counted";
     const int counted = tally.held + tally.motion_only;
     EXPECT_LE(tally.undetermined, counted / 5 + 1) << "too few draws that the drivers determine";
     EXPECT_LE(tally.motion_only, counted / 20 + 1);
-    // Near a dead point forces are many orders of size larger than the loads, and trials within trials lose as many digits.
+    // Near a dead point forces are many orders of size larger than the loads, and trials within trials lose as many
+    // digits.
     EXPECT_LE(tally.roughly, tally.in_doubles / 25 + 1);
     EXPECT_LE(tally.not_in_doubles, tally.in_doubles / 200 + 1);
     EXPECT_LE(tally.flipped, tally.fresh / 4 + 1) << "few verdicts hang on speeds and loads";

@@ -1,5 +1,5 @@
-// Contact at joints of a solved mechanism: the load is the normal force found, radii are those of profiles and teeth; what
-// presses nothing is said; faults of the file; pages, figures and results.
+// Contact at joints of a solved mechanism: the load is the normal force found, radii are those of profiles and teeth;
+// what presses nothing is said; faults of the file; pages, figures and results.
 #include "engine/file/units.hpp"  // before signal.h, which makes a macro of si_value
 
 #include <gtest/gtest.h>
@@ -27,9 +27,15 @@ const SolvedContact& only_contact(const Solution& solution) {
     EXPECT_EQ(all.size(), 1u);
     return all.front();
 }
-const HertzProblem& stated_at(const Solution& solution) { return std::get<HertzProblem>(only_contact(solution).stated->of); }
-const HertzSolution& found_at(const Solution& solution) { return std::get<HertzSolution>(only_contact(solution).found->of); }
-double reduced(double e1, double nu1, double e2, double nu2) { return 1 / ((1 - nu1 * nu1) / e1 + (1 - nu2 * nu2) / e2); }
+const HertzProblem& stated_at(const Solution& solution) {
+    return std::get<HertzProblem>(only_contact(solution).stated->of);
+}
+const HertzSolution& found_at(const Solution& solution) {
+    return std::get<HertzSolution>(only_contact(solution).found->of);
+}
+double reduced(double e1, double nu1, double e2, double nu2) {
+    return 1 / ((1 - nu1 * nu1) / e1 + (1 - nu2 * nu2) / e2);
+}
 
 /// Half width and greatest pressure of a line contact.
 void expect_line(const HertzSolution& found, double load, double radius, double modulus, double length) {
@@ -68,25 +74,27 @@ TEST(Contacts, TeethHaveTheRadiiOfTheirInvolutesAtThePitchPoint) {
 
 /// A roller of radius 10 mm pushed downwards by a guided follower onto what `profile` says, at [0, 0].
 std::string roller_on(const std::string& points, const std::string& body, const std::string& joint, const char* force) {
-    return R"({"kinegraph": 1, "units": {"length": "mm"}, "points": {"P": [0, 0], "R": [0, 10], "H": [0, 40])" + points +
-           R"(}, "bodies": {"1": {"points": ["R", "H"], "circle": {"centre": "R", "radius": 10}}, "2": )" + body +
-           R"(}, "joints": [{"contact": "P", "bodies": [1, 2], "materials": "steel", "length": 20)" + joint +
-           R"(}, {"prismatic": "H", "bodies": [1, 0], "along": 90}, {"prismatic": "P", "bodies": [2, 0], "along": 0, "name": "Q"}],
+    return R"({"kinegraph": 1, "units": {"length": "mm"}, "points": {"P": [0, 0], "R": [0, 10], "H": [0, 40])" +
+           points + R"(}, "bodies": {"1": {"points": ["R", "H"], "circle": {"centre": "R", "radius": 10}}, "2": )" +
+           body + R"(}, "joints": [{"contact": "P", "bodies": [1, 2], "materials": "steel", "length": 20)" + joint +
+           R"(}, {"prismatic": "H", "bodies": [1, 0], "along": 90}, {"prismatic": "P", "bodies": [2, 0], "along": 0,
+           "name": "Q"}],
               "drivers": [{"joint": "Q", "speed": 1}], "loads": [{"force": "F", "body": 1, "at": "H", "value": [0, )" +
            force + R"(]}],
               "effort": {"force": "T", "body": 2, "at": "P", "along": 0}})";
 }
 
 TEST(Contacts, AConcavePartnerIsTheLargerCircleOnTheSameSide) {
-    const Solution hollow =
-        solved(roller_on(R"(, "C": [0, 25])", R"({"points": ["C"], "circle": {"centre": "C", "radius": 25}})", "", "-500"));
+    const Solution hollow = solved(
+        roller_on(R"(, "C": [0, 25])", R"({"points": ["C"], "circle": {"centre": "C", "radius": 25}})", "", "-500"));
     EXPECT_TRUE(stated_at(hollow).bodies[1].inside[0]);
     EXPECT_FALSE(stated_at(hollow).bodies[0].inside[0]);
     expect_line(found_at(hollow), 500, 1 / (1 / 0.01 - 1 / 0.025), reduced(207e9, 0.292, 207e9, 0.292), 0.02);
     const Solution flat = solved(roller_on("", R"(["P"])", R"(, "profiles": {"2": {"line": 0}})", "-500"));
     EXPECT_TRUE(stated_at(flat).bodies[1].radii[0].is_zero());
     expect_line(found_at(flat), 500, 0.01, reduced(207e9, 0.292, 207e9, 0.292), 0.02);
-    const Solution alike = solved(roller_on("", R"({"points": ["R"], "circle": {"centre": "R", "radius": 10}})", "", "-500"));
+    const Solution alike =
+        solved(roller_on("", R"({"points": ["R"], "circle": {"centre": "R", "radius": 10}})", "", "-500"));
     EXPECT_TRUE(tests::found_in<SolvedContacts>(alike).empty());
     EXPECT_NE(alike.problem->remarks.front().en.find("not larger than the convex one"), std::string::npos);
 }
@@ -124,9 +132,9 @@ TEST(Contacts, FaultsAreToldWhereTheyStand) {
     };
     const std::string given = R"("materials": {"2": "steel", "3": "bronze"}, "length": 25)", at = "/joints/2/materials";
     EXPECT_EQ(fault(given, R"("materials": {"2": "steel", "3": "bronse"}, "length": 25)").where, at + "/3");
-    EXPECT_NE(
-        fault(given, R"("materials": {"2": "steel", "3": "bronse"}, "length": 25)").message.en.find("did you mean \"bronze\""),
-        std::string::npos);
+    EXPECT_NE(fault(given, R"("materials": {"2": "steel", "3": "bronse"}, "length": 25)")
+                  .message.en.find("did you mean \"bronze\""),
+              std::string::npos);
     EXPECT_EQ(fault(given, R"("materials": {"2": "steel"}, "length": 25)").where, at);
     EXPECT_EQ(fault(given, R"("materials": {"2": "steel", "1": "steel"}, "length": 25)").where, at + "/1");
     EXPECT_EQ(fault(given, R"("materials": {"2": "steel", "3": {"young": 1e9, "poisson": 0.5}}, "length": 25)").where,
@@ -136,7 +144,8 @@ TEST(Contacts, FaultsAreToldWhereTheyStand) {
     EXPECT_EQ(fault(given, R"("length": 25)").where, "/joints/2/length");
     EXPECT_EQ(fault(R"("pressure angle": 20, )", "").where, at);
     EXPECT_EQ(fault(R"("pressure angle": 20)", R"("pressure angle": 0)").where, "/joints/2/pressure angle");
-    EXPECT_EQ(fault(R"({"revolute": "O2", )", R"({"materials": "steel", "revolute": "O2", )").where, "/joints/0/materials");
+    EXPECT_EQ(fault(R"({"revolute": "O2", )", R"({"materials": "steel", "revolute": "O2", )").where,
+              "/joints/0/materials");
 }
 
 class ContactSheets : public testing::TestWithParam<const char*> {};
@@ -153,7 +162,8 @@ TEST_P(ContactSheets, FollowTheMechanismInBothLanguages) {
         EXPECT_TRUE(says(sheets, (language == Language::en ? "Contact at " : "Contatto in ") + joint));
         const std::string last = std::to_string(sheets.size());
         EXPECT_TRUE(says(sheets.back(), last + "/" + last)) << "its pages are counted with the others";
-        EXPECT_NE(results_table(solution, language).find(language == Language::en ? "greatest pressure" : "pressione massima"),
+        EXPECT_NE(results_table(solution, language)
+                      .find(language == Language::en ? "greatest pressure" : "pressione massima"),
                   std::string::npos);
     }
     for (const char* figure : {"contact-", "pressure-", "stresses-"})
@@ -172,7 +182,8 @@ TEST_P(ContactSheets, FollowTheSchemaAndComeThroughAll) {
 TEST_P(ContactSheets, HaveResultsUnderTheirJointAndChecks) {
     const Solution solution = tests::example(std::string("joint_contact/") + GetParam());
     const std::string joint = solution.mechanism.joint(only_contact(solution).joint).name;
-    const auto results = nlohmann::json::parse(results_json(solution, false, [](const Message&) { return std::string(); }));
+    const auto results =
+        nlohmann::json::parse(results_json(solution, false, [](const Message&) { return std::string(); }));
     const auto& contact = results.at("hertz").at(joint);
     EXPECT_EQ(contact.at("force"), stated_at(solution).force.to_double());
     EXPECT_EQ(contact.at("greatest pressure"), found_at(solution).greatest);

@@ -1,5 +1,5 @@
-// Curvature: closed forms, what holds for any motion, what is left unchanged when the drawing is moved, turned, mirrored, scaled,
-// and what has no curvature.
+// Curvature: closed forms, what holds for any motion, what is left unchanged when the drawing is moved, turned,
+// mirrored, scaled, and what has no curvature.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,10 +31,11 @@ Exact squared_radius(const Solution& solution, const PathCentre& path) {
     return squared_length(path.centre->place() - solution.pose.at(path.point));
 }
 
-/// A trammel of length 1 at 3-4-5: A and B on the axes, pole (4/5, 3/5). C lies on the circle about the rod's middle through
-/// both.
+/// A trammel of length 1 at 3-4-5: A and B on the axes, pole (4/5, 3/5). C lies on the circle about the rod's middle
+/// through both.
 std::string trammel(const std::string& more_points = "", const std::string& more_names = "") {
-    return R"({"kinegraph": 1, "frame": 1, "points": {"A": [0.8, 0], "B": [0, 0.6], "M": [0.4, 0.3], "C": [0.7, -0.1])" +
+    return R"({"kinegraph": 1, "frame": 1, "points": {"A": [0.8, 0], "B": [0, 0.6], "M": [0.4, 0.3], "C": [0.7,
+    -0.1])" +
            more_points + R"(}, "bodies": {"2": ["A"], "3": ["A", "B", "M", "C")" + more_names + R"(], "4": ["B"]},
         "joints": [{"prismatic": "A", "bodies": [2, 1], "along": 0}, {"revolute": "A", "bodies": [2, 3]},
         {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 90}],
@@ -46,7 +47,8 @@ TEST(Curvature, OfATrammelHasCardansCircle) {
     const Curvature& rod = of_body(solution, "3");
     ASSERT_EQ(rod.kind, Kind::general);
     EXPECT_EQ(rod.pole->place(), (Vector{Exact::ratio(4, 5), Exact::ratio(3, 5)}));
-    EXPECT_EQ(*rod.inflection_pole, (Vector{0, 0})) << "the moving centrode has the guides' meet on it, a diameter away";
+    EXPECT_EQ(*rod.inflection_pole, (Vector{0, 0}))
+        << "the moving centrode has the guides' meet on it, a diameter away";
     EXPECT_EQ(*rod.inflection_centre, (Vector{Exact::ratio(2, 5), Exact::ratio(3, 10)}));
     EXPECT_EQ(rod.rays.size(), 2U) << "by Bobillier, both centres at infinity";
     for (const char* straight : {"A", "B", "C"})
@@ -61,11 +63,13 @@ TEST(Curvature, OfATrammelHasCardansCircle) {
 }
 
 TEST(Curvature, OfASliderCrankFollowsItsClosedForm) {
-    // Crank at right angles to the rod's pole ray: crank 3, rod 5, crank upright: A (0, 3), B (4, 0), pole (4, ∞)? So at 3-4-5.
+    // Crank at right angles to the rod's pole ray: crank 3, rod 5, crank upright: A (0, 3), B (4, 0), pole (4, ∞)? So
+    // at 3-4-5.
     const Solution solution =
         solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4], "B": [15, 0], "M": [9, 2]},
         "bodies": {"2": ["O", "A"], "3": ["A", "B", "M"], "4": ["B"]}, "joints": [{"revolute": "O", "bodies": [1, 2]},
-        {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 0}],
+        {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4,
+        1], "along": 0}],
         "drivers": [{"body": 2, "omega": 1}], "find": ["curvature"]})");
     const Curvature& rod = of_body(solution, "3");
     // The pole above B on the crank's line; A's foot on the inflection circle at AW = AP²/AO (Euler and Savary).
@@ -80,8 +84,9 @@ TEST(Curvature, OfASliderCrankFollowsItsClosedForm) {
     EXPECT_TRUE(path_of(solution, "3", "B").centre->at_infinity());
 }
 
-/// What holds of any body: the circle passes the pole, the acceleration pole lies on it, conjugate points obey Euler and Savary,
-/// and the accelerations, of which Bobillier's construction knows nothing, confirm the inflection pole: a_P = ω² PJ.
+/// What holds of any body: the circle passes the pole, the acceleration pole lies on it, conjugate points obey Euler
+/// and Savary, and the accelerations, of which Bobillier's construction knows nothing, confirm the inflection pole: a_P
+/// = ω² PJ.
 void expect_laws(const Solution& solution, const std::string& trace) {
     for (const Curvature& found : solution.curvature) {
         if (found.kind != Kind::general) continue;
@@ -119,19 +124,22 @@ TEST(Curvature, OfRandomMechanismsObeysItsLawsAndTheCheck) {
         expect_laws(*solution, trace);
         for (const Curvature& found : solution->curvature) bobillier += found.rays.empty() ? 0 : 1;
         for (const CheckRow& row : solution->checks) {
-            if (row.quantity.kind != Quantity::Kind::radius && row.quantity.kind != Quantity::Kind::inflection_diameter) continue;
+            if (row.quantity.kind != Quantity::Kind::radius && row.quantity.kind != Quantity::Kind::inflection_diameter)
+                continue;
             ++held;
             // v²/a_n of the check loses what a_n is small beside a.
             const double size = std::max(std::abs(row.numeric), solution->pose.size.to_double());
             const double amplified = std::max(1.0, std::abs(row.numeric) / solution->pose.size.to_double());
-            EXPECT_LE(std::abs(row.difference), 1e-9 * size * amplified) << trace << ": " << name_of(row.quantity, *solution);
+            EXPECT_LE(std::abs(row.difference), 1e-9 * size * amplified)
+                << trace << ": " << name_of(row.quantity, *solution);
         }
     }
     EXPECT_GT(bobillier, 20) << "most couplers have two known paths";
     EXPECT_GT(held, 300);
 }
 
-/// A four-bar of rational places (crank (3, 4), coupler (12, 5) long), its drawing mapped: z ↦ m·z + t, mirrored before.
+/// A four-bar of rational places (crank (3, 4), coupler (12, 5) long), its drawing mapped: z ↦ m·z + t, mirrored
+/// before.
 struct Map {
     Vector turn{1, 0};
     bool mirrors = false;
@@ -152,20 +160,22 @@ Solution four_bar(const Map& map) {
         const Vector place = map.of({x, y});
         return "[" + decimal(place.x) + ", " + decimal(place.y) + "]";
     };
-    return solved(
-        R"({"kinegraph": 1, "frame": 1, "points": {"O": )" + at(0, 0) + R"(, "Q": )" + at(14, 0) + R"(, "A": )" + at(3, 4) +
-        R"(, "B": )" + at(15, 9) + R"(, "C": )" + at(7, 11) +
-        R"(}, "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"], "4": ["Q", "B"]}, "joints": [{"revolute": "O", "bodies": [1, 2]},
+    return solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": )" + at(0, 0) + R"(, "Q": )" + at(14, 0) +
+                  R"(, "A": )" + at(3, 4) + R"(, "B": )" + at(15, 9) + R"(, "C": )" + at(7, 11) +
+                  R"(}, "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"], "4": ["Q", "B"]}, "joints": [{"revolute": "O",
+        "bodies": [1, 2]},
         {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"revolute": "Q", "bodies": [1, 4]}],
         "drivers": [{"body": 2, "omega": )" +
-        (map.mirrors ? "-2" : "2") + R"(, "alpha": )" + (map.mirrors ? "-3" : "3") + R"(}], "find": ["curvature"]})");
+                  (map.mirrors ? "-2" : "2") + R"(, "alpha": )" + (map.mirrors ? "-3" : "3") +
+                  R"(}], "find": ["curvature"]})");
 }
 
 TEST(Curvature, GoesWithTheDrawing) {
     const Solution drawn = four_bar({});
     const Curvature& as_drawn = of_body(drawn, "3");
-    for (const Map& map : {Map{{1, 0}, false, {5, -7}}, Map{{Exact::ratio(3, 5), Exact::ratio(4, 5)}}, Map{{1, 0}, true},
-                           Map{{Exact::ratio(5, 2), 0}}, Map{{Exact::ratio(-4, 5), Exact::ratio(3, 5)}, true, {1, 2}}}) {
+    for (const Map& map :
+         {Map{{1, 0}, false, {5, -7}}, Map{{Exact::ratio(3, 5), Exact::ratio(4, 5)}}, Map{{1, 0}, true},
+          Map{{Exact::ratio(5, 2), 0}}, Map{{Exact::ratio(-4, 5), Exact::ratio(3, 5)}, true, {1, 2}}}) {
         const Solution mapped = four_bar(map);
         const Curvature& found = of_body(mapped, "3");
         EXPECT_EQ(found.pole->place(), map.of(as_drawn.pole->place()));
@@ -190,21 +200,25 @@ TEST(Curvature, OfWhatTranslatesOrRests) {
     // A parallelogram: all points of the coupler move on circles as large as the cranks'.
     const Solution parallel =
         solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "Q": [9, 0], "A": [3, 4], "B": [12, 4],
-        "C": [5, 6]}, "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"], "4": ["Q", "B"]}, "joints": [{"revolute": "O", "bodies": [1, 2]},
+        "C": [5, 6]}, "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"], "4": ["Q", "B"]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]},
         {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"revolute": "Q", "bodies": [1, 4]}],
         "drivers": [{"body": 2, "omega": 2}], "find": ["curvature"]})");
     EXPECT_EQ(of_body(parallel, "3").kind, Kind::translation);
     EXPECT_EQ(path_of(parallel, "3", "C").centre->place(), (Vector{2, 2}));
     EXPECT_EQ(path_of(parallel, "3", "A").centre->place(), (Vector{0, 0}));
     const std::string json = results_json(parallel, false, english);
-    EXPECT_NE(json.find(R"("3": {"translation": true, "reason": "it translates: its pole is at infinity")"), std::string::npos)
+    EXPECT_NE(json.find(R"("3": {"translation": true, "reason": "it translates: its pole is at infinity")"),
+              std::string::npos)
         << json;
 
     const Solution still =
         solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4]}, "bodies": {"2": ["O", "A"]},
-        "joints": [{"revolute": "O", "bodies": [1, 2]}], "drivers": [{"body": 2, "omega": 0}], "find": ["curvature"]})");
+        "joints": [{"revolute": "O", "bodies": [1, 2]}], "drivers": [{"body": 2, "omega": 0}],
+        "find": ["curvature"]})");
     EXPECT_EQ(of_body(still, "2").kind, Kind::rest);
-    EXPECT_NE(results_json(still, false, english).find(R"("A": {"radius": null, "reason": "it stands still at this instant"})"),
+    EXPECT_NE(results_json(still, false, english)
+                  .find(R"("A": {"radius": null, "reason": "it stands still at this instant"})"),
               std::string::npos);
     EXPECT_TRUE(still.unsolved.empty());
 }
@@ -212,7 +226,8 @@ TEST(Curvature, OfWhatTranslatesOrRests) {
 TEST(Curvature, OfTwoCranksOnOneHingeIsATurnAboutIt) {
     const Solution solution =
         solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4], "B": [4, -3], "C": [6, 2]},
-        "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"], "4": ["O", "B"]}, "joints": [{"revolute": "O", "bodies": [1, 2, 4]},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"], "4": ["O", "B"]}, "joints": [{"revolute": "O",
+        "bodies": [1, 2, 4]},
         {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}],
         "drivers": [{"body": 2, "omega": 2, "alpha": 1}], "find": ["curvature"]})");
     EXPECT_EQ(of_body(solution, "3").kind, Kind::turning);
@@ -220,9 +235,10 @@ TEST(Curvature, OfTwoCranksOnOneHingeIsATurnAboutIt) {
 }
 
 TEST(Curvature, OfAWheelOnARailIsTheCycloids) {
-    // ρ = 2·PC for a point of the rim at any place; the inflection circle has the radius's diameter; the rail's contact is the
-    // pole.
-    const Solution wheel = solved(R"({"kinegraph": 1, "frame": 1, "points": {"P": [0, 0], "M": [0, 5], "C": [3, 9], "T": [0, 10]},
+    // ρ = 2·PC for a point of the rim at any place; the inflection circle has the radius's diameter; the rail's contact
+    // is the pole.
+    const Solution wheel =
+        solved(R"({"kinegraph": 1, "frame": 1, "points": {"P": [0, 0], "M": [0, 5], "C": [3, 9], "T": [0, 10]},
         "bodies": {"2": {"points": ["M", "C", "T"], "circle": {"centre": "M", "radius": 5}}},
         "joints": [{"rolling": "P", "bodies": [2, 1], "profiles": {"1": {"line": 0}}}],
         "drivers": [{"body": 2, "omega": -2, "alpha": 1}], "find": ["curvature"]})");
@@ -236,9 +252,12 @@ TEST(Curvature, OfAWheelOnARailIsTheCycloids) {
 
 TEST(Curvature, OfALineIsThatOfItsEnvelope) {
     // The trammel's rod as a guide: it envelops an astroid, of radius 3·l·sin·cos at its touching point.
-    const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0.8, 0], "B": [0, 0.6], "M": [0.4, 0.3]},
-        "bodies": {"2": ["A"], "3": ["A", "B", "M"], "4": ["B"], "5": ["M"]}, "joints": [{"prismatic": "A", "bodies": [2, 1], "along": 0},
-        {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 90},
+    const Solution solution =
+        solved(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0.8, 0], "B": [0, 0.6], "M": [0.4, 0.3]},
+        "bodies": {"2": ["A"], "3": ["A", "B", "M"], "4": ["B"], "5": ["M"]}, "joints": [{"prismatic": "A",
+        "bodies": [2, 1], "along": 0},
+        {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4,
+        1], "along": 90},
         {"prismatic": "M", "bodies": [5, 3], "along": ["A", "B"]}],
         "drivers": [{"joint": "A", "speed": 1}, {"joint": "M", "speed": 2}], "find": ["curvature"]})");
     const Curvature& rod = of_body(solution, "3");

@@ -1,4 +1,5 @@
-// Cycles: rows against closed forms over whole turns, against mechanisms drawn where they are moved to, and laws of the whole.
+// Cycles: rows against closed forms over whole turns, against mechanisms drawn where they are moved to, and laws of the
+// whole.
 #include "constructions/positions/cycle.hpp"
 
 #include <gtest/gtest.h>
@@ -73,9 +74,12 @@ TEST(Cycle, PlacesAreKnownAtLimitsToo) {
 TEST(Cycle, ASliderCrankFollowsItsClosedForm) {
     const double r = 0.04, l = 0.15, omega = 10;
     Swept s = swept(R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0],
-        "A": {"from": "O", "distance": 40, "angle": 0}, "B": {"meet": [{"circle": "A", "radius": 150}, {"line": "O", "angle": 0}],
-        "side": "right"}}, "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]}, "joints": [{"revolute": "O", "bodies": [1, 2]},
-        {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 0}],
+        "A": {"from": "O", "distance": 40, "angle": 0}, "B": {"meet": [{"circle": "A", "radius": 150}, {"line": "O",
+        "angle": 0}],
+        "side": "right"}}, "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]}, "joints": [{"revolute": "O",
+        "bodies": [1, 2]},
+        {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4,
+        1], "along": 0}],
         "drivers": [{"body": 2, "omega": 10}]})");
     for (int degrees = 0; degrees <= 360; ++degrees) {
         const double a = degrees * pi_ / 180;
@@ -151,8 +155,8 @@ TEST(Cycle, ARowIsWhatAFileDrawnThereGives) {
         const Exact coordinate = Exact(degrees) * pi() / 180;
         ASSERT_TRUE(positions.move_to(coordinate.to_double()));
         Moved moved = Mover(*s.mechanism, *s.pose).moved(positions, coordinate);
-        const Solution exact =
-            solve(std::move(moved.mechanism), std::move(moved.pose), [finer = std::move(moved.finer)] { return finer; });
+        const Solution exact = solve(std::move(moved.mechanism), std::move(moved.pose),
+                                     [finer = std::move(moved.finer)] { return finer; });
         EXPECT_TRUE(exact.unsolved.empty());
         EXPECT_NEAR(exact.efforts[0].value->to_double(), solution.efforts[0].value->to_double(), 1e-15);
     }
@@ -173,7 +177,8 @@ TEST(Cycle, TheWorkOfAConservativeCycleIsNothing) {
 }
 
 TEST(Cycle, TheGenevaWheelFollowsItsClosedFormWhileThePinIsInTheSlot) {
-    // ω₃/ω₂ = r (r − d cos θ)/(r² + d² − 2 r d cos θ) with θ the crank's angle from the line of centres, from −45° to 45°.
+    // ω₃/ω₂ = r (r − d cos θ)/(r² + d² − 2 r d cos θ) with θ the crank's angle from the line of centres, from −45° to
+    // 45°.
     Swept s = swept_example("geneva_wheel");
     const double r = 0.05, d = r * std::sqrt(2.0), drawn = 20 * pi_ / 180, omega = s.at(0)["omega 2"];
     for (int degrees = -45; degrees <= 45; degrees += 3) {
@@ -181,7 +186,8 @@ TEST(Cycle, TheGenevaWheelFollowsItsClosedFormWhileThePinIsInTheSlot) {
         auto row = s.at(a - drawn);
         ASSERT_FALSE(row.empty()) << degrees;
         EXPECT_NEAR(row["omega 3"], omega * r * (r - d * std::cos(a)) / apart, 1e-9 * std::abs(omega)) << degrees;
-        EXPECT_NEAR(row["alpha 3"], omega * omega * r * d * (d * d - r * r) * std::sin(a) / (apart * apart), 1e-8 * omega * omega)
+        EXPECT_NEAR(row["alpha 3"], omega * omega * r * d * (d * d - r * r) * std::sin(a) / (apart * apart),
+                    1e-8 * omega * omega)
             << degrees;
     }
 }
@@ -201,7 +207,8 @@ TEST(Cycle, TheSluiceGatesActuatorDoesTheWorkOfItsWeight) {
     Swept s = swept_example("sluice_gate_travel");
     const double weight = 1.66e6 * 9.81;
     ASSERT_TRUE(s.travel.starts_at_limit && s.travel.ends_at_limit);
-    // At every position F ds = m g dy, the height by differences of places alone; and as drawn the notes' 17.7 mm at 14 mm ≙ m g.
+    // At every position F ds = m g dy, the height by differences of places alone; and as drawn the notes' 17.7 mm at 14
+    // mm ≙ m g.
     EXPECT_NEAR(s.at(0)["effort F_G"], -weight * 17.746 / 14, 1e-4 * weight);
     for (double share = 0.02; share < 0.99; share += 0.04) {
         const double at = s.travel.from + share * (s.travel.to - s.travel.from), h = 1e-3;
@@ -257,8 +264,9 @@ TEST(Cycle, EveryExampleThatIsDrivenIsSweptAndAgreesWithTheCheck) {
             for (const double value : *row) ASSERT_TRUE(std::isfinite(value));
         }
         EXPECT_GE(rows, steps - 4);
-        EXPECT_LT(cycle->difference().share, 1e-7) << cycle->columns()[at_index(std::max(cycle->difference().column, 0))].name
-                                                   << " at " << cycle->difference().coordinate;
+        EXPECT_LT(cycle->difference().share, 1e-7)
+            << cycle->columns()[at_index(std::max(cycle->difference().column, 0))].name << " at "
+            << cycle->difference().coordinate;
     }
 }
 

@@ -1,5 +1,5 @@
-// Efforts by virtual work in the rows of a sweep: against those of the force polygons, closed forms, the exact construction of a
-// moved position; and what a position leaves open.
+// Efforts by virtual work in the rows of a sweep: against those of the force polygons, closed forms, the exact
+// construction of a moved position; and what a position leaves open.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <random>
 
 #include "constructions/positions/cycle.hpp"
-#include "engine/solution/displacements.hpp"
 #include "engine/motion/moved.hpp"
+#include "engine/solution/displacements.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/solved.hpp"
 
@@ -37,7 +37,8 @@ public:
         Positions positions = cycle_->positions();
         EXPECT_TRUE(positions.move_to(coordinate));
         Moved there = Mover(mechanism_, pose_).moved(positions, Exact::from_double(coordinate));
-        return solve(std::move(there.mechanism), std::move(there.pose), [finer = std::move(there.finer)] { return finer; });
+        return solve(std::move(there.mechanism), std::move(there.pose),
+                     [finer = std::move(there.finer)] { return finer; });
     }
     const Travel& travel() const { return travel_; }
     Cycle& cycle() { return *cycle_; }
@@ -78,8 +79,9 @@ TEST_P(SameEfforts, AsByForces) {
     EXPECT_LT(works.cycle().plans(), 8) << "displacements are replayed";
 }
 INSTANTIATE_TEST_SUITE_P(Examples, SameEfforts,
-                         testing::Values(std::pair("four_bar_weights", "effort M"), std::pair("four_bar_inertia", "effort M"),
-                                         std::pair("gas_force", "effort M"), std::pair("lever_on_springs", "effort M_2"),
+                         testing::Values(std::pair("four_bar_weights", "effort M"),
+                                         std::pair("four_bar_inertia", "effort M"), std::pair("gas_force", "effort M"),
+                                         std::pair("lever_on_springs", "effort M_2"),
                                          std::pair("sluice_gate_travel", "effort F_G")));
 
 std::string slider_crank(const std::string& more, const std::string& angle = "60") {
@@ -88,7 +90,8 @@ std::string slider_crank(const std::string& more, const std::string& angle = "60
            angle + R"(},
                  "B": {"meet": [{"circle": "A", "radius": 150}, {"line": [0, 0], "angle": 0}], "near": [170, 0]}},
       "bodies": {"2": {"points": ["O", "A"]}, "3": {"points": ["A", "B"]}, "4": {"points": ["B"]}},
-      "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+      "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+      "bodies": [3, 4]},
                  {"prismatic": "B", "bodies": [4, 1], "along": 0}], "drivers": [{"body": 2, "omega": 4}], )" +
            more + "}";
 }

@@ -1,5 +1,5 @@
-// Every example: solved, in agreement with the check, with the laws of rigid bodies and of three centres, and with the closed
-// form or the published numbers that examples/README.md names.
+// Every example: solved, in agreement with the check, with the laws of rigid bodies and of three centres, and with the
+// closed form or the published numbers that examples/README.md names.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,11 +38,16 @@ struct Reading {
     /// The point as the body carries it.
     const PointMotion& motion(const char* name, const char* carrier) const {
         for (const PointMotion& node : solution.points)
-            if (node.point == point(name) && std::count(node.bodies.begin(), node.bodies.end(), body(carrier)) > 0) return node;
+            if (node.point == point(name) && std::count(node.bodies.begin(), node.bodies.end(), body(carrier)) > 0)
+                return node;
         throw std::out_of_range(std::string(name) + " on " + carrier + " has no motion");
     }
-    const Vector& exact_v(const char* name, const char* carrier) const { return motion(name, carrier).velocity.value(); }
-    const Vector& exact_a(const char* name, const char* carrier) const { return motion(name, carrier).acceleration.value(); }
+    const Vector& exact_v(const char* name, const char* carrier) const {
+        return motion(name, carrier).velocity.value();
+    }
+    const Vector& exact_a(const char* name, const char* carrier) const {
+        return motion(name, carrier).acceleration.value();
+    }
     Complex v(const char* name, const char* carrier) const { return complex(exact_v(name, carrier)); }
     Complex a(const char* name, const char* carrier) const { return complex(exact_a(name, carrier)); }
     const Exact& exact_omega(const char* name) const { return solution.bodies.at(at_index(body(name))).omega.value(); }
@@ -67,14 +72,15 @@ void expect_near(Complex actual, Complex expected, const char* what, double scal
     EXPECT_LE(std::abs(actual - expected), 1e-12 * size) << what << ": " << actual << " instead of " << expected;
 }
 
-// --- all of them -------------------------------------------------------------------------------------------------------------
+// --- all of them
+// -------------------------------------------------------------------------------------------------------------
 
 TEST(Examples, AreAllSolved) {
     for (const std::string& name : example_names()) {
         const Solution solution = example(name);
         // What has no answer, or several, has tests of its own.
-        if (name == "slider_driven_dead_point" || name == "dead_point_rounded" || name == "act_of_motion_projections_differ" ||
-            name == "change_point_parallelogram")
+        if (name == "slider_driven_dead_point" || name == "dead_point_rounded" ||
+            name == "act_of_motion_projections_differ" || name == "change_point_parallelogram")
             continue;
         for (const Unsolved& unsolved : solution.unsolved) ADD_FAILURE() << name << ": " << english_of(unsolved);
         EXPECT_TRUE(solution.remarks.empty()) << name << ": " << english(solution.remarks.front());
@@ -117,8 +123,8 @@ TEST(Examples, AgreeWithTheCheckTo1e9) {
 }
 
 TEST(Examples, BodiesAreRigid) {
-    // (v_P − v_Q)·PQ = 0 (velocities project alike on their join) and (a_P − a_Q)·PQ = −|v_P − v_Q|²: exactly, since the
-    // drawing is the truth, with or without a leftover.
+    // (v_P − v_Q)·PQ = 0 (velocities project alike on their join) and (a_P − a_Q)·PQ = −|v_P − v_Q|²: exactly, since
+    // the drawing is the truth, with or without a leftover.
     for (const std::string& name : example_names()) {
         const Solution solution = example(name);
         for (const BodyIndex body : solution.mechanism.moving_bodies()) {
@@ -132,7 +138,8 @@ TEST(Examples, BodiesAreRigid) {
                         EXPECT_EQ(dot(*p->velocity - *q->velocity, join), Exact(0)) << name << body.number();
                     }
                     if (p->acceleration && q->acceleration) {
-                        EXPECT_EQ(dot(*p->acceleration - *q->acceleration, join), -squared_length(*p->velocity - *q->velocity))
+                        EXPECT_EQ(dot(*p->acceleration - *q->acceleration, join),
+                                  -squared_length(*p->velocity - *q->velocity))
                             << name << body.number();
                     }
                 }
@@ -167,7 +174,8 @@ TEST(Examples, ThreeCentresLieOnALine) {
     }
 }
 
-// --- one by one --------------------------------------------------------------------------------------------------------------
+// --- one by one
+// --------------------------------------------------------------------------------------------------------------
 
 TEST(Examples, FourBarHasTheCentresOfAronholdAndKennedy) {
     const Solution solution = example("four_bar");
@@ -417,7 +425,8 @@ TEST(Examples, ScaraComposesItsMotionInBothFrames) {
     expect_near(complex(translating.transport_velocity.value()), i * alpha_1 * OA, "v_tr = v_A");
     expect_near(complex(translating.relative_velocity.value()), i * sum_1 * AB, "v_rel");
     expect_near(complex(translating.acceleration.value()), a_B, "a_B");
-    expect_near(complex(translating.transport_acceleration.value()), (i * alpha_2 - alpha_1 * alpha_1) * OA, "a_tr = a_A");
+    expect_near(complex(translating.transport_acceleration.value()), (i * alpha_2 - alpha_1 * alpha_1) * OA,
+                "a_tr = a_A");
     expect_near(complex(translating.relative_acceleration.value()), (i * sum_2 - sum_1 * sum_1) * AB, "a_rel");
     EXPECT_TRUE(translating.coriolis.value_or(Vector{}).is_zero()) << "a translating frame has no Coriolis term";
 
@@ -431,7 +440,8 @@ TEST(Examples, ScaraComposesItsMotionInBothFrames) {
     expect_near(complex(rotating.relative_acceleration.value()), (i * beta_2 - beta_1 * beta_1) * AB, "a_rel");
     expect_near(complex(rotating.coriolis.value()), 2.0 * i * alpha_1 * v_rel, "2 α̇ ∧ v_rel");
     EXPECT_EQ(*rotating.transport_velocity + *rotating.relative_velocity, *rotating.velocity);
-    EXPECT_EQ(*rotating.transport_acceleration + *rotating.relative_acceleration + *rotating.coriolis, *rotating.acceleration);
+    EXPECT_EQ(*rotating.transport_acceleration + *rotating.relative_acceleration + *rotating.coriolis,
+              *rotating.acceleration);
 }
 
 TEST(Examples, WattSixBarHasFifteenCentres) {
@@ -506,7 +516,8 @@ TEST(Examples, PeaucelliersPointMovesAlongItsLineExactly) {
     EXPECT_EQ(dot(read.exact_v("R", "7"), OQ), Exact(0)) << "v_R ⟂ OQ";
     EXPECT_EQ(dot(read.exact_a("R", "7"), OQ), Exact(0)) << "a_R ⟂ OQ";
     // With θ the crank's angle at Q, the ray OP has θ/2 and R the height x_R tan(θ/2) over O.
-    const double half = std::atan2(OP.y.to_double(), OP.x.to_double()), x = OR.x.to_double(), rate = 2.0 / 2, growth = 1.0 / 2;
+    const double half = std::atan2(OP.y.to_double(), OP.x.to_double()), x = OR.x.to_double(), rate = 2.0 / 2,
+                 growth = 1.0 / 2;
     const double secant = 1 / (std::cos(half) * std::cos(half));
     expect_near(read.v("R", "7"), i * x * secant * rate, "v_R");
     expect_near(read.a("R", "7"), i * x * secant * (growth + 2 * std::tan(half) * rate * rate), "a_R");
@@ -582,7 +593,8 @@ TEST(Examples, FiveBarMovesWithBothItsCranks) {
     const Complex v_B = from(dot_of(v_A, p), dot_of(v_C, q));
     expect_near(read.v("B", "3"), v_B, "v_B");
     const Complex a_A = -9.0 * A, a_C = (4.0 * i - 4.0) * C;
-    expect_near(read.a("B", "3"), from(dot_of(a_A, p) - std::norm(v_B - v_A), dot_of(a_C, q) - std::norm(v_B - v_C)), "a_B");
+    expect_near(read.a("B", "3"), from(dot_of(a_A, p) - std::norm(v_B - v_A), dot_of(a_C, q) - std::norm(v_B - v_C)),
+                "a_B");
     for (const InstantCentre& centre : solution.centres) {
         if (centre.first == read.body("1") && centre.second == read.body("3")) {
             EXPECT_TRUE(centre.depends_on_drivers) << "another ratio of the cranks has another centre";
@@ -591,7 +603,8 @@ TEST(Examples, FiveBarMovesWithBothItsCranks) {
 }
 
 TEST(Examples, EllipticTrammelDrawsItsEllipseExactly) {
-    // x_A = 0.12, y_B = 0.09, ẋ_A = 0.3: ẏ_B = −x_A ẋ_A / y_B = −0.4, ÿ_B = −(ẋ_A² + ẏ_B²) / y_B = −25/9; P a third of the way.
+    // x_A = 0.12, y_B = 0.09, ẋ_A = 0.3: ẏ_B = −x_A ẋ_A / y_B = −0.4, ÿ_B = −(ẋ_A² + ẏ_B²) / y_B = −25/9; P a third of
+    // the way.
     const Solution solution = example("elliptic_trammel");
     const Reading read{solution};
     EXPECT_TRUE(solution.pose.exact);
@@ -651,7 +664,8 @@ TEST(Examples, WheelsRollAndGearsMesh) {
         const double omega = -60 * 12 * degree / 2, r = 0.05, d = 0.070710678118654752, theta = 20 * degree;
         const double square = r * r + d * d - 2 * r * d * std::cos(theta);
         expect_near(read.omega("3"), -omega * r * (d * std::cos(theta) - r) / square, "ω₃");
-        expect_near(read.alpha("3"), omega * omega * r * d * (d * d - r * r) * std::sin(theta) / (square * square), "ω̇₃");
+        expect_near(read.alpha("3"), omega * omega * r * d * (d * d - r * r) * std::sin(theta) / (square * square),
+                    "ω̇₃");
     }
 }
 
@@ -679,8 +693,9 @@ TEST(Examples, CamFollowersMoveByTheirClosedForms) {
     // s(θ) = e sin θ + √(l² − (e cos θ − x)²) over the cam's centre at rest; for the flat face the root is r.
     const double e = 0.02, theta = 40 * degree, omega = 10;
     const double sine = e * std::sin(theta), cosine = e * std::cos(theta);
-    for (const auto& [name, rod, beside] :
-         {std::tuple("cam_flat_follower", 0.0, 0.0), {"cam_roller_follower", 0.055, 0.0}, {"cam_knife_edge", 0.04, 0.01}}) {
+    for (const auto& [name, rod, beside] : {std::tuple("cam_flat_follower", 0.0, 0.0),
+                                            {"cam_roller_follower", 0.055, 0.0},
+                                            {"cam_knife_edge", 0.04, 0.01}}) {
         const Solution solution = example(name);
         const Reading read{solution};
         double first = cosine, second = -sine;

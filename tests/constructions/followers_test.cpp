@@ -8,14 +8,14 @@ using namespace kinegraph::pages;
 
 /// A four-bar linkage with the crank O2A upright: lengths of frame and crank, and where B lies.
 std::vector<Page> sheet_of(const std::string& frame, const std::string& crank, const std::string& b) {
-    return lay_out(
-        kinegraph::tests::solved(R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O2": [0, 0], "A": [0, )" +
-                                 crank + R"(], "O4": [)" + frame + R"(, 0], "B": )" + b + R"(},
+    return lay_out(kinegraph::tests::solved(
+                       R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O2": [0, 0], "A": [0, )" +
+                       crank + R"(], "O4": [)" + frame + R"(, 0], "B": )" + b + R"(},
 "bodies": {"2": {"points": ["O2", "A"]}, "3": {"points": ["A", "B"]}, "4": {"points": ["B", "O4"]}},
 "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
   {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [1, 4]}],
 "drivers": [{"body": 2, "omega": 10}]})"),
-        {}, fonts());
+                   {}, fonts());
 }
 
 TEST(Followers, OneThatGoesRoundIsACrank) {

@@ -1,8 +1,9 @@
-// A thousand random mechanisms under random loads, each resolved by construction and by the numeric equilibrium, and held against
-// the laws of statics, exactly: every body closes in force and moment, the joined polygon too, action is reaction turned round,
-// and no power is lost.
+// A thousand random mechanisms under random loads, each resolved by construction and by the numeric equilibrium, and
+// held against the laws of statics, exactly: every body closes in force and moment, the joined polygon too, action is
+// reaction turned round, and no power is lost.
 //
-// Each is named by its seed; KINEGRAPH_SEED=n runs that one alone and prints its file, KINEGRAPH_RANDOM_MECHANISMS=n so many.
+// Each is named by its seed; KINEGRAPH_SEED=n runs that one alone and prints its file, KINEGRAPH_RANDOM_MECHANISMS=n so
+// many.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -47,7 +48,8 @@ bool hold(std::uint64_t seed) {
     if (std::getenv("KINEGRAPH_SEED") != nullptr) std::cerr << text;
     const auto mechanism = read_mechanism(text, "seed " + std::to_string(seed));
     if (!mechanism)
-        return ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message.en << text, false;
+        return ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message.en << text,
+               false;
     const auto solution = solved(*mechanism);
     if (!solution) return std::cerr << text, false;
     const NumericForces numeric =
@@ -77,8 +79,8 @@ TEST(RandomForces2, ObeyTheLaws) { hold_quarter(1); }
 TEST(RandomForces3, ObeyTheLaws) { hold_quarter(2); }
 TEST(RandomForces4, ObeyTheLaws) { hold_quarter(3); }
 
-/// A weight at a point where all joints of its body are; springs whose pull the bodies between their ends take among themselves,
-/// so that all other forces vanish.
+/// A weight at a point where all joints of its body are; springs whose pull the bodies between their ends take among
+/// themselves, so that all other forces vanish.
 TEST(RandomForces, FoundWrongOnce) {
     for (const std::uint64_t seed : {789U, 1460U, 1941U, 5423U, 6790U}) EXPECT_TRUE(hold(seed)) << seed;
 }

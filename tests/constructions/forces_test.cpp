@@ -1,5 +1,5 @@
-// Forces by construction: the worked problems of the notes with their numbers and their order, the laws (mirrored, turned,
-// scaled; concurrency; pins), and what cannot be resolved, with the reason.
+// Forces by construction: the worked problems of the notes with their numbers and their order, the laws (mirrored,
+// turned, scaled; concurrency; pins), and what cannot be resolved, with the reason.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,8 +46,8 @@ struct Statics {
     const std::string& body(BodyIndex index) const { return solution.mechanism.bodies[at(index)].name; }
     /// "A: 3 on 2", "A: pin on 2".
     std::string name(const JointForce& action) const {
-        return solution.mechanism.joints[at(action.joint)].name + ": " + (action.from == none ? "pin" : body(action.from)) +
-               " on " + body(action.on);
+        return solution.mechanism.joints[at(action.joint)].name + ": " +
+               (action.from == none ? "pin" : body(action.from)) + " on " + body(action.on);
     }
     const JointForce& action(const std::string& named) const {
         for (const JointForce& each : solution.forces)
@@ -76,49 +76,29 @@ struct Statics {
     }
     static std::string said(Sentence sentence) {
         switch (sentence) {
-            case Sentence::two_force_body:
-                return "two forces";
-            case Sentence::two_force_guide:
-                return "two forces at a guide";
-            case Sentence::two_force_group:
-                return "together two forces";
-            case Sentence::two_forces_and_couple:
-                return "two forces and a couple";
-            case Sentence::three_force_line:
-                return "third line";
-            case Sentence::inertia_force:
-                return "inertia";
-            case Sentence::polygon:
-                return "polygon";
-            case Sentence::triangle:
-                return "triangle";
+            case Sentence::two_force_body: return "two forces";
+            case Sentence::two_force_guide: return "two forces at a guide";
+            case Sentence::two_force_group: return "together two forces";
+            case Sentence::two_forces_and_couple: return "two forces and a couple";
+            case Sentence::three_force_line: return "third line";
+            case Sentence::inertia_force: return "inertia";
+            case Sentence::polygon: return "polygon";
+            case Sentence::triangle: return "triangle";
             case Sentence::triangle_at:
-            case Sentence::polygon_at:
-                return "concurrent";
+            case Sentence::polygon_at: return "concurrent";
             case Sentence::parallel_forces:
-            case Sentence::funicular_parallel:
-                return "parallel";
+            case Sentence::funicular_parallel: return "parallel";
             case Sentence::culmann:
-            case Sentence::culmann_line:
-                return "Culmann";
-            case Sentence::force_and_couple:
-                return "force and couple";
-            case Sentence::no_force_along:
-                return "nothing beside";
-            case Sentence::known_resultant:
-                return "resultant";
-            case Sentence::single_reaction:
-                return "opposite";
-            case Sentence::zero_forces:
-                return "nothing";
-            case Sentence::superposition:
-                return "alone";
-            case Sentence::superposition_sum:
-                return "sum";
-            case Sentence::trial:
-                return "trial";
-            default:
-                return "?";
+            case Sentence::culmann_line: return "Culmann";
+            case Sentence::force_and_couple: return "force and couple";
+            case Sentence::no_force_along: return "nothing beside";
+            case Sentence::known_resultant: return "resultant";
+            case Sentence::single_reaction: return "opposite";
+            case Sentence::zero_forces: return "nothing";
+            case Sentence::superposition: return "alone";
+            case Sentence::superposition_sum: return "sum";
+            case Sentence::trial: return "trial";
+            default: return "?";
         }
     }
     static std::string written(const Argument& argument) {
@@ -152,7 +132,8 @@ void expect_has(const std::string& text, const std::string& part) {
     EXPECT_NE(text.find(part), std::string::npos) << "\"" << text << "\" without \"" << part << "\"";
 }
 
-// --- the worked problems of the notes ----------------------------------------------------------------------------------------
+// --- the worked problems of the notes
+// ----------------------------------------------------------------------------------------
 
 TEST(ForcesOfTheSeeds, SluiceGateHasTheSegmentsOfTheNotes) {
     const Statics s(example("sluice_gate"));
@@ -162,9 +143,10 @@ TEST(ForcesOfTheSeeds, SluiceGateHasTheSegmentsOfTheNotes) {
         const char* action;
         double notes, geometry, half_digit;
     };
-    for (const Row& row : {Row{"A: 0 on 1", 6, 6.0, 0.05}, Row{"C: 2 on 1", 12, 12.0, 0.05}, Row{"D: 3 on 2", 12, 12.0, 0.05},
-                           Row{"E: 4 on 3", 24, 24.4, 0.05}, Row{"F: 5 on 4", 24, 24.4, 0.05}, Row{"B: 0 on 3", 27, 27.0, 0.05},
-                           Row{"G: 0 on 5", 17, 16.75, 0.005}}) {
+    for (const Row& row :
+         {Row{"A: 0 on 1", 6, 6.0, 0.05}, Row{"C: 2 on 1", 12, 12.0, 0.05}, Row{"D: 3 on 2", 12, 12.0, 0.05},
+          Row{"E: 4 on 3", 24, 24.4, 0.05}, Row{"F: 5 on 4", 24, 24.4, 0.05}, Row{"B: 0 on 3", 27, 27.0, 0.05},
+          Row{"G: 0 on 5", 17, 16.75, 0.005}}) {
         EXPECT_NEAR(length(s.force(row.action)) / millimetre, row.notes, 0.5) << row.action;
         EXPECT_NEAR(length(s.force(row.action)) / millimetre, row.geometry, row.half_digit) << row.action;
     }
@@ -205,7 +187,8 @@ TEST(ForcesOfTheSeeds, TippersSleeveCarriesNothing) {
     EXPECT_NEAR(s.effort().to_double(), length(s.force("E: 4 on 3")), 1e-8);
     EXPECT_NEAR(s.effort().to_double(), 152783.083, 1e-3);
     EXPECT_EQ(s.force("C: 0 on 2"), s.force("E: 3 on 4"));
-    EXPECT_EQ(dot(s.force("F: 4 on 1"), s.solution.pose.at(*s.solution.mechanism.point_named("F"))), Exact(0)) << "⟂ AF";
+    EXPECT_EQ(dot(s.force("F: 4 on 1"), s.solution.pose.at(*s.solution.mechanism.point_named("F"))), Exact(0))
+        << "⟂ AF";
 }
 
 TEST(ForcesOfTheSeeds, ExamOf2001) {
@@ -218,9 +201,10 @@ TEST(ForcesOfTheSeeds, ExamOf2001) {
     EXPECT_NEAR(length(s.force("C: 5 on 4")), 19.2542, 5e-5);
     EXPECT_NEAR(length(s.force("M: 0 on 5")), 85.6374, 5e-5);
     EXPECT_NEAR(s.couple("M: 0 on 5").to_double(), -1.49551, 5e-6) << "the guide's force passes C, not M";
-    EXPECT_EQ(s.order(), (Lines{"inertia 5 F_i a_M M", "two forces at a guide 2 A D", "two forces 3 O2 B",
-                                "third line 4 H F_54 C", "resultant 5 F_g+F_i F_R5", "concurrent 5 K F_45 F_05",
-                                "triangle 4 F_24 F_34", "opposite 2 F_12", "force and couple 1 F_01 M_C", "opposite 3 F_03"}));
+    EXPECT_EQ(s.order(),
+              (Lines{"inertia 5 F_i a_M M", "two forces at a guide 2 A D", "two forces 3 O2 B", "third line 4 H F_54 C",
+                     "resultant 5 F_g+F_i F_R5", "concurrent 5 K F_45 F_05", "triangle 4 F_24 F_34", "opposite 2 F_12",
+                     "force and couple 1 F_01 M_C", "opposite 3 F_03"}));
 }
 
 TEST(ForcesOfTheSeeds, RotatingBodyNeedsACouple) {
@@ -231,7 +215,8 @@ TEST(ForcesOfTheSeeds, RotatingBodyNeedsACouple) {
     EXPECT_EQ(s.order(), (Lines{"inertia 2 F_i a_G G", "resultant 2 F_1+F_i F_R2", "force and couple 2 F_12 M_12"}));
 }
 
-// --- the other examples --------------------------------------------------------------------------------------------------------
+// --- the other examples
+// --------------------------------------------------------------------------------------------------------
 
 TEST(ForceExamples, HaveTheirClosedForms) {
     // M = F Λ and guide F tan β of the slider-crank a = 50, b = 150 mm at 60°.
@@ -277,18 +262,21 @@ TEST(ForceExamples, WeightsOnAllLinksAreSuperposed) {
     EXPECT_EQ(alone, (Lines{"alone 2", "alone 3", "alone 4", "sum"}));
 }
 
-// --- laws ----------------------------------------------------------------------------------------------------------------------
+// --- laws
+// ---------------------------------------------------------------------------------------------------------------------
 
 /// Where forces are concurrent they are so exactly: each line passes the meet that the protocol names.
 TEST(ForceLaws, ConcurrencyIsExact) {
-    for (const auto& [file, named] : {std::pair("sluice_gate", "1"), std::pair("sluice_gate", "3"), std::pair("tipper", "1"),
-                                      std::pair("tipper", "4"), std::pair("toggle_clamp", "3")}) {
+    for (const auto& [file, named] :
+         {std::pair("sluice_gate", "1"), std::pair("sluice_gate", "3"), std::pair("tipper", "1"),
+          std::pair("tipper", "4"), std::pair("toggle_clamp", "3")}) {
         const Statics s(example(file));
         const FreeBody& body = s.free_body(named);
         ASSERT_EQ(body.meets.size(), 1u) << file << named;
         EXPECT_EQ(body.forces.size(), 3u) << file << named;
         for (const AppliedForce& applied : body.forces)
-            EXPECT_EQ(cross(body.meets.front().place - applied.at, applied.force), Exact(0)) << file << name_of(applied.symbol);
+            EXPECT_EQ(cross(body.meets.front().place - applied.at, applied.force), Exact(0))
+                << file << name_of(applied.symbol);
     }
     const Statics exam(example("exam_2001"));
     const FreeBody& four = exam.free_body("4");
@@ -306,8 +294,8 @@ struct Similarity {
     Exact sense() const { return s; }
 };
 
-/// The mechanism as it is drawn, every point and direction a given one, moved by the map. Lengths and forces grow by k, couples
-/// by k²: so gravity by k, moments of inertia by k².
+/// The mechanism as it is drawn, every point and direction a given one, moved by the map. Lengths and forces grow by k,
+/// couples by k²: so gravity by k, moments of inertia by k².
 Mechanism moved(const Solution& solution, const Similarity& map, const Exact& k) {
     Mechanism m = solution.mechanism;
     const Pose& pose = solution.pose;
@@ -330,7 +318,8 @@ Mechanism moved(const Solution& solution, const Similarity& map, const Exact& k)
     for (Load& load : m.loads) {
         if (auto* force = std::get_if<ForceLoad>(&load)) {
             if (force->magnitude) {
-                force->value = force->magnitude->first * unit_along(direction_of(force->magnitude->second, pose), pose.bits);
+                force->value =
+                    force->magnitude->first * unit_along(direction_of(force->magnitude->second, pose), pose.bits);
                 force->magnitude.reset();
             }
             force->value = map(*force->value);
@@ -364,13 +353,15 @@ void expect_moved(const std::string& name, const Similarity& map, const Exact& k
         const bool couple = std::holds_alternative<CoupleEffort>(as_is.solution.mechanism.efforts[e]);
         const Exact expected = as_is.effort(e) * (couple ? map.sense() * square(k) : k);
         // A force's size is in units of a unit vector, whose length is a root.
-        EXPECT_LE(std::abs((there.effort(e) - expected).to_double()), couple ? 0 : 1e-28 * std::abs(expected.to_double()));
+        EXPECT_LE(std::abs((there.effort(e) - expected).to_double()),
+                  couple ? 0 : 1e-28 * std::abs(expected.to_double()));
     }
     ASSERT_EQ(there.solution.free_bodies.size(), as_is.solution.free_bodies.size());
     for (std::size_t b = 0; b < as_is.solution.free_bodies.size(); ++b) {
         const auto &before = as_is.solution.free_bodies[b].meets, &after = there.solution.free_bodies[b].meets;
         ASSERT_EQ(after.size(), before.size());
-        for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(after[i].place, map(before[i].place)) << before[i].name;
+        for (std::size_t i = 0; i < before.size(); ++i)
+            EXPECT_EQ(after[i].place, map(before[i].place)) << before[i].name;
     }
 }
 
@@ -403,7 +394,7 @@ TEST(ForceLaws, MirroredExamplesAreTheMirrorImages) {
 }
 
 // --- pairs
-// -----------------------------------------------------------------------------------------------------------------------
+// ---------------------------------------------------------------------------------------------------------------------
 
 TEST(ForcePairs, PinOfThreeBodiesActsOnEach) {
     const Statics s(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [0, 1], "C": [1, 0], "D": [2, 0]},
@@ -423,11 +414,13 @@ TEST(ForcePairs, PinOfThreeBodiesActsOnEach) {
 
 TEST(ForcePairs, TeethPushApart) {
     for (const char* couple : {"3", "-3"}) {
-        const Statics s(R"({"kinegraph": 1, "frame": 1, "points": {"C": [0, 0], "P": [0.02, 0], "D": [0.08, 0]}, "bodies":
-            {"2": {"points": ["C"], "circle": {"centre": "C", "radius": 0.02}}, "3": {"points": ["D"], "circle": {"centre": "D",
+        const Statics s(
+            R"({"kinegraph": 1, "frame": 1, "points": {"C": [0, 0], "P": [0.02, 0], "D": [0.08, 0]}, "bodies":
+            {"2": {"points": ["C"], "circle": {"centre": "C", "radius": 0.02}}, "3": {"points": ["D"],
+            "circle": {"centre": "D",
             "radius": 0.06}}}, "joints": [{"revolute": "C", "bodies": [1, 2]}, {"revolute": "D", "bodies": [1, 3]},
             {"gear": "P", "bodies": [2, 3], "pressure angle": 20}], "loads": [{"couple": "M", "body": 2, "value": )" +
-                        std::string(couple) + R"(}], "effort": {"couple": "E", "body": 3}})");
+            std::string(couple) + R"(}], "effort": {"couple": "E", "body": 3}})");
         EXPECT_EQ(s.why(), "");
         const double tangential = std::stod(couple) / 0.02;
         expect_near(s.force("P: 3 on 2"), -std::abs(tangential) * std::tan(std::acos(-1) / 9), -tangential);
@@ -435,20 +428,23 @@ TEST(ForcePairs, TeethPushApart) {
     }
 }
 
-// One of the two senses is found on the flanks that were assumed first, the other on those turned round; of the attempt before
-// nothing is said.
+// One of the two senses is found on the flanks that were assumed first, the other on those turned round; of the attempt
+// before nothing is said.
 TEST(ForcePairs, TeethTurnedToTheirOtherFlankLeaveNoSentenceBehind) {
     std::vector<std::vector<Sentence>> said;
     for (const char* couple : {"60", "-60"}) {
-        const Statics s(R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0], "Q": {"from": "O",
+        const Statics s(
+            R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0], "Q": {"from": "O",
             "distance": 75, "angle": 50}, "P1": {"from": "O", "to": "Q", "distance": 40}, "P2": {"from": "O", "to": "Q",
-            "distance": 110}}, "bodies": {"1": {"points": ["O"], "circle": {"centre": "O", "radius": 110}}, "2": {"points": ["O",
-            "P1"], "circle": {"centre": "O", "radius": 40}}, "3": {"points": ["Q"], "circle": {"centre": "Q", "radius": 35}},
+            "distance": 110}}, "bodies": {"1": {"points": ["O"], "circle": {"centre": "O", "radius": 110}},
+            "2": {"points": ["O",
+            "P1"], "circle": {"centre": "O", "radius": 40}}, "3": {"points": ["Q"], "circle": {"centre": "Q",
+            "radius": 35}},
             "4": ["O", "Q"]}, "joints": [{"revolute": "O", "bodies": [1, 2, 4]}, {"revolute": "Q", "bodies": [3, 4]},
             {"gear": "P1", "bodies": [2, 3], "arm": 4, "profiles": {}, "pressure angle": 20},
             {"gear": "P2", "bodies": [3, 1], "arm": 4, "profiles": {}, "pressure angle": 20}],
             "loads": [{"couple": "Mr", "body": 4, "value": )" +
-                        std::string(couple) + R"(}], "effort": {"couple": "Mm", "body": 2}})");
+            std::string(couple) + R"(}], "effort": {"couple": "Mm", "body": 2}})");
         EXPECT_EQ(s.why(), "");
         EXPECT_NEAR(s.effort().to_double(), -std::stod(couple) * 40 / 150, 1e-9) << "Willis: the sun's share";
         said.emplace_back();
@@ -478,13 +474,15 @@ TEST(ForcePairs, ContactThatWouldPullIsSaidToLiftOff) {
 
 TEST(ForcePairs, ClampTakesForceAndCouple) {
     const Statics s(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "P": [2, 0]}, "bodies": {"2": ["A", "P"]},
-        "joints": [{"weld": "A", "bodies": [1, 2]}], "loads": [{"force": "F", "body": 2, "at": "P", "value": [30, -100]}]})");
+        "joints": [{"weld": "A", "bodies": [1, 2]}], "loads": [{"force": "F", "body": 2, "at": "P", "value": [30,
+        -100]}]})");
     EXPECT_EQ(s.why(), "");
     EXPECT_EQ(s.force("A: 1 on 2"), (Vector{-30, 100}));
     EXPECT_EQ(s.couple("A: 1 on 2"), Exact(200));
 }
 
-// --- what cannot be resolved ---------------------------------------------------------------------------------------------------
+// --- what cannot be resolved
+// ---------------------------------------------------------------------------------------------------
 
 TEST(ForceRefusals, BeamOnThreeSupports) {
     const Statics s(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [4, 0], "C": [2, 0], "P": [1, 0]},
@@ -501,17 +499,21 @@ TEST(ForceRefusals, FourBarWithAParallelBarTooMany) {
     const Statics s(R"({"kinegraph": 1, "frame": 1,
         "points": {"O": [0, 0], "A": [0, 1], "Q": [2, 0], "B": [2, 1], "R": [4, 0], "C": [4, 1], "P": [3, 1]},
         "bodies": {"2": ["O", "A"], "3": ["A", "B", "C", "P"], "4": ["Q", "B"], "5": ["R", "C"]},
-        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "Q", "bodies": [1, 4]},
-                   {"revolute": "B", "bodies": [3, 4]}, {"revolute": "R", "bodies": [1, 5]}, {"revolute": "C", "bodies": [3, 5]}],
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "Q",
+        "bodies": [1, 4]},
+                   {"revolute": "B", "bodies": [3, 4]}, {"revolute": "R", "bodies": [1, 5]}, {"revolute": "C",
+                   "bodies": [3, 5]}],
         "loads": [{"force": "F", "body": 3, "at": "P", "value": [10, -100]}], "effort": {"couple": "M", "body": 2}})");
     EXPECT_EQ(s.solution.mobility.effective, 1);
     expect_has(s.why(), "statically indeterminate, 1 time");
     expect_has(s.why(), "joint C");
 }
 
-const std::string slider_crank = R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [0.03, 0.04], "B": [0.16, 0]},
+const std::string slider_crank =
+    R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [0.03, 0.04], "B": [0.16, 0]},
     "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
-    "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+    "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+    "bodies": [3, 4]},
                {"prismatic": "B", "bodies": [4, 1], "along": 0, "name": "guide"}],
     "loads": [{"force": "F", "body": 4, "at": "B", "value": [-2000, 0]}])";
 
@@ -530,17 +532,20 @@ TEST(ForceRefusals, TwoEffortsForOneFreedom) {
 TEST(ForceRefusals, EffortAtItsDeadPoint) {
     const std::string dead = R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [0.05, 0], "B": [0.2, 0]},
         "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
-        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+        "bodies": [3, 4]},
                    {"prismatic": "B", "bodies": [4, 1], "along": 0, "name": "guide"}], )";
     // The slider's force has no lever about the crank.
-    const Statics locked(dead +
-                         R"("loads": [{"couple": "M", "body": 2, "value": 12}], "effort": {"force": "F", "joint": "guide"}})");
+    const Statics locked(
+        dead + R"("loads": [{"couple": "M", "body": 2, "value": 12}], "effort": {"force": "F", "joint": "guide"}})");
     expect_has(locked.why(), "grows without limit");
     expect_has(locked.why(), "dead point");
     EXPECT_FALSE(locked.solution.efforts.at(0).value);
     // The other way round the rods hold the load by themselves: a couple of nothing, exactly.
     const Statics held(
-        dead + R"("loads": [{"force": "F", "body": 4, "at": "B", "value": [-2000, 0]}], "effort": {"couple": "M", "body": 2}})");
+        dead +
+        R"("loads": [{"force": "F", "body": 4, "at": "B", "value": [-2000, 0]}], "effort": {"couple": "M",
+        "body": 2}})");
     EXPECT_EQ(held.why(), "");
     EXPECT_EQ(held.effort(), Exact(0));
     EXPECT_EQ(held.force("O: 1 on 2"), (Vector{2000, 0}));
@@ -557,7 +562,8 @@ TEST(ForceRefusals, SpringWithoutADirection) {
 
 TEST(ForceRefusals, InertiaWithoutMotion) {
     const Statics s(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "G": [1, 0]}, "bodies": {"2": ["O", "G"]},
-        "joints": [{"revolute": "O", "bodies": [1, 2]}], "masses": {"2": {"mass": 3, "centre": "G"}}, "inertia forces": true,
+        "joints": [{"revolute": "O", "bodies": [1, 2]}], "masses": {"2": {"mass": 3, "centre": "G"}},
+        "inertia forces": true,
         "effort": {"couple": "M", "body": 2}})");
     expect_has(s.why(), "drivers");
 }
@@ -569,14 +575,16 @@ TEST(ForceRefusals, WhatIsKnownBesideIsStillGiven) {
         "bodies": {"2": ["A", "B", "C"], "3": ["O", "P", "Q"]},
         "joints": [{"revolute": "A", "bodies": [1, 2]}, {"contact": "B", "bodies": [2, 1], "tangent": 0},
                    {"contact": "C", "bodies": [2, 1], "tangent": 0}, {"revolute": "O", "bodies": [1, 3]}],
-        "loads": [{"force": "F", "body": 2, "at": "C", "value": [0, -100]}, {"force": "G", "body": 3, "at": "P", "value": [0, -60]}],
+        "loads": [{"force": "F", "body": 2, "at": "C", "value": [0, -100]}, {"force": "G", "body": 3, "at": "P",
+        "value": [0, -60]}],
         "effort": {"force": "E", "body": 3, "at": "Q", "along": 90}})");
     expect_has(s.why(), "statically indeterminate");
     EXPECT_EQ(s.effort(), Exact(-30));
     EXPECT_EQ(s.force("O: 1 on 3"), (Vector{0, 90}));
 }
 
-// --- the results file ----------------------------------------------------------------------------------------------------------
+// --- the results file
+// ----------------------------------------------------------------------------------------------------------
 
 TEST(ForceResultsFile, HasTheShapeOfTheFormat) {
     using Json = nlohmann::ordered_json;
@@ -609,13 +617,13 @@ TEST(ForceResultsFile, HasTheShapeOfTheFormat) {
     EXPECT_EQ(refused["unsolved"][0]["what"], "forces");
     EXPECT_TRUE(refused["effort"].empty());
 
-    const Json pins =
-        Json::parse(results_json(Statics(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "P": [1, 0], "Q": [-2, 0]},
+    const Json pins = Json::parse(
+        results_json(Statics(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "P": [1, 0], "Q": [-2, 0]},
         "bodies": {"2": ["O", "P"], "3": ["O", "Q"]}, "joints": [{"revolute": "O", "bodies": [1, 2, 3]}],
         "masses": {"2": {"mass": 1, "centre": "P"}, "3": {"mass": 2, "centre": "Q"}}, "gravity": [0, -10],
         "effort": [{"couple": "M2", "body": 2}, {"couple": "M3", "body": 3}]})")
-                                     .solution,
-                                 false, english));
+                         .solution,
+                     false, english));
     EXPECT_EQ(pins["forces"]["O"]["pin on 2"]["force"].dump(), "[0,10]");
     EXPECT_EQ(pins["forces"]["O"]["pin on 3"]["force"].dump(), "[0,20]");
     EXPECT_EQ(pins["forces"]["O"]["pin on 1"]["force"].dump(), "[0,-30]");

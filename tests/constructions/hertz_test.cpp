@@ -21,8 +21,8 @@ const HertzSolution& hertz_of(const Solution& solution) { return tests::found_in
 /// A contact of two bodies of E = 206 GPa, ν = 0.3 pressed by 100 N; lengths in mm.
 Solution pressed(const std::string& first, const std::string& second, const std::string& more = "") {
     const std::string steel = R"(, "young": "206 GPa", "poisson": 0.3})";
-    return tests::stated("hertz",
-                         R"("force": 100, "bodies": {"a": {)" + first + steel + R"(, "b": {)" + second + steel + "}" + more);
+    return tests::stated(
+        "hertz", R"("force": 100, "bodies": {"a": {)" + first + steel + R"(, "b": {)" + second + steel + "}" + more);
 }
 
 /// The approach along a line is a closed form for (b/r)² small, and that far off.
@@ -49,7 +49,8 @@ TEST(Hertz, BallOnPlaneHasThePublishedNumbers) {
 }
 
 TEST(Hertz, LineHasItsGreatestShearAtTheGoldenSection) {
-    const HertzSolution found = hertz_of(pressed(R"("radius": 10)", R"("flat": true)", R"(, "contact": "line", "length": 20)"));
+    const HertzSolution found =
+        hertz_of(pressed(R"("radius": 10)", R"("flat": true)", R"(, "contact": "line", "length": 20)"));
     EXPECT_NEAR(found.b, std::sqrt(4 * 100 * 0.01 / (pi * 0.02 * 206e9 / 1.82)), 1e-15);
     EXPECT_NEAR(found.shear / found.greatest, 0.30028, 1e-5);
     EXPECT_NEAR(found.depth / found.b, 0.78615, 1e-5);
@@ -71,7 +72,8 @@ TEST(Hertz, EllipseTendsToBothLimits) {
 }
 
 TEST(Hertz, CrossedEqualCylindersAreABallOnAPlane) {
-    const HertzSolution crossed = hertz_of(pressed(R"("radii": [10, "flat"])", R"("radii": [10, "flat"])", R"(, "turned": 90)"));
+    const HertzSolution crossed =
+        hertz_of(pressed(R"("radii": [10, "flat"])", R"("radii": [10, "flat"])", R"(, "turned": 90)"));
     const HertzSolution ball = hertz_of(pressed(R"("radius": 10)", R"("flat": true)"));
     EXPECT_NEAR(crossed.a, ball.a, 1e-9 * ball.a);
     EXPECT_NEAR(crossed.b, ball.a, 1e-9 * ball.a);
@@ -81,8 +83,8 @@ TEST(Hertz, CrossedEqualCylindersAreABallOnAPlane) {
 TEST(Hertz, NoOneCaresWhichBodyIsTheFirst) {
     const HertzSolution one =
         hertz_of(pressed(R"("radii": [10, 25])", R"("radii": [40, 30], "inside": [false, true])", R"(, "turned": 30)"));
-    const HertzSolution other =
-        hertz_of(pressed(R"("radii": [40, 30], "inside": [false, true])", R"("radii": [10, 25])", R"(, "turned": -30)"));
+    const HertzSolution other = hertz_of(
+        pressed(R"("radii": [40, 30], "inside": [false, true])", R"("radii": [10, 25])", R"(, "turned": -30)"));
     EXPECT_NEAR(one.a, other.a, 1e-12 * one.a);
     EXPECT_NEAR(one.b, other.b, 1e-12 * one.b);
     EXPECT_NEAR(one.shear, other.shear, 1e-12 * one.shear);

@@ -1,5 +1,6 @@
-// The kinematics of higher pairs: rolling, sliding contacts and gears, held against closed forms, against the lower pairs that
-// are equivalent to them (exactly), against the laws of the plane and, on random mechanisms, against the check.
+// The kinematics of higher pairs: rolling, sliding contacts and gears, held against closed forms, against the lower
+// pairs that are equivalent to them (exactly), against the laws of the plane and, on random mechanisms, against the
+// check.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +46,8 @@ void expect_solved(const Solution& solution) {
     EXPECT_LE(worst_difference(solution), 1e-9);
 }
 
-// --- rolling -------------------------------------------------------------------------------------------------------------------
+// --- rolling
+// -------------------------------------------------------------------------------------------------------------------
 
 /// A disc of radius 1/5 that rolls on the x axis from left to right.
 const std::string disc_on_line = R"({"kinegraph": 1, "frame": 1,
@@ -67,7 +69,8 @@ TEST(Rolling, OnALineEveryPointDrawsItsCycloid) {
     EXPECT_EQ(read.a("A", "2"), (Vector{Exact::ratio(-9, 5), Exact::ratio(-6, 5)}));
 }
 
-/// A disc of radius 5 about (3, 4)·k/5, touching a circle of the frame of radius 10 about the origin: k = 5 inside, 15 outside.
+/// A disc of radius 5 about (3, 4)·k/5, touching a circle of the frame of radius 10 about the origin: k = 5 inside, 15
+/// outside.
 std::string disc_on_circle(const char* centre) {
     return std::string(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": )") + centre + R"(, "P": [6, 8]},
  "bodies": {"1": {"points": ["O"], "circle": {"centre": "O", "radius": 10}},
@@ -114,16 +117,19 @@ TEST(Rolling, ABoardOnTwoRollersGoesTwiceAsFast) {
 }
 
 TEST(Rolling, WithoutProfilesOnlyVelocitiesAreKnown) {
-    const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "points": {"C": [0, 2], "P": [0, 0]}, "bodies": {"2": ["C"]},
+    const Solution solution =
+        solved(R"({"kinegraph": 1, "frame": 1, "points": {"C": [0, 2], "P": [0, 0]}, "bodies": {"2": ["C"]},
  "joints": [{"rolling": "P", "bodies": [2, 1], "tangent": [1, 0]}], "drivers": [{"body": 2, "omega": 1}]})");
     const Reading read{solution};
     EXPECT_EQ(read.v("C", "2"), (Vector{-2, 0}));
     EXPECT_FALSE(read.motion("C", "2").acceleration);
     ASSERT_EQ(solution.unsolved.size(), 1U);
-    EXPECT_EQ(english(solution.unsolved[0].why), "it needs the curvatures at P; give the profiles of both bodies there");
+    EXPECT_EQ(english(solution.unsolved[0].why),
+              "it needs the curvatures at P; give the profiles of both bodies there");
 }
 
-// --- contacts ------------------------------------------------------------------------------------------------------------------
+// --- contacts
+// ------------------------------------------------------------------------------------------------------------------
 
 /// An eccentric disc about O with its centre C, and what follows it upwards.
 std::string eccentric(const std::string& points, const std::string& bodies, const std::string& joints) {
@@ -136,10 +142,10 @@ std::string eccentric(const std::string& points, const std::string& bodies, cons
 TEST(Contact, FlatFollowerOfAnEccentricMovesHarmonically) {
     // s = e sin θ + r: v = e ω cos θ = 30 · 5, a = e α cos θ − e ω² sin θ = 30 · 2 − 40 · 25.
     for (const char* order : {"3, 2", "2, 3"}) {
-        const Solution solution = solved(
-            eccentric(R"("P": [30, 90], "G": [0, 120])", R"("3": ["G"])",
-                      std::string(R"({"contact": "P", "bodies": [)") + order +
-                          R"(], "profiles": {"3": {"line": [1, 0]}}}, {"prismatic": "G", "bodies": [3, 1], "along": [0, 1]})"));
+        const Solution solution = solved(eccentric(
+            R"("P": [30, 90], "G": [0, 120])", R"("3": ["G"])",
+            std::string(R"({"contact": "P", "bodies": [)") + order +
+                R"(], "profiles": {"3": {"line": [1, 0]}}}, {"prismatic": "G", "bodies": [3, 1], "along": [0, 1]})"));
         expect_solved(solution);
         const Reading read{solution};
         EXPECT_EQ(read.v("G", "3"), (Vector{0, 150}));
@@ -151,12 +157,13 @@ TEST(Contact, FlatFollowerOfAnEccentricMovesHarmonically) {
 }
 
 TEST(Contact, RollerFollowerIsItsSliderCrank) {
-    // A roller of radius 40 on the disc of radius 50 moves the follower as a rod CR of 90 does; a roller that turns, as its own
-    // body rolling on the disc, moves it so too. A ring about C whose inside touches it is as good.
+    // A roller of radius 40 on the disc of radius 50 moves the follower as a rod CR of 90 does; a roller that turns, as
+    // its own body rolling on the disc, moves it so too. A ring about C whose inside touches it is as good.
     const std::string guide = R"({"prismatic": "R", "bodies": [3, 1], "along": [0, 1]})";
     const std::string points = R"("P": {"from": "C", "to": "R", "distance": 50}, "R": [30, 130])";
-    const Solution contact = solved(eccentric(
-        points, R"("3": ["R"])", R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"circle": "R"}}}, )" + guide));
+    const Solution contact =
+        solved(eccentric(points, R"("3": ["R"])",
+                         R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"circle": "R"}}}, )" + guide));
     const Solution roller =
         solved(eccentric(points, R"("3": ["R"], "4": {"points": ["R"], "circle": {"centre": "R", "radius": 40}})",
                          R"({"rolling": "P", "bodies": [4, 2]}, {"revolute": "R", "bodies": [3, 4]}, )" + guide));
@@ -177,8 +184,8 @@ TEST(Contact, RollerFollowerIsItsSliderCrank) {
 TEST(Contact, KnifeEdgeIsALinkFromTheCentre) {
     const std::string guide = R"({"prismatic": "P", "bodies": [3, 1], "along": [0, 1], "name": "guide"})";
     const std::string points = R"("P": [0, 80])";  // CP = (−30, 40)
-    const Solution contact = solved(
-        eccentric(points, R"("3": ["P"])", R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"tip": true}}}, )" + guide));
+    const Solution contact = solved(eccentric(
+        points, R"("3": ["P"])", R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"tip": true}}}, )" + guide));
     const Solution linkage =
         solved(eccentric(points, R"("3": ["P"], "4": ["C", "P"])",
                          R"({"revolute": "C", "bodies": [2, 4]}, {"revolute": "P", "bodies": [3, 4]}, )" + guide));
@@ -192,11 +199,12 @@ TEST(Contact, KnifeEdgeIsALinkFromTheCentre) {
 TEST(Contact, ATipOnALineIsAPinInASlot) {
     const auto crank_and_lever = [](const std::string& joint) {
         return solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4], "Q": [-9, -1]},
- "bodies": {"2": ["O", "A"], "3": ["Q"]}, "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "Q", "bodies": [1, 3]}, )" +
+ "bodies": {"2": ["O", "A"], "3": ["Q"]}, "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "Q",
+ "bodies": [1, 3]}, )" +
                       joint + R"(], "drivers": [{"body": 2, "omega": 7, "alpha": -5}]})");
     };
-    const Solution tip =
-        crank_and_lever(R"({"contact": "A", "bodies": [2, 3], "profiles": {"2": {"tip": true}, "3": {"line": [12, 5]}}})");
+    const Solution tip = crank_and_lever(
+        R"({"contact": "A", "bodies": [2, 3], "profiles": {"2": {"tip": true}, "3": {"line": [12, 5]}}})");
     const Solution slot = crank_and_lever(R"({"pin-slot": "A", "bodies": [2, 3], "along": [12, 5]})");
     expect_solved(tip);
     EXPECT_EQ((Reading{tip}.omega("3")), (Reading{slot}.omega("3")));
@@ -211,12 +219,13 @@ TEST(Contact, SlidesAlongItsTangent) {
     // The flat of a swinging follower on the eccentric.
     const Solution solution = solved(eccentric(
         R"("P": [60, 80], "Q": [140, 20])", R"("3": ["Q"])",
-        R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": [4, -3]}}}, {"revolute": "Q", "bodies": [1, 3]})"));
+        R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": [4, -3]}}}, {"revolute": "Q", "bodies": [1,
+        3]})"));
     expect_solved(solution);
     ASSERT_EQ(solution.sliding.size(), 1U);
     EXPECT_EQ(dot(*solution.sliding[0].velocity, Vector{3, 4}), Exact(0));
-    // Seen from the disc the flat rolls and slides on a circle: along the normal its point accelerates by −(v + ω_r r)²/r … the
-    // check has it; here only that the two differ by Coriolis' term as they must.
+    // Seen from the disc the flat rolls and slides on a circle: along the normal its point accelerates by −(v + ω_r
+    // r)²/r … the check has it; here only that the two differ by Coriolis' term as they must.
     const Reading read{solution};
     EXPECT_EQ(*solution.sliding[0].coriolis, 2 * read.omega("2") * quarter_turn(*solution.sliding[0].velocity));
 }
@@ -224,20 +233,24 @@ TEST(Contact, SlidesAlongItsTangent) {
 TEST(Contact, WithoutCurvaturesAccelerationsAskForThem) {
     const Solution solution = solved(eccentric(R"("P": [60, 80], "Q": [140, 20])", R"("3": ["Q", "P"], "4": ["C"])",
                                                R"({"contact": "P", "bodies": [3, 4], "tangent": [4, -3]},
-                                                  {"weld": "C", "bodies": [2, 4]}, {"revolute": "Q", "bodies": [1, 3]})"));
+                                                  {"weld": "C", "bodies": [2, 4]}, {"revolute": "Q", "bodies": [1,
+                                                  3]})"));
     EXPECT_TRUE((Reading{solution}.motion("P", "3").velocity));
     ASSERT_FALSE(solution.unsolved.empty());
     EXPECT_EQ(english(solution.unsolved[0].what), "acceleration of body 3");
-    EXPECT_EQ(english(solution.unsolved[0].why), "it needs the curvatures at P; give the profiles of both bodies there");
+    EXPECT_EQ(english(solution.unsolved[0].why),
+              "it needs the curvatures at P; give the profiles of both bodies there");
 }
 
-// --- gears ---------------------------------------------------------------------------------------------------------------------
+// --- gears
+// ---------------------------------------------------------------------------------------------------------------------
 
 /// Sun 2 (r = 3), planet 3 (r = 2) and ring (r = 7) with the arm 4; the ring is body 5 or the frame.
 std::string planetary(const std::string& pair, bool ring_turns, const std::string& drivers) {
     const std::string ring = ring_turns ? "5" : "1";
     const std::string arm = pair == "gear" ? R"(, "arm": 4)" : "";
-    return R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": [3, 4], "P": [1.8, 2.4], "Q": [4.2, 5.6], "X": [3, 2]},
+    return R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": [3, 4], "P": [1.8, 2.4], "Q": [4.2, 5.6],
+    "X": [3, 2]},
  "bodies": {"2": {"points": ["O"], "circle": {"centre": "O", "radius": 3}},
             "3": {"points": ["C", "X"], "circle": {"centre": "C", "radius": 2}}, "4": ["O", "C"],
             ")" +
@@ -283,7 +296,8 @@ TEST(Gears, PitchCirclesMoveAsWheelsThatRoll) {
 TEST(Gears, RackGoesWithThePinionsRim) {
     const auto train = [](const std::string& driver) {
         return solved(
-            R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"}, "points": {"O": [0, 0], "P": [0, -30], "G": [40, -40]},
+            R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"}, "points": {"O": [0, 0], "P": [0, -30],
+            "G": [40, -40]},
  "bodies": {"2": {"points": ["O"], "circle": {"centre": "O", "radius": 30}}, "3": ["G"]},
  "joints": [{"revolute": "O", "bodies": [1, 2]}, {"gear": "P", "bodies": [2, 3], "profiles": {"3": {"line": [1, 0]}}},
             {"prismatic": "G", "bodies": [3, 1], "along": [1, 0]}], "drivers": [)" +
@@ -299,12 +313,14 @@ TEST(Gears, RackGoesWithThePinionsRim) {
     EXPECT_EQ((Reading{rack}.alpha("2")), Exact(-3));
 }
 
-// --- laws ----------------------------------------------------------------------------------------------------------------------
+// --- laws
+// ---------------------------------------------------------------------------------------------------------------------
 
 TEST(HigherPairs, ThreeCentresOfThreeBodiesLieOnALine) {
     const std::string cam = eccentric(
         R"("P": [60, 80], "Q": [140, 20])", R"("3": ["Q"])",
-        R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": [4, -3]}}}, {"revolute": "Q", "bodies": [1, 3]})");
+        R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": [4, -3]}}}, {"revolute": "Q", "bodies": [1,
+        3]})");
     for (const std::string& text : {cam, planetary("gear", false, R"({"body": 2, "omega": 10})"), disc_on_line}) {
         const Solution solution = solved(text);
         const Mechanism& mechanism = solution.mechanism;
@@ -326,14 +342,16 @@ TEST(HigherPairs, ThreeCentresOfThreeBodiesLieOnALine) {
     }
 }
 
-// --- forces --------------------------------------------------------------------------------------------------------------------
+// --- forces
+// --------------------------------------------------------------------------------------------------------------------
 
 TEST(HigherPairs, InertiaOfARackActsOnItsPinion) {
     // M = (J + m r²) ω̇ with J = 0.01, m = 5, r = 0.04; gravity is square to the rack.
     const Solution solution =
         solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "P": [0, -0.04], "G": [0.07, -0.055]},
  "bodies": {"2": {"points": ["O"], "circle": {"centre": "O", "radius": 0.04}}, "3": ["G"]},
- "joints": [{"revolute": "O", "bodies": [1, 2]}, {"gear": "P", "bodies": [2, 3], "profiles": {"3": {"line": [1, 0]}}, "pressure angle": 20},
+ "joints": [{"revolute": "O", "bodies": [1, 2]}, {"gear": "P", "bodies": [2, 3], "profiles": {"3": {"line": [1,
+ 0]}}, "pressure angle": 20},
             {"prismatic": "G", "bodies": [3, 1], "along": 0}],
  "drivers": [{"body": 2, "omega": 6, "alpha": -10}], "gravity": [0, -9.81], "inertia forces": true,
  "masses": {"2": {"mass": 4, "centre": "O", "inertia": 0.01}, "3": {"mass": 5, "centre": "G", "inertia": 0}},
@@ -347,7 +365,8 @@ TEST(HigherPairs, AFollowerTooFastLiftsOff) {
     // The flat follower weighs m g and is slowed by m e ω² sin θ: it stays on the cam while ω² < g/(e sin θ) = 981/4.
     const auto follower = [](int omega) {
         return solved(
-            R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": [0.03, 0.04], "P": [0.03, 0.09], "G": [0, 0.12]},
+            R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": [0.03, 0.04], "P": [0.03, 0.09], "G": [0,
+            0.12]},
  "bodies": {"2": {"points": ["O", "C"], "circle": {"centre": "C", "radius": 0.05}}, "3": ["G"]},
  "joints": [{"revolute": "O", "bodies": [1, 2]}, {"prismatic": "G", "bodies": [3, 1], "along": [0, 1]},
             {"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": [1, 0]}}, "pushes": [0, 1]}],
@@ -364,10 +383,12 @@ TEST(HigherPairs, AFollowerTooFastLiftsOff) {
     EXPECT_EQ(english(fast.remarks[0]), "The contact at P would have to pull: there the bodies lift off.");
 }
 
-// --- random mechanisms ---------------------------------------------------------------------------------------------------------
+// --- random mechanisms
+// ---------------------------------------------------------------------------------------------------------
 
-/// Two to four moving bodies on an open chain of hinges and sleeves, closed by random contacts, rollings and slots until
-/// one freedom is left; a random body drives. Directions are those of Pythagorean triangles, places decimals: all is exact.
+/// Two to four moving bodies on an open chain of hinges and sleeves, closed by random contacts, rollings and slots
+/// until one freedom is left; a random body drives. Directions are those of Pythagorean triangles, places decimals: all
+/// is exact.
 class RandomHigherPairs {
 public:
     explicit RandomHigherPairs(std::uint64_t seed) : random_(seed), bodies_(random_.whole(2, 4)) {}
@@ -387,9 +408,10 @@ public:
         std::string text = R"({"kinegraph": 1, "frame": 0, "points": {)" + points_ + "}, \"bodies\": {";
         for (int body = 1; body <= bodies_; ++body)
             text += (body > 1 ? ", \"" : "\"") + std::to_string(body) + "\": [\"T" + std::to_string(body) + "\"]";
-        return text + "}, \"joints\": [" + joints_ + "], \"drivers\": [{\"body\": " + std::to_string(random_.whole(1, bodies_)) +
-               ", \"omega\": " + std::to_string(random_.whole(1, 9)) + ", \"alpha\": " + std::to_string(random_.whole(-9, 9)) +
-               "}]}";
+        return text + "}, \"joints\": [" + joints_ +
+               "], \"drivers\": [{\"body\": " + std::to_string(random_.whole(1, bodies_)) +
+               ", \"omega\": " + std::to_string(random_.whole(1, 9)) +
+               ", \"alpha\": " + std::to_string(random_.whole(-9, 9)) + "}]}";
     }
 
 private:
@@ -446,8 +468,8 @@ private:
         static constexpr std::array<std::array<int, 2>, 8> kinds{
             {{0, 0}, {0, 1}, {1, 0}, {0, 0}, {2, 0}, {0, 2}, {1, 2}, {2, 1}}};
         const auto& [one, two] = kinds[static_cast<std::size_t>(random_.whole(0, rolls ? 3 : 7))];
-        const std::string profiles = ", \"profiles\": {\"" + std::to_string(first) + "\": " + profile(one, at, normal) + ", \"" +
-                                     std::to_string(second) + "\": " + profile(two, at, normal) + "}";
+        const std::string profiles = ", \"profiles\": {\"" + std::to_string(first) + "\": " + profile(one, at, normal) +
+                                     ", \"" + std::to_string(second) + "\": " + profile(two, at, normal) + "}";
         add_joint((rolls ? "\"rolling\": " : "\"contact\": ") + point + between + profiles);
         return rolls ? 2 : 1;
     }

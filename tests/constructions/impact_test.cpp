@@ -1,5 +1,5 @@
-// Impact: momentum, restitution and energy exactly; every class; Routh's course against Newton's laws step by step; bodies that
-// part.
+// Impact: momentum, restitution and energy exactly; every class; Routh's course against Newton's laws step by step;
+// bodies that part.
 #include "engine/file/units.hpp"  // before signal.h, which makes a macro of si_value
 
 #include <gtest/gtest.h>
@@ -17,7 +17,9 @@ using tests::example;
 using tests::solved;
 
 const ImpactSolution& impact_of(const Solution& solution) { return tests::found_in<ImpactSolution>(solution); }
-const ImpactProblem& given_in(const Solution& solution) { return std::get<ImpactProblem>(solution.mechanism.problem->of); }
+const ImpactProblem& given_in(const Solution& solution) {
+    return std::get<ImpactProblem>(solution.mechanism.problem->of);
+}
 
 void expect_near_check(const Solution& solution, double share) {
     tests::expect_near_check(*solution.problem, share, tests::Against::largest);
@@ -96,8 +98,8 @@ TEST(Impact, ASlidingBallLosesFrictionTimesTheImpulse) {
 /// A rod that falls with its lower end on a floor; friction and restitution vary.
 std::string falling(double angle, double sideways, double friction, double restitution) {
     const auto text = [](double value) { return std::to_string(value); };
-    return R"({"kinegraph": 1, "impact": {"bodies": {"rod": {"mass": 2, "centre": [)" + text(0.25 * std::cos(angle)) + ", " +
-           text(0.25 * std::sin(angle)) + R"(], "inertia": 0.0416667, "velocity": [)" + text(sideways) +
+    return R"({"kinegraph": 1, "impact": {"bodies": {"rod": {"mass": 2, "centre": [)" + text(0.25 * std::cos(angle)) +
+           ", " + text(0.25 * std::sin(angle)) + R"(], "inertia": 0.0416667, "velocity": [)" + text(sideways) +
            R"(, -3]}, "floor": {"fixed": true}}, "at": [0, 0], "normal": 90, "restitution": )" + text(restitution) +
            R"(, "friction": )" + text(friction) + "}}";
 }
@@ -107,7 +109,8 @@ TEST(Impact, RouthAgreesWithNewtonWhereverTheContactSticksSlidesOrTurnsBack) {
     std::uniform_real_distribution<double> share(0, 1);
     int stuck = 0, reversed = 0, slid = 0;
     for (int i = 0; i < 40; ++i) {
-        const std::string text = falling(0.6 + 2 * share(random), 4 * share(random) - 2, 0.6 * share(random), share(random));
+        const std::string text =
+            falling(0.6 + 2 * share(random), 4 * share(random) - 2, 0.6 * share(random), share(random));
         auto mechanism = read_mechanism(text, "rod.json");
         ASSERT_TRUE(mechanism);
         const auto solution = solve(*std::move(mechanism));
@@ -132,11 +135,13 @@ TEST(Impact, RouthAgreesWithNewtonWhereverTheContactSticksSlidesOrTurnsBack) {
 }
 
 TEST(Impact, EveryClassIsToldFromTheOthers) {
-    // A disc of centre C that hits the floor at the origin with the velocity v, perfectly plastic and perfectly elastic.
+    // A disc of centre C that hits the floor at the origin with the velocity v, perfectly plastic and perfectly
+    // elastic.
     const auto hit = [](const char* centre, const char* velocity, const char* restitution) {
-        return solved(std::string(R"({"kinegraph": 1, "impact": {"bodies": {"disc": {"mass": 2, "inertia": 0.5, "centre": )") +
-                      centre + R"(, "velocity": )" + velocity +
-                      R"(}, "floor": {"fixed": true}}, "at": [0, 0], "normal": 90, "restitution": )" + restitution + "}}");
+        return solved(
+            std::string(R"({"kinegraph": 1, "impact": {"bodies": {"disc": {"mass": 2, "inertia": 0.5, "centre": )") +
+            centre + R"(, "velocity": )" + velocity +
+            R"(}, "floor": {"fixed": true}}, "at": [0, 0], "normal": 90, "restitution": )" + restitution + "}}");
     };
     for (const bool central : {true, false})
         for (const bool direct : {true, false}) {
@@ -165,8 +170,9 @@ TEST(Impact, ThatIsNoneIsRefused) {
         return solution ? Error{} : solution.error().front();
     };
     const auto two = [](const char* v) {
-        return std::string(R"({"kinegraph": 1, "impact": {"bodies": {"1": {"mass": 1, "centre": [-1, 0], "velocity": [)") + v +
-               R"(, 0]}, "2": {"mass": 1, "centre": [1, 0]}}, "at": [0, 0], "normal": 0, "restitution": 1}})";
+        return std::string(
+                   R"({"kinegraph": 1, "impact": {"bodies": {"1": {"mass": 1, "centre": [-1, 0], "velocity": [)") +
+               v + R"(, 0]}, "2": {"mass": 1, "centre": [1, 0]}}, "at": [0, 0], "normal": 0, "restitution": 1}})";
     };
     EXPECT_NE(error(two("-1")).message.en.find("part"), std::string::npos);
     EXPECT_NE(error(two("0")).message.en.find("do not approach"), std::string::npos);

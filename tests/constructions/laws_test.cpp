@@ -1,5 +1,5 @@
-// Laws: a mechanism moved, turned, mirrored or scaled moves as its original does, exactly; the board's algebra; and what a
-// mechanism that cannot give an answer says instead of a number.
+// Laws: a mechanism moved, turned, mirrored or scaled moves as its original does, exactly; the board's algebra; and
+// what a mechanism that cannot give an answer says instead of a number.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <string>
 #include <variant>
 
-#include "engine/results/quantity_name.hpp"
 #include "constructions/solving/solve.hpp"
+#include "engine/results/quantity_name.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/sketch.hpp"
 #include "tests/support/told.hpp"
@@ -41,7 +41,8 @@ Mechanism from_text(const std::string& text) {
 // --- moving, turning, mirroring, scaling
 // -----------------------------------------------------------------------------------------
 
-/// place → scale · turned (mirrored place) + shift. Mirrored in the x axis; turned by the angle of the unit vector `turn`.
+/// place → scale · turned (mirrored place) + shift. Mirrored in the x axis; turned by the angle of the unit vector
+/// `turn`.
 struct Similarity {
     Vector turn{1, 0};
     bool mirrored = false;
@@ -72,7 +73,8 @@ Mechanism moved(const Similarity& by, Mechanism mechanism) {
             polar->distance *= by.scale;
             polar->angle = by.angle(polar->angle);
         }
-        if (auto* along = std::get_if<Along>(&point.placement); along != nullptr && !along->is_ratio) along->amount *= by.scale;
+        if (auto* along = std::get_if<Along>(&point.placement); along != nullptr && !along->is_ratio)
+            along->amount *= by.scale;
         if (auto* meet = std::get_if<Meet>(&point.placement)) {
             for (Curve* curve : {&meet->first, &meet->second}) {
                 if (auto* circle = std::get_if<CircleCurve>(curve)) circle->radius *= by.scale;
@@ -219,10 +221,12 @@ TEST(Similar, ScaledTo1e12ByCompass) {
 }
 
 TEST(Similar, FourBarByCompassTurnedByAPythagoreanAngle) {
-    const Mechanism four_bar = from_text(R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [0.02, 0.03], "Q": [0.15, 0.01],
+    const Mechanism four_bar =
+        from_text(R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [0.02, 0.03], "Q": [0.15, 0.01],
         "B": {"meet": [{"circle": "A", "radius": 0.15}, {"circle": "Q", "radius": 0.08}], "side": "left"}},
         "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["Q", "B"]}, "frame": 1,
-        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+        "bodies": [3, 4]},
         {"revolute": "Q", "bodies": [1, 4]}], "drivers": [{"body": 2, "omega": 5, "alpha": -3}]})");
     const Similarity by{pythagorean, false, 1, at("0.7", "-0.9")};
     const Solution original = solved(four_bar);
@@ -278,7 +282,9 @@ struct Table {
           fine(pose_of(sketch.mechanism, 200)),
           board(sketch.mechanism, pose, [this]() -> const Pose& { return fine; }) {}
     Drawing operator()(const std::string& name) { return board.place(sketch[name]); }
-    LineOn<Plane::drawing> join(const std::string& p, const std::string& q) { return board.join((*this)(p), (*this)(q)); }
+    LineOn<Plane::drawing> join(const std::string& p, const std::string& q) {
+        return board.join((*this)(p), (*this)(q));
+    }
     DirectionHandle direction(const std::string& p, const std::string& q) {
         return board.direction(board.vector((*this)(p), (*this)(q)));
     }
@@ -299,7 +305,10 @@ TEST(BoardLaw, DecimalsAreCollinearThoughDoublesAreNot) {
     const double x = 0.1, y = 0.7, u = 0.3, w = 2.1;
     EXPECT_NE(x * w - u * y, 0) << "a machine where doubles would do";
     Sketch s;
-    s.point("O", "0", "0").point("A", "0.1", "0.7").point("B", "0.3", "2.1").point("C", "0.3", "2.1000000000000000000000001");
+    s.point("O", "0", "0")
+        .point("A", "0.1", "0.7")
+        .point("B", "0.3", "2.1")
+        .point("C", "0.3", "2.1000000000000000000000001");
     Table table(s);
     EXPECT_TRUE(table.board.on_line(table("B"), table.join("O", "A")));
     EXPECT_FALSE(table.board.on_line(table("C"), table.join("O", "A")));
@@ -344,7 +353,8 @@ TEST(BoardLaw, ParallelsMeetAtInfinityAndGoOnFromThere) {
         ASSERT_TRUE(far);
         EXPECT_TRUE(t.board.is_at_infinity(*far));
         EXPECT_TRUE(same(t.value(*far), t.value(t.board.at_infinity(t.direction("A", "B")))));
-        // Joined to D it gives the parallel through D; two such points give the line at infinity, which meets CD at its own.
+        // Joined to D it gives the parallel through D; two such points give the line at infinity, which meets CD at its
+        // own.
         const auto through_d = t.board.join(t("D"), *far);
         EXPECT_TRUE(t.board.parallel(through_d, ab));
         const auto other = t.board.at_infinity(t.direction("A", "C"));
@@ -366,8 +376,8 @@ Sketch parallelogram() {
     return s.spin("2", "3", "-2");
 }
 
-/// An isosceles trapezium, its legs at 60° to the base, turned by 17°: AB ∥ O2O4 through irrational roots, and no corner of a
-/// parallelogram that the pose could complete.
+/// An isosceles trapezium, its legs at 60° to the base, turned by 17°: AB ∥ O2O4 through irrational roots, and no
+/// corner of a parallelogram that the pose could complete.
 Sketch trapezium(const char* coupler) {
     Sketch s;
     s.point("O2", "0", "0").polar("O4", "O2", "0.12", "17").polar("A", "O2", "0.05", "77");
@@ -430,15 +440,21 @@ void expect_no_nonsense(const Solution& solution) {
     }
     const std::string json = results_json(solution, true, english);
     for (const char* word : {"nan", "inf"}) EXPECT_EQ(json.find(word), std::string::npos) << json;
-    for (const Unsolved& unsolved : solution.unsolved) EXPECT_GT(english(unsolved.why).size(), 10u) << english(unsolved.what);
+    for (const Unsolved& unsolved : solution.unsolved)
+        EXPECT_GT(english(unsolved.why).size(), 10u) << english(unsolved.what);
 }
-bool says(const Solution& solution, const std::string& words) { return reasons(solution).find(words) != std::string::npos; }
+bool says(const Solution& solution, const std::string& words) {
+    return reasons(solution).find(words) != std::string::npos;
+}
 
 Sketch slider_crank_stretched(const char* angle) {
     Sketch s;
     s.point("O", "0", "0").polar("A", "O", "0.05", angle);
     s.meet("B", s.circle("A", "0.15"), s.line("O", angle), Meet::Side::right);
-    s.revolute("O", {"1", "2"}).revolute("A", {"2", "3"}).revolute("B", {"3", "4"}).prismatic("B", {"4", "1"}, at_angle(angle));
+    s.revolute("O", {"1", "2"})
+        .revolute("A", {"2", "3"})
+        .revolute("B", {"3", "4"})
+        .prismatic("B", {"4", "1"}, at_angle(angle));
     return s;
 }
 
@@ -594,7 +610,8 @@ TEST(Redundant, TripleParallelCrankMovesAndIsRemarked) {
     ASSERT_EQ(solution.remarks.size(), 1u);
     for (const int turning : {1, 3, 4}) EXPECT_EQ(*solution.bodies[index(turning)].omega, 5);
     EXPECT_TRUE(solution.bodies[2].omega->is_zero());
-    for (const CheckRow& row : solution.checks) EXPECT_NEAR(row.difference, 0, 1e-12) << name_of(row.quantity, solution);
+    for (const CheckRow& row : solution.checks)
+        EXPECT_NEAR(row.difference, 0, 1e-12) << name_of(row.quantity, solution);
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ const std::string pin_o4 = R"({"revolute": "O4", "bodies": [1, 4]})";
 std::vector<std::string> remarks(const std::string& text) {
     const Solution solution = solved(text);
     std::vector<std::string> all;
-    for (const Message& each : oversights(solution.mechanism, solution.pose, solution.mobility)) all.push_back(english(each));
+    for (const Message& each : oversights(solution.mechanism, solution.pose, solution.mobility))
+        all.push_back(english(each));
     return all;
 }
 using Lines = std::vector<std::string>;
@@ -50,9 +51,10 @@ TEST(Oversights, APointThatTwoBodiesShareWithoutAPin) {
 }
 
 TEST(Oversights, TwoPointsAtOnePlace) {
-    EXPECT_EQ(remarks(four_bar(R"("2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "C"])", crank + "," + pin_o4)),
-              Lines{"Bodies 3 and 4 meet in B, where C lies too, but no joint joins them there; if they are pinned, add "
-                    "{\"revolute\": \"B\", \"bodies\": [\"3\", \"4\"]}."});
+    EXPECT_EQ(
+        remarks(four_bar(R"("2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "C"])", crank + "," + pin_o4)),
+        Lines{"Bodies 3 and 4 meet in B, where C lies too, but no joint joins them there; if they are pinned, add "
+              "{\"revolute\": \"B\", \"bodies\": [\"3\", \"4\"]}."});
 }
 
 TEST(Oversights, ABodyWithoutAJoint) {
@@ -81,10 +83,13 @@ TEST(Gravity, OfNoPlanetIsARemark) {
         return all;
     };
     using render::Language;
-    EXPECT_EQ(said("mm/s²", "-9.81", Language::en),
-              Lines{"Gravity is 9.81 mm/s², as on no planet; if that is not meant, write it with its unit: \"9.81 m/s²\"."});
-    EXPECT_EQ(said("mm/s²", "-9.81", Language::it),
-              Lines{"La gravità è 9,81 mm/s², come su nessun pianeta; se non è voluto, scriverla con l’unità: \"9.81 m/s²\"."});
+    EXPECT_EQ(
+        said("mm/s²", "-9.81", Language::en),
+        Lines{"Gravity is 9.81 mm/s², as on no planet; if that is not meant, write it with its unit: \"9.81 m/s²\"."});
+    EXPECT_EQ(
+        said("mm/s²", "-9.81", Language::it),
+        Lines{
+            "La gravità è 9,81 mm/s², come su nessun pianeta; se non è voluto, scriverla con l’unità: \"9.81 m/s²\"."});
     EXPECT_EQ(said("m/s²", "-9810", Language::en).size(), 1U);
     for (const std::string gravity : {"-9.81", "\"-162 cm/s²\"", "0", "-25"})
         EXPECT_EQ(said("m/s²", gravity, Language::en), Lines{});
@@ -103,9 +108,11 @@ TEST(Lengths, ALinkWhosePinsCoincideIsNamed) {
     text.replace(text.find(crank_pin), crank_pin.size(), R"("A": [0, 0])");
     const Solution without = solved(text);
     EXPECT_EQ(said(without, render::Language::en), Lines{"Link 2 has no length: its pins O2, A lie at one place."});
-    EXPECT_EQ(said(without, render::Language::it), Lines{"Il corpo 2 non ha lunghezza: i suoi perni O2, A coincidono."});
+    EXPECT_EQ(said(without, render::Language::it),
+              Lines{"Il corpo 2 non ha lunghezza: i suoi perni O2, A coincidono."});
     EXPECT_EQ(said(solved(bars), render::Language::en), Lines{});
-    for (const std::string& name : example_names()) EXPECT_EQ(said(example(name), render::Language::en), Lines{}) << name;
+    for (const std::string& name : example_names())
+        EXPECT_EQ(said(example(name), render::Language::en), Lines{}) << name;
 }
 
 TEST(Oversights, ComeBeforeTheCallForDrivers) {
@@ -123,7 +130,8 @@ TEST(Oversights, TheDriversThatLackAreCounted) {
                                          {"revolute": "O4", "bodies": [1, 5]})";
     const Solution one_more = solved(four_bar(five, joints));
     ASSERT_FALSE(one_more.unsolved.empty());
-    EXPECT_EQ(english(one_more.unsolved.front().why), "the mechanism has 2 freedoms and 1 of them driven; give one driver more");
+    EXPECT_EQ(english(one_more.unsolved.front().why),
+              "the mechanism has 2 freedoms and 1 of them driven; give one driver more");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The motion of a point and finite displacements: closed forms, derivatives in symbols against the rules of differentiation, what
-// is not defined, what is refused, and that nothing hostile takes long.
+// The motion of a point and finite displacements: closed forms, derivatives in symbols against the rules of
+// differentiation, what is not defined, what is refused, and that nothing hostile takes long.
 #include "engine/file/units.hpp"  // before signal.h, which makes a macro of si_value
 
 #include <gtest/gtest.h>
@@ -20,10 +20,16 @@ namespace {
 using std::numbers::pi;
 using tests::example;
 
-const PointMotionSolution& motion_of(const Solution& solution) { return tests::found_in<PointMotionSolution>(solution); }
+const PointMotionSolution& motion_of(const Solution& solution) {
+    return tests::found_in<PointMotionSolution>(solution);
+}
 const PositionsSolution& positions_of(const Solution& solution) { return tests::found_in<PositionsSolution>(solution); }
-Solution moving(const std::string& members) { return tests::solved(R"~({"kinegraph": 1, "motion": {)~" + members + "}}"); }
-Solution placed(const std::string& positions) { return tests::solved(R"~({"kinegraph": 1, "positions": [)~" + positions + "]}"); }
+Solution moving(const std::string& members) {
+    return tests::solved(R"~({"kinegraph": 1, "motion": {)~" + members + "}}");
+}
+Solution placed(const std::string& positions) {
+    return tests::solved(R"~({"kinegraph": 1, "positions": [)~" + positions + "]}");
+}
 
 /// The derivative in symbols, as text.
 std::string derivative(const std::string& text, NamedConstants& constants) {
@@ -47,8 +53,8 @@ TEST(PointMotion, ProjectileHasItsClosedForms) {
     // s = ∫ (v_x² + v_y²)^½ dt
     const auto primitive = [&](double u) { return 0.5 * (u * std::hypot(vx, u) + vx * vx * std::asinh(u / vx)); };
     EXPECT_NEAR(found.way, (primitive(20 * std::sin(pi / 3)) - primitive(vy)) / g, 1e-10);
-    const nlohmann::json results =
-        nlohmann::json::parse(results_json(example("motion/projectile"), false, [](const Message&) { return std::string(); }));
+    const nlohmann::json results = nlohmann::json::parse(
+        results_json(example("motion/projectile"), false, [](const Message&) { return std::string(); }));
     EXPECT_EQ(results.at("motion").at("derivatives").at("y").at(1), "v0*sin(alpha) - g*t");
     EXPECT_EQ(results.at("motion").at("derivatives").at("y").at(2), "-g");
 }
@@ -114,8 +120,8 @@ TEST(PointMotion, AtRestNoTangentIsDefined) {
 }
 
 TEST(PointMotion, UnitsAreTheFilesWhereAnExpressionHasNone) {
-    const PointMotionSolution bare_law = motion_of(
-        tests::solved(R"~({"kinegraph": 1, "units": {"length": "cm"}, "motion": {"x": "3*t^2", "y": "t", "at": 1, "to": 2}})~"));
+    const PointMotionSolution bare_law = motion_of(tests::solved(
+        R"~({"kinegraph": 1, "units": {"length": "cm"}, "motion": {"x": "3*t^2", "y": "t", "at": 1, "to": 2}})~"));
     EXPECT_NEAR(bare_law.velocity.x.to_double(), 0.06, 1e-16);
     // An angle alone is a number: radians.
     const PointMotionSolution polar = motion_of(moving(R"~("r": "2 m", "theta": "30° + 2*t", "at": 0, "to": 1)~"));
@@ -123,13 +129,15 @@ TEST(PointMotion, UnitsAreTheFilesWhereAnExpressionHasNone) {
     EXPECT_NEAR(polar.speed, 4, 1e-14);
     // Parameters are known too.
     const PointMotionSolution set = motion_of(tests::solved(
-        R"~({"kinegraph": 1, "parameters": {"v": "2 m/s"}, "motion": {"x": "v*t + b", "constants": {"b": "= v*1 s"}, "at": 1, "to": 2}})~"));
+        R"~({"kinegraph": 1, "parameters": {"v": "2 m/s"}, "motion": {"x": "v*t + b", "constants": {"b": "= v*1 s"},
+        "at": 1, "to": 2}})~"));
     EXPECT_NEAR(set.place.x.to_double(), 4, 1e-15);
 }
 
 TEST(PointMotion, ConstantsHaveUnitsPutTogether) {
     const PointMotionSolution found = motion_of(moving(
-        R"~("x": "j*t^3/6", "y": "R*exp(k*t)", "constants": {"j": "6 m/s³", "R": "2 m", "k": "0.5 1/s"}, "at": 1, "to": 2)~"));
+        R"~("x": "j*t^3/6", "y": "R*exp(k*t)", "constants": {"j": "6 m/s³", "R": "2 m", "k": "0.5 1/s"}, "at": 1,
+        "to": 2)~"));
     EXPECT_NEAR(found.velocity.x.to_double(), 3, 1e-14);
     EXPECT_NEAR(found.velocity.y.to_double(), std::exp(0.5), 1e-14);
 }
@@ -138,8 +146,8 @@ TEST(PointMotion, WhatIsFiniteIsNotTakenForAPole) {
     const auto follows = [](const std::string& law) {
         return motion_of(moving(R"~("x": ")~" + law + R"~(", "at": 0.5, "to": 1)~")).course.size() > 1;
     };
-    for (const char* law : {"(1 - t^2)^(5/2)", "1/(t^2 - t + 0.2501)", "sqrt(t^2 + 1e-6)", "tan(t) + atan(1/(t + 0.001))",
-                            "exp(-t)*cos(20*t)/(1 + t^2)", "log(1 + t)*asin(t/2)"})
+    for (const char* law : {"(1 - t^2)^(5/2)", "1/(t^2 - t + 0.2501)", "sqrt(t^2 + 1e-6)",
+                            "tan(t) + atan(1/(t + 0.001))", "exp(-t)*cos(20*t)/(1 + t^2)", "log(1 + t)*asin(t/2)"})
         EXPECT_TRUE(follows(law)) << law;
 }
 
@@ -156,8 +164,10 @@ TEST(PointMotion, ConstructionIsOnRecord) {
 }
 
 TEST(PointMotion, ExamplesFollowThePublishedSchema) {
-    for (const char* name : {"projectile", "spiral", "parabola", "accelerated_circle", "displacement", "three_positions"})
-        EXPECT_TRUE(refused_by_schema(tests::contents(tests::example_file(std::string("motion/") + name))).empty()) << name;
+    for (const char* name :
+         {"projectile", "spiral", "parabola", "accelerated_circle", "displacement", "three_positions"})
+        EXPECT_TRUE(refused_by_schema(tests::contents(tests::example_file(std::string("motion/") + name))).empty())
+            << name;
 }
 
 // ----- derivatives
@@ -190,14 +200,10 @@ private:
         switch (pick(5)) {
             case 0:
                 return std::string(functions.at(static_cast<std::size_t>(pick(6)))) + "((" + sum(depth - 1) + ")/20)";
-            case 1:
-                return "(" + sum(depth - 1) + ")";
-            case 2:
-                return "t^" + std::to_string(2 + pick(3));
-            case 3:
-                return "sqrt(1 + (" + sum(depth - 1) + ")^2)";
-            default:
-                return "(" + sum(depth - 1) + ")/(3 + t^2)";
+            case 1: return "(" + sum(depth - 1) + ")";
+            case 2: return "t^" + std::to_string(2 + pick(3));
+            case 3: return "sqrt(1 + (" + sum(depth - 1) + ")^2)";
+            default: return "(" + sum(depth - 1) + ")/(3 + t^2)";
         }
     }
     std::mt19937 random_;
@@ -230,7 +236,8 @@ TEST(PointMotion, DerivativesInSymbolsAgreeWithTheRules) {
             EXPECT_NEAR(estimate(*first, constants, t).value, numeric[1], 1e-10 * size);
             EXPECT_NEAR(estimate(*second, constants, t).value, numeric[2], 1e-9 * size);
             // And the rules themselves with differences.
-            const double h = 1e-5, ahead = jet(read->tree, constants, t + h)[0], behind = jet(read->tree, constants, t - h)[0];
+            const double h = 1e-5, ahead = jet(read->tree, constants, t + h)[0],
+                         behind = jet(read->tree, constants, t - h)[0];
             EXPECT_NEAR((ahead - behind) / (2 * h), numeric[1], 1e-4 * size);
         }
     }
@@ -245,8 +252,8 @@ class RefusedMotions : public testing::TestWithParam<Refused> {};
 
 TEST_P(RefusedMotions, SayWhereAndWhy) {
     const auto& [members, where, words] = GetParam();
-    auto mechanism =
-        read_mechanism(std::string(R"~({"kinegraph": 1, "motion": {"at": 1, "to": 2, )~") + members + "}}", "motion.json");
+    auto mechanism = read_mechanism(std::string(R"~({"kinegraph": 1, "motion": {"at": 1, "to": 2, )~") + members + "}}",
+                                    "motion.json");
     Errors errors;
     if (!mechanism) {
         errors = mechanism.error();
@@ -264,8 +271,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refused{R"~("x": "2*t +")~", "/motion/x", "the expression ends"},
         Refused{R"~("x": "2t")~", "/motion/x", "a product is written"},
-        Refused{R"~("x": "t t")~", "/motion/x", "a product is written"}, Refused{R"~("x": "(t")~", "/motion/x", "not closed"},
-        Refused{R"~("x": "foo(t)")~", "/motion/x", "no function"},
+        Refused{R"~("x": "t t")~", "/motion/x", "a product is written"},
+        Refused{R"~("x": "(t")~", "/motion/x", "not closed"}, Refused{R"~("x": "foo(t)")~", "/motion/x", "no function"},
         Refused{R"~("x": "q*t")~", "/motion/x", "no constant is named"},
         Refused{R"~("x": "t/0")~", "/motion/x", "divides by zero"},
         Refused{R"~("x": "R + 2*t", "constants": {"R": "2 m"})~", "/motion/x", "do not go together in a sum"},
@@ -273,8 +280,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{R"~("x": "R*cos(3*t)", "constants": {"R": "2 m"})~", "/motion/x", "of a number or an angle"},
         Refused{R"~("x": "2^R", "constants": {"R": "2 m"})~", "/motion/x", "an exponent must be a bare number"},
         Refused{R"~("x": "sqrt(R)", "constants": {"R": "2 m"})~", "/motion/x", "no quantity is that root"},
-        Refused{R"~("x": "sqrt(t - 5)")~", "/motion/x", "not real"}, Refused{R"~("x": "sqrt(t)")~", "/motion/x", "infinite"},
-        Refused{R"~("x": "1/(t - 1)")~", "/motion/x", "infinite"}, Refused{R"~("x": "log(t)")~", "/motion/x", "not real"},
+        Refused{R"~("x": "sqrt(t - 5)")~", "/motion/x", "not real"},
+        Refused{R"~("x": "sqrt(t)")~", "/motion/x", "infinite"},
+        Refused{R"~("x": "1/(t - 1)")~", "/motion/x", "infinite"},
+        Refused{R"~("x": "log(t)")~", "/motion/x", "not real"},
         // Where no sample lies, and before and behind which all is finite.
         Refused{R"~("x": "tan(t)")~", "/motion/x", "infinite at t = 1.570796 s"},
         Refused{R"~("x": "1/(t - 1.2345)^2")~", "/motion/x", "infinite at t = 1.2345 s"},
@@ -356,23 +365,24 @@ TEST(Displacements, PivotsAreEquallyFarFromThreePlaces) {
     const PositionsSolution& found = positions_of(solution);
     for (std::size_t point = 0; point < 2; ++point)
         for (const auto& position : problem.positions)
-            EXPECT_NEAR(length(position.places.at(point) - *found.pivots.at(point).centre), found.pivots.at(point).radius, 1e-14);
+            EXPECT_NEAR(length(position.places.at(point) - *found.pivots.at(point).centre),
+                        found.pivots.at(point).radius, 1e-14);
     // Angles add up.
     EXPECT_NEAR(found.displacements[0].angle + found.displacements[1].angle, found.displacements[2].angle, 1e-14);
     EXPECT_NEAR(found.displacements[0].angle, -12 * pi / 180, 1e-14);
 }
 
 TEST(Displacements, PivotsThatAreNone) {
-    const PositionsSolution straight =
-        positions_of(placed(R"~({"A": [0, 0], "B": [0, 1]}, {"A": [1, 0], "turned": "10°"}, {"A": [3, 0], "turned": "30°"})~"));
+    const PositionsSolution straight = positions_of(
+        placed(R"~({"A": [0, 0], "B": [0, 1]}, {"A": [1, 0], "turned": "10°"}, {"A": [3, 0], "turned": "30°"})~"));
     EXPECT_EQ(straight.pivots[0].kind, FixedPivot::Kind::straight);
     EXPECT_EQ(straight.pivots[1].kind, FixedPivot::Kind::pivot);
-    const PositionsSolution fixed =
-        positions_of(placed(R"~({"A": [0, 0], "B": [0, 1]}, {"A": [0, 0], "turned": "10°"}, {"A": [0, 0], "turned": "30°"})~"));
+    const PositionsSolution fixed = positions_of(
+        placed(R"~({"A": [0, 0], "B": [0, 1]}, {"A": [0, 0], "turned": "10°"}, {"A": [0, 0], "turned": "30°"})~"));
     EXPECT_EQ(fixed.pivots[0].kind, FixedPivot::Kind::fixed);
     EXPECT_NEAR(length(*fixed.pivots[1].centre), 0, 1e-15);
-    const PositionsSolution twice =
-        positions_of(placed(R"~({"A": [0, 0], "B": [0, 1]}, {"A": [0, 0], "turned": "10°"}, {"A": [1, 1], "turned": "30°"})~"));
+    const PositionsSolution twice = positions_of(
+        placed(R"~({"A": [0, 0], "B": [0, 1]}, {"A": [0, 0], "turned": "10°"}, {"A": [1, 1], "turned": "30°"})~"));
     EXPECT_EQ(twice.pivots[0].kind, FixedPivot::Kind::free);
 }
 

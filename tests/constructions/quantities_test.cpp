@@ -1,5 +1,5 @@
-// Quantities: each number of the check stands beside its own, each force is found by the statement that says so, what differs is
-// said and what is rounding is not shown; and names of the file mean nothing to the tables.
+// Quantities: each number of the check stands beside its own, each force is found by the statement that says so, what
+// differs is said and what is rounding is not shown; and names of the file mean nothing to the tables.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
-#include "engine/results/quantity_name.hpp"
 #include "constructions/verdicts/check_rows.hpp"
+#include "engine/results/quantity_name.hpp"
 #include "engine/solution/magnitudes.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/tables/checked_numbers.hpp"
@@ -77,7 +77,8 @@ std::vector<ResultRow> all_rows(const Solution& solution) {
     return rows;
 }
 
-// --- each beside its own -------------------------------------------------------------------------------------------------------
+// --- each beside its own
+// -------------------------------------------------------------------------------------------------------
 
 TEST(CheckedNumbers, OfACylinderHingedOnAMovingBodyTakeItsOwnTurning) {
     const Solution solution = solved(cylinder);
@@ -94,9 +95,11 @@ TEST(CheckedNumbers, OfACylinderHingedOnAMovingBodyTakeItsOwnTurning) {
     EXPECT_TRUE(solution.remarks.empty()) << english(solution.remarks.front());
 }
 
-/// M (ω_2 − ω_3) + Q·v_C = 0 with ω_2 − ω_3 = 1 rad/s: ω_4 = 1/3 rad/s, v_C = (−1, −1/3) m/s, so M = 35/3 N m on body 2.
+/// M (ω_2 − ω_3) + Q·v_C = 0 with ω_2 − ω_3 = 1 rad/s: ω_4 = 1/3 rad/s, v_C = (−1, −1/3) m/s, so M = 35/3 N m on
+/// body 2.
 TEST(CheckedNumbers, OfACoupleBetweenTwoMovingBodiesHaveOneSense) {
-    for (const auto& [text, expected] : {std::pair(std::string(motor), 35.0 / 3), std::pair(reversed_motor(), -35.0 / 3)}) {
+    for (const auto& [text, expected] :
+         {std::pair(std::string(motor), 35.0 / 3), std::pair(reversed_motor(), -35.0 / 3)}) {
         const Solution solution = solved(text);
         EXPECT_EQ(solution.virtual_work->total, Exact(0));
         EXPECT_NEAR(solution.efforts.front().value->to_double(), expected, 1e-12);
@@ -112,7 +115,8 @@ TEST(CheckedNumbers, OfACoupleBetweenTwoMovingBodiesHaveOneSense) {
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
                 if (applied.kind == AppliedForce::Kind::effort) {
-                    EXPECT_NEAR(applied.couple.to_double(), applied.numeric_couple.value(), 1e-12) << body.body.number();
+                    EXPECT_NEAR(applied.couple.to_double(), applied.numeric_couple.value(), 1e-12)
+                        << body.body.number();
                 }
     }
 }
@@ -137,7 +141,8 @@ TEST(Quantities, HaveTheNamesOfTheResultsFile) {
         EXPECT_TRUE(names.contains(name)) << name;
 }
 
-// --- forces and the statements that find them ----------------------------------------------------------------------------------
+// --- forces and the statements that find them
+// ----------------------------------------------------------------------------------
 
 class StatedForces : public testing::TestWithParam<const char*> {};
 
@@ -147,7 +152,8 @@ TEST_P(StatedForces, AreFoundByTheStatementThatSaysSo) {
     for (const FreeBody& body : solution.free_bodies) {
         StatementIndex last;
         for (const AppliedForce& applied : body.forces) {
-            const bool sought = applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::effort;
+            const bool sought =
+                applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::effort;
             ASSERT_EQ(applied.force_statement != none, sought) << name_of(applied.symbol);
             if (!sought) continue;
             last = std::max(last, applied.force_statement);
@@ -174,12 +180,13 @@ TEST_P(StatedForces, AreFoundByTheStatementThatSaysSo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Quantities, StatedForces,
-                         testing::Values("sluice_gate", "tipper", "exam_2001", "gas_force", "cutting_force", "toggle_clamp",
-                                         "three_parallel_forces", "four_force_body", "beam", "four_bar_weights",
-                                         "four_bar_inertia"),
+                         testing::Values("sluice_gate", "tipper", "exam_2001", "gas_force", "cutting_force",
+                                         "toggle_clamp", "three_parallel_forces", "four_force_body", "beam",
+                                         "four_bar_weights", "four_bar_inertia"),
                          [](const testing::TestParamInfo<const char*>& each) { return std::string(each.param); });
 
-// --- what differs is said ------------------------------------------------------------------------------------------------------
+// --- what differs is said
+// ------------------------------------------------------------------------------------------------------
 
 std::vector<Comparison::Moved> all_move(const Solution& solution) {
     std::vector<Comparison::Moved> bodies(solution.mechanism.bodies.size(), {true, true});
@@ -283,14 +290,16 @@ TEST(Disagreements, AreMeasuredByWhatDrives) {
     }
 }
 
-// --- what is rounding is nothing -----------------------------------------------------------------------------------------------
+// --- what is rounding is nothing
+// -----------------------------------------------------------------------------------------------
 
 TEST(CheckedNumbers, BelowTheRoundingOfTheCheckAreNothing) {
     Solution solution = example("four_bar");
     const Magnitudes magnitudes(solution);
     for (CheckRow& row : solution.checks) {
         const double largest = magnitudes.of(row.quantity);
-        for (const auto& [share, is_noise] : {std::pair(1e-10, true), std::pair(-1e-16, true), std::pair(1e-8, false)}) {
+        for (const auto& [share, is_noise] :
+             {std::pair(1e-10, true), std::pair(-1e-16, true), std::pair(1e-8, false)}) {
             row.numeric = share * largest;
             const CheckedNumbers numbers(solution);
             EXPECT_EQ(numbers.of(row.quantity), is_noise ? 0 : row.numeric) << name_of(row.quantity, solution);
@@ -320,7 +329,8 @@ TEST(CheckedNumbers, OfWhatDoesNotTurnAreNothingWhereTheCheckHasAlmostNothing) {
         }
 }
 
-// --- names mean nothing --------------------------------------------------------------------------------------------------------
+// --- names mean nothing
+// --------------------------------------------------------------------------------------------------------
 
 /// A four-bar whose points, bodies, joint, load and effort bear words of the tables.
 const char* const reserved_names = R"({

@@ -1,7 +1,8 @@
-// A thousand random mechanisms (tests/support/random_mechanism.hpp), each solved by construction and by the numeric check, and held
-// against the laws that any plane motion obeys, exactly.
+// A thousand random mechanisms (tests/support/random_mechanism.hpp), each solved by construction and by the numeric
+// check, and held against the laws that any plane motion obeys, exactly.
 //
-// Each mechanism is named by its seed; KINEGRAPH_SEED=n runs that one alone and KINEGRAPH_RANDOM_MECHANISMS=n so many of them.
+// Each mechanism is named by its seed; KINEGRAPH_SEED=n runs that one alone and KINEGRAPH_RANDOM_MECHANISMS=n so many
+// of them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/results/quantity_name.hpp"
 #include "constructions/solving/solve.hpp"
+#include "engine/results/quantity_name.hpp"
 #include "tests/support/motion_laws.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/replay_laws.hpp"
@@ -47,8 +48,8 @@ TEST(RandomMechanisms2, ObeyTheLaws) { hold_quarter(1); }
 TEST(RandomMechanisms3, ObeyTheLaws) { hold_quarter(2); }
 TEST(RandomMechanisms4, ObeyTheLaws) { hold_quarter(3); }
 
-/// The driver of one freedom put on another body, or on a slide: the chain of dyads is then often a higher group. Whatever is
-/// found obeys the laws, and what is not says why, truly.
+/// The driver of one freedom put on another body, or on a slide: the chain of dyads is then often a higher group.
+/// Whatever is found obeys the laws, and what is not says why, truly.
 TEST(RandomMechanismsDrivenElsewhere, ObeyTheLawsOrSayWhyNot) {
     int drawn = 0, unsolved = 0;
     const std::uint64_t count = default_random_count / 2;

@@ -1,6 +1,6 @@
-// Redundant structures: what every equilibrium has alike is given, exactly, and only that. Closed forms of the examples, and
-// random plates on too many hinges against a solve of this file's own: equations of equilibrium over fractions, and their null
-// space.
+// Redundant structures: what every equilibrium has alike is given, exactly, and only that. Closed forms of the
+// examples, and random plates on too many hinges against a solve of this file's own: equations of equilibrium over
+// fractions, and their null space.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,8 @@ Solution redundant(const std::string& name) { return tests::example("redundant/"
 
 const JointForce& action(const Solution& solution, const std::string& joint, const std::string& on) {
     for (const JointForce& each : solution.forces)
-        if (solution.mechanism.joint(each.joint).name == joint && solution.mechanism.body(each.on).name == on) return each;
+        if (solution.mechanism.joint(each.joint).name == joint && solution.mechanism.body(each.on).name == on)
+            return each;
     throw std::out_of_range("no action at " + joint + " on " + on);
 }
 std::string why(const Solution& solution) {
@@ -45,7 +46,8 @@ bool says(const Solution& solution, Sentence sentence) {
     return std::find(said.begin(), said.end(), sentence) != said.end();
 }
 
-// --- closed forms ------------------------------------------------------------------------------------------------------------
+// --- closed forms
+// ------------------------------------------------------------------------------------------------------------
 
 TEST(Redundant, OfABeamOnTwoHingesTheVerticalReactionsStand) {
     // B · 4 = 12 · 1 + 8 · 2, A = 12 + 8 − B; of the horizontal ones only the sum is known.
@@ -67,8 +69,10 @@ TEST(Redundant, OfABeamOnTwoHingesTheVerticalReactionsStand) {
 
 TEST(Redundant, TheResultsHaveTheComponentInPlaceOfTheForce) {
     const Solution solution = redundant("beam_on_two_hinges");
-    const auto json = nlohmann::ordered_json::parse(results_json(solution, false, [](const Message& m) { return english(m); }));
-    EXPECT_EQ(json["forces"]["B"]["1 on 2"].dump(), R"({"component":{"along":[0,1],"value":7000},"at":[4,0],"couple":0})");
+    const auto json =
+        nlohmann::ordered_json::parse(results_json(solution, false, [](const Message& m) { return english(m); }));
+    EXPECT_EQ(json["forces"]["B"]["1 on 2"].dump(),
+              R"({"component":{"along":[0,1],"value":7000},"at":[4,0],"couple":0})");
     EXPECT_EQ(json["forces"]["B"]["2 on 1"]["component"]["value"], -7000);
     bool checked = false;
     for (const auto& row : json["checks"]) checked = checked || row["quantity"] == "force B 1 on 2 component";
@@ -121,7 +125,8 @@ TEST(Redundant, EverySentenceOfMomentsHasItsArmOnTheSheet) {
                     EXPECT_EQ(arm.about, about) << name;
                     EXPECT_TRUE(std::any_of(body.forces.begin(), body.forces.end(),
                                             [&](const AppliedForce& each) {
-                                                return each.is_component && cross(each.force, each.at - arm.foot).is_zero() &&
+                                                return each.is_component &&
+                                                       cross(each.force, each.at - arm.foot).is_zero() &&
                                                        dot(each.force, arm.foot - arm.about).is_zero();
                                             }))
                         << name << ": the arm ends square on the line of what is sought";
@@ -134,8 +139,8 @@ TEST(Redundant, EverySentenceOfMomentsHasItsArmOnTheSheet) {
 }
 
 TEST(Redundant, AGuideMayHaveItsForceAndNotItsCouple) {
-    // Two clamps in a row along one guide: both couples share the load's moment, the forces across do too; what a lone guide
-    // across bears is determined.
+    // Two clamps in a row along one guide: both couples share the load's moment, the forces across do too; what a lone
+    // guide across bears is determined.
     const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [4, 0], "P": [1, 2]},
         "bodies": {"2": ["A", "B", "P"]},
         "joints": [{"prismatic": "A", "bodies": [2, 1], "along": 0, "name": "flat"},
@@ -158,10 +163,12 @@ TEST(Redundant, WhatIsLeftOpenHasNoNumber) {
     EXPECT_NE(why(solution).find("statically indeterminate, 3 times"), std::string::npos) << why(solution);
 }
 
-// --- a body that its joints do not hold --------------------------------------------------------------------------------------
+// --- a body that its joints do not hold
+// --------------------------------------------------------------------------------------
 
 std::string lever(const std::string& joint, const std::string& loads) {
-    return R"({"kinegraph": 1, "frame": 1, "points": {"A": [1, 0], "P": [4, 4], "Q": [1, 2]}, "bodies": {"2": ["A", "P", "Q"]},
+    return R"({"kinegraph": 1, "frame": 1, "points": {"A": [1, 0], "P": [4, 4], "Q": [1, 2]}, "bodies": {"2": ["A",
+    "P", "Q"]},
         "joints": [)" +
            joint + R"(], "loads": [)" + loads + "]}";
 }
@@ -196,8 +203,8 @@ TEST(Unheld, ABodyInAGuideSlidesByWhatIsLeftAlongIt) {
 }
 
 TEST(Unheld, ABodyOnAHingeMayBeInEquilibriumAllTheSame) {
-    const Solution solution =
-        solved(lever(R"({"revolute": "A", "bodies": [1, 2]})", R"({"force": "F", "body": 2, "at": "Q", "value": [0, -50]})"));
+    const Solution solution = solved(
+        lever(R"({"revolute": "A", "bodies": [1, 2]})", R"({"force": "F", "body": 2, "at": "Q", "value": [0, -50]})"));
     EXPECT_TRUE(solution.unsolved.empty()) << why(solution);
     EXPECT_EQ(*action(solution, "A", "2").force, (Vector{0, 50}));
 }
@@ -214,14 +221,17 @@ TEST(Redundant, BeyondTheMembersThatAreAskedSaysHowManyThatAre) {
         joints += ", {\"revolute\": \"" + to + "\", \"bodies\": [1, " + number +
                   (body < last ? ", " + std::to_string(body + 1) : "") + "]}";
     }
-    const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "points": {)" + points + R"(}, "bodies": {)" + bodies +
-                                     R"(}, "joints": [)" + joints + R"(], "loads": [{"couple": "M", "body": 5, "value": 3}]})");
+    const Solution solution =
+        solved(R"({"kinegraph": 1, "frame": 1, "points": {)" + points + R"(}, "bodies": {)" + bodies +
+               R"(}, "joints": [)" + joints + R"(], "loads": [{"couple": "M", "body": 5, "value": 3}]})");
     ASSERT_FALSE(solution.unsolved.empty());
     EXPECT_NE(why(solution).find("hold more than 24 members together"), std::string::npos) << why(solution);
-    EXPECT_NE(render::tell(solution.unsolved.front().why, render::Language::it).find("più di 24 elementi"), std::string::npos);
+    EXPECT_NE(render::tell(solution.unsolved.front().why, render::Language::it).find("più di 24 elementi"),
+              std::string::npos);
 }
 
-// --- at random ---------------------------------------------------------------------------------------------------------------
+// --- at random
+// ---------------------------------------------------------------------------------------------------------------
 
 struct Hinge {
     int first = 0, second = 0;  ///< bodies, 0 the frame
@@ -247,7 +257,8 @@ Plates random_plates(unsigned seed) {
     while (static_cast<int>(plates.hinges.size()) < count) {
         Hinge hinge{up_to(plates.bodies), up_to(plates.bodies), up_to(3), up_to(3)};
         // Every body has a hinge, and joints have different places.
-        if (static_cast<int>(plates.hinges.size()) < plates.bodies) hinge.second = static_cast<int>(plates.hinges.size()) + 1;
+        if (static_cast<int>(plates.hinges.size()) < plates.bodies)
+            hinge.second = static_cast<int>(plates.hinges.size()) + 1;
         const std::pair place{hinge.x, hinge.y};
         if (hinge.first == hinge.second || std::find(taken.begin(), taken.end(), place) != taken.end()) continue;
         taken.push_back(place);
@@ -279,12 +290,12 @@ std::string file_of(const Plates& plates) {
     }
     for (std::size_t i = 0; i < plates.pushes.size(); ++i) {
         const Plates::Push& p = plates.pushes[i];
-        part(loads, R"({"force": "L)" + std::to_string(i) + R"(", "body": )" + std::to_string(p.body + 1) + R"(, "at": ")" +
-                        name(static_cast<std::size_t>(p.hinge)) + R"(", "value": [)" + std::to_string(p.fx) + ", " +
-                        std::to_string(p.fy) + "]}");
+        part(loads, R"({"force": "L)" + std::to_string(i) + R"(", "body": )" + std::to_string(p.body + 1) +
+                        R"(, "at": ")" + name(static_cast<std::size_t>(p.hinge)) + R"(", "value": [)" +
+                        std::to_string(p.fx) + ", " + std::to_string(p.fy) + "]}");
     }
-    return R"({"kinegraph": 1, "frame": 1, "points": {)" + points + R"(}, "bodies": {)" + bodies + R"(}, "joints": [)" + joints +
-           R"(], "loads": [)" + loads + R"(], "find": ["forces"]})";
+    return R"({"kinegraph": 1, "frame": 1, "points": {)" + points + R"(}, "bodies": {)" + bodies + R"(}, "joints": [)" +
+           joints + R"(], "loads": [)" + loads + R"(], "find": ["forces"]})";
 }
 
 /// A x + b = 0 over fractions: rows Σ F_x, Σ F_y, Σ M_O of each body, columns x and y of each hinge on its second body.
@@ -352,7 +363,9 @@ private:
         }
         for (std::size_t r = next; r < rows_.size(); ++r) exists_ = exists_ && rows_[r][columns_].is_zero();
     }
-    Exact particular(std::size_t c) const { return row_of_[c] == rows_.size() ? Exact(0) : -rows_[row_of_[c]][columns_]; }
+    Exact particular(std::size_t c) const {
+        return row_of_[c] == rows_.size() ? Exact(0) : -rows_[row_of_[c]][columns_];
+    }
     Exact change(std::size_t c, std::size_t free) const {
         if (row_of_[c] == rows_.size()) return Exact(c == free ? 1 : 0);
         return -rows_[row_of_[c]][free];
@@ -392,7 +405,8 @@ bool hold_plates(unsigned seed) {
         }
         some = some || each.force || each.component;
     }
-    // Loads and lengths are of the order of ten: where nothing is left but zeros, they are what these must be small against.
+    // Loads and lengths are of the order of ten: where nothing is left but zeros, they are what these must be small
+    // against.
     for (const CheckRow& row : solution.checks) EXPECT_NEAR(row.graphical, row.numeric, 1e-8);
     return some;
 }
@@ -400,7 +414,8 @@ bool hold_plates(unsigned seed) {
 TEST(Redundant, AtRandomWhatTheNullSpaceLeavesAloneIsGivenAndNoMore) {
     int counted = 0;
     const int tried = unless_sanitized(400, 60);
-    for (int seed = 1; seed <= tried && !HasFailure(); ++seed) counted += hold_plates(static_cast<unsigned>(seed)) ? 1 : 0;
+    for (int seed = 1; seed <= tried && !HasFailure(); ++seed)
+        counted += hold_plates(static_cast<unsigned>(seed)) ? 1 : 0;
     EXPECT_GE(counted, tried / 20) << "too few draws counted";
 }
 

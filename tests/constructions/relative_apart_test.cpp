@@ -32,7 +32,8 @@ void expect_sums(const RelativeMotion& motion, const Pose& pose) {
 
 bool says(const Solution& solution, Sentence sentence) {
     const auto& all = solution.protocol.statements;
-    return std::any_of(all.begin(), all.end(), [&](const Statement& each) { return each.message.sentence == sentence; });
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Statement& each) { return each.message.sentence == sentence; });
 }
 
 TEST(RelativeMotionApart, IsThatOfTheExam) {
@@ -68,7 +69,8 @@ TEST(RelativeMotionApart, HasTheDriversOwnNumbersInTheMovingAxes) {
 }
 
 TEST(RelativeMotionApart, TellsThatAPointOfTheObserverRests) {
-    const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 0, "points": {"O": [0, 0], "A": [1, 0], "B": [1, 1]},
+    const Solution solution =
+        tests::solved(R"({"kinegraph": 1, "frame": 0, "points": {"O": [0, 0], "A": [1, 0], "B": [1, 1]},
       "bodies": {"1": {"points": ["O", "A", "B"]}}, "joints": [{"revolute": "O", "bodies": [0, 1]}],
       "drivers": [{"body": 1, "omega": 2, "alpha": 1}], "find": [{"relative motion": "B", "observer": 1}]})");
     const RelativeMotion& motion = solution.relative_motion.front();
@@ -79,8 +81,8 @@ TEST(RelativeMotionApart, TellsThatAPointOfTheObserverRests) {
 std::string exam_through(const std::string& point, const std::string& observer) {
     std::string text = tests::contents(tests::example_file("moving_frame"));
     const std::size_t at = text.find("\"find\"");
-    return text.substr(0, at) + R"("find": ["velocity", {"relative motion": ")" + point + R"(", "observer": )" + observer +
-           R"(, "solve": true}]})";
+    return text.substr(0, at) + R"("find": ["velocity", {"relative motion": ")" + point + R"(", "observer": )" +
+           observer + R"(, "solve": true}]})";
 }
 
 TEST(MotionThroughAnObserver, IsFoundByTheExamsTriangle) {
@@ -89,8 +91,8 @@ TEST(MotionThroughAnObserver, IsFoundByTheExamsTriangle) {
     EXPECT_TRUE(says(solution, Sentence::observer_acceleration));
     EXPECT_TRUE(solution.unsolved.empty());
     for (std::size_t b = 0; b < plain.bodies.size(); ++b)
-        EXPECT_NEAR(solution.bodies[b].omega.value_or(Exact(0)).to_double(), plain.bodies[b].omega.value_or(Exact(0)).to_double(),
-                    1e-15);
+        EXPECT_NEAR(solution.bodies[b].omega.value_or(Exact(0)).to_double(),
+                    plain.bodies[b].omega.value_or(Exact(0)).to_double(), 1e-15);
     EXPECT_FALSE(says(plain, Sentence::observer_velocity)) << "it was not asked to be solved so";
 }
 

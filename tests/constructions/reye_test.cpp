@@ -49,25 +49,27 @@ TEST(Reye, ClutchHasBothClosedForms) {
     // Shigley 16–5: wear F f (D + d)/4, pressure F f (D³ − d³)/3(D² − d²), for each surface.
     const ReyeSolution found = reye_of(example("contact/clutch"));
     EXPECT_NEAR(*found.torque, 2 * 0.3 * 4000 * 0.08, 1e-9);
-    EXPECT_NEAR(*found.uniform_torque, 2 * 0.3 * 4000 * (0.2 * 0.2 * 0.2 - 0.12 * 0.12 * 0.12) / (3 * (0.2 * 0.2 - 0.12 * 0.12)),
-                1e-9);
+    EXPECT_NEAR(*found.uniform_torque,
+                2 * 0.3 * 4000 * (0.2 * 0.2 * 0.2 - 0.12 * 0.12 * 0.12) / (3 * (0.2 * 0.2 - 0.12 * 0.12)), 1e-9);
     EXPECT_NEAR(found.first * 0.06, found.second * 0.1, 1e-6);
 }
 
 TEST(Reye, LeadingShoeTakesMoreThanTrailing) {
     const auto shoe = [](const char* sense, const char* friction) {
         return std::string(
-                   R"("kind": "shoe", "force": 1000, "radius": 150, "width": 32, "pivot": 120, "arm": 210, "from": 10, "to": 130, "inside": true, "sense": ")") +
+                   R"("kind": "shoe", "force": 1000, "radius": 150, "width": 32, "pivot": 120, "arm": 210,
+                    "from": 10, "to": 130, "inside": true, "sense": ")") +
                sense + R"(", "friction": )" + friction;
     };
-    const ReyeSolution leading = reye_of(worn(shoe("leading", "0.3"))), trailing = reye_of(worn(shoe("trailing", "0.3")));
+    const ReyeSolution leading = reye_of(worn(shoe("leading", "0.3"))),
+                       trailing = reye_of(worn(shoe("trailing", "0.3")));
     EXPECT_GT(*leading.torque, *trailing.torque);
     // Q c = C(N₁ ∓ fF₁): the reciprocals are linear in f, and meet where friction has no moment.
     const double none = 0.5 * (1 / leading.greatest + 1 / trailing.greatest);
     const double limit = *leading.locking_friction;
     EXPECT_NEAR(1 / leading.greatest, none * (1 - 0.3 / limit), 1e-9 * none);
-    auto mechanism =
-        read_mechanism(R"({"kinegraph": 1, "units": {"length": "mm"}, "reye": {)" + shoe("leading", "2") + "}}", "shoe.json");
+    auto mechanism = read_mechanism(
+        R"({"kinegraph": 1, "units": {"length": "mm"}, "reye": {)" + shoe("leading", "2") + "}}", "shoe.json");
     ASSERT_TRUE(mechanism);
     const auto locked = solve(*std::move(mechanism));
     ASSERT_FALSE(locked);
@@ -76,12 +78,13 @@ TEST(Reye, LeadingShoeTakesMoreThanTrailing) {
 }
 
 TEST(Reye, ShoesOfAPublishedBrake) {
-    // Shigley, example 16–2: p_a = 1000 kPa and 366 N m on the leading shoe, 443 kPa and 162 N m on the trailing one, F = 2.28
-    // kN.
+    // Shigley, example 16–2: p_a = 1000 kPa and 366 N m on the leading shoe, 443 kPa and 162 N m on the trailing one, F
+    // = 2.28 kN.
     const auto shoe = [](const char* sense) {
-        return reye_of(worn(
-            std::string(R"("kind": "shoe", "force": "2.28 kN", "friction": 0.32, "radius": 150, "width": 32, "pivot": 122.9, )") +
-            R"("arm": 212.4, "from": 0, "to": 126, "inside": true, "sense": ")" + sense + "\""));
+        return reye_of(worn(std::string(
+                                R"("kind": "shoe", "force": "2.28 kN", "friction": 0.32, "radius": 150, "width": 32,
+                    "pivot": 122.9, )") +
+                            R"("arm": 212.4, "from": 0, "to": 126, "inside": true, "sense": ")" + sense + "\""));
     };
     EXPECT_NEAR(shoe("leading").greatest, 1000e3, 10e3);
     EXPECT_NEAR(*shoe("leading").torque, 366, 4);

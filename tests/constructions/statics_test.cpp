@@ -1,6 +1,6 @@
-// What statics adds to forces: loads on pins, distributed loads, elastic and torsion springs, units of the trade, and whether
-// what is given on a body is in equilibrium. Closed forms, exactly where they are rational; random mechanisms under all kinds of
-// load.
+// What statics adds to forces: loads on pins, distributed loads, elastic and torsion springs, units of the trade, and
+// whether what is given on a body is in equilibrium. Closed forms, exactly where they are rational; random mechanisms
+// under all kinds of load.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,8 +15,8 @@
 #include "constructions/positions/cycle.hpp"
 #include "engine/check/check.hpp"
 #include "engine/check/check_forces.hpp"
-#include "engine/motion/moved.hpp"
 #include "engine/file/units.hpp"
+#include "engine/motion/moved.hpp"
 #include "render/tables/force_tables.hpp"
 #include "tests/support/force_laws.hpp"
 #include "tests/support/near_the_check.hpp"
@@ -33,12 +33,14 @@ using tests::solved;
 
 const JointForce& action(const Solution& solution, const std::string& joint, const std::string& on) {
     for (const JointForce& each : solution.forces)
-        if (solution.mechanism.joint(each.joint).name == joint && solution.mechanism.body(each.on).name == on) return each;
+        if (solution.mechanism.joint(each.joint).name == joint && solution.mechanism.body(each.on).name == on)
+            return each;
     throw std::out_of_range("no action at " + joint + " on " + on);
 }
 Exact fraction(int above, int below) { return Exact::ratio(above, below); }
 
-// --- closed forms ------------------------------------------------------------------------------------------------------------
+// --- closed forms
+// ------------------------------------------------------------------------------------------------------------
 
 TEST(DistributedLoads, TheCantileversClampHoldsForceAndCouple) {
     // q l + P = 225 · 2 + 800 N, q l²/2 + P l = 450 + 1600 N m.
@@ -87,7 +89,8 @@ TEST(DistributedLoads, OfEqualAndOppositeEndsAreACouple) {
 }
 
 TEST(PinLoads, ThePinIsANodeOfItsOwn) {
-    // Wind (1800, −2400) N on the middle of the left half, 2 kN on the crown's pin. Moments about A: 8 B_y = 4 · 2000 + 2 · 2400
+    // Wind (1800, −2400) N on the middle of the left half, 2 kN on the crown's pin. Moments about A: 8 B_y = 4 · 2000 +
+    // 2 · 2400
     // + 1.5 · 1800; body 3 carries two forces, so B runs along BC.
     const Solution solution = example("three_hinged_arch");
     const Vector b = *action(solution, "B", "3").force, a = *action(solution, "A", "2").force;
@@ -103,12 +106,13 @@ TEST(PinLoads, ThePinIsANodeOfItsOwn) {
 TEST(PinLoads, MoveWithTheirPin) {
     // A load on the pin A of a crank is the same for the effort as on the crank, and loses no power.
     const auto lever = [](const std::string& where) {
-        return solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4], "C": [9, 0]},
+        return solved(
+            R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4], "C": [9, 0]},
             "bodies": {"2": ["O", "A"], "3": ["A", "C"], "4": ["C"]},
             "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
                        {"revolute": "C", "bodies": [3, 4]}, {"prismatic": "C", "bodies": [4, 1], "along": 0}],
             "drivers": [{"body": 2, "omega": 2}], "loads": [{"force": "F", )" +
-                      where + R"(, "value": [70, -30]}], "effort": {"couple": "M", "body": 2}, "find": ["velocity", "forces"]})");
+            where + R"(, "value": [70, -30]}], "effort": {"couple": "M", "body": 2}, "find": ["velocity", "forces"]})");
     };
     const Solution on_pin = lever(R"("pin": "A")"), on_crank = lever(R"("body": 2, "at": "A")");
     EXPECT_EQ(*on_pin.efforts[0].value, *on_crank.efforts[0].value);
@@ -150,14 +154,15 @@ TEST(Springs, ElasticOnesPullByTheirStretchAlsoWhereTheyMove) {
         Positions positions = cycle->positions();
         ASSERT_TRUE(positions.move_to(turn));
         Moved moved = Mover(mechanism, drawn.pose).moved(positions, Exact::from_double(turn));
-        const Solution there =
-            solve(std::move(moved.mechanism), std::move(moved.pose), [finer = std::move(moved.finer)] { return finer; });
+        const Solution there = solve(std::move(moved.mechanism), std::move(moved.pose),
+                                     [finer = std::move(moved.finer)] { return finer; });
         EXPECT_NEAR(there.efforts[0].value->to_double(), closed(turn), 1e-9) << turn;
     }
     EXPECT_LT(cycle->difference().share, 1e-9);
 }
 
-// --- units -------------------------------------------------------------------------------------------------------------------
+// --- units
+// -------------------------------------------------------------------------------------------------------------------
 
 TEST(UnitsOfTheTrade, AreExact) {
     const auto si = [](const char* text, QuantityKind kind) { return read_quantity(text, kind).value().in_si(); };
@@ -173,10 +178,11 @@ TEST(UnitsOfTheTrade, AreExact) {
 
 TEST(UnitsOfTheTrade, APressureOnAnAreaIsAForce) {
     const auto force = [](const std::string& how) {
-        const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0]}, "bodies": {"2": ["A"]},
+        const Solution solution =
+            solved(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0]}, "bodies": {"2": ["A"]},
             "joints": [{"weld": "A", "bodies": [1, 2]}], "parameters": {"m": "2 kg"},
             "loads": [{"force": "F", "body": 2, "at": "A", )" +
-                                         how + R"(, "along": 0}]})");
+                   how + R"(, "along": 0}]})");
         return action(solution, "A", "2").force->x;
     };
     EXPECT_EQ(force(R"("pressure": "5 bar", "area": "12 cm²")"), Exact(-600));
@@ -186,10 +192,12 @@ TEST(UnitsOfTheTrade, APressureOnAnAreaIsAForce) {
     EXPECT_EQ(force(R"("magnitude": "= 10 N/m * 2 kg")"), Exact(-10));
 }
 
-// --- is it in equilibrium? ---------------------------------------------------------------------------------------------------
+// --- is it in equilibrium?
+// ---------------------------------------------------------------------------------------------------
 
 std::string plate(const std::string& loads, const std::string& more = "") {
-    return R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [3, 0], "C": [3, 4]}, "bodies": {"2": ["A", "B", "C"])" +
+    return R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [3, 0], "C": [3, 4]}, "bodies": {"2": ["A",
+    "B", "C"])" +
            more + R"(}, "joints": [], "loads": [)" + loads + "]}";
 }
 std::string resultant_of(const Solution& solution) {
@@ -210,7 +218,8 @@ TEST(Equilibrium, WhatIsLeftOverIsAForceAlongALine) {
     // The gap of the polygon is the resultant, from its beginning to its end.
     const auto& sides = solution.protocol.polygons.at(static_cast<std::size_t>(found.polygon)).vectors;
     ASSERT_EQ(sides.size(), 3U);
-    EXPECT_EQ(solution.protocol.value_of(solution.protocol.vectors[static_cast<std::size_t>(sides[2])]), (Vector{300, 400}));
+    EXPECT_EQ(solution.protocol.value_of(solution.protocol.vectors[static_cast<std::size_t>(sides[2])]),
+              (Vector{300, 400}));
 }
 
 TEST(Equilibrium, TwoForcesTwoAndACoupleThree) {
@@ -235,7 +244,8 @@ TEST(Equilibrium, BodiesThatHangTogetherAreTakenTogether) {
     // Two plates pinned in B: the pin's force is no one's load. Out of equilibrium it is not told.
     const std::string text = R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [3, 0], "C": [6, 0]},
         "bodies": {"2": ["A", "B"], "3": ["B", "C"]}, "joints": [{"revolute": "B", "bodies": [2, 3]}],
-        "loads": [{"force": "P", "body": 2, "at": "A", "value": [-5, 0]}, {"force": "Q", "body": 3, "at": "C", "value": [X, 0]}]})";
+        "loads": [{"force": "P", "body": 2, "at": "A", "value": [-5, 0]}, {"force": "Q", "body": 3, "at": "C",
+        "value": [X, 0]}]})";
     const auto with = [&](const std::string& x) {
         std::string changed = text;
         return solved(changed.replace(changed.find('X'), 1, x));
@@ -257,12 +267,14 @@ TEST(Equilibrium, OfAMechanismThatIsDrivenOrHeldNothingIsAsked) {
 }
 
 TEST(Equilibrium, LoadsAtRestAskForForcesAlone) {
-    const Solution solution = solved(plate(R"({"force": "P", "body": 2, "at": "A", "value": [1, 0]})", R"(, "3": ["C"])"));
+    const Solution solution =
+        solved(plate(R"({"force": "P", "body": 2, "at": "A", "value": [1, 0]})", R"(, "3": ["C"])"));
     EXPECT_TRUE(solution.centres.empty());
     EXPECT_TRUE(solution.unsolved.empty());
 }
 
-// --- at random ---------------------------------------------------------------------------------------------------------------
+// --- at random
+// ---------------------------------------------------------------------------------------------------------------
 
 /// True where equilibrium determines all; then everything has been held.
 bool hold(std::uint64_t seed) {

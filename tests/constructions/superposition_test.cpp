@@ -1,5 +1,6 @@
-// Loads that no order of bodies resolves at once, drawn one after the other, and what spares it: a guide whose reaction passes a
-// pin. What is added up on the way, Culmann's diagonal, arms and strings are on the sheet, wherever a sentence speaks of them.
+// Loads that no order of bodies resolves at once, drawn one after the other, and what spares it: a guide whose reaction
+// passes a pin. What is added up on the way, Culmann's diagonal, arms and strings are on the sheet, wherever a sentence
+// speaks of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +38,8 @@ bool says(const Solution& solution, Sentence sentence) {
     return std::find(said.begin(), said.end(), sentence) != said.end();
 }
 
-// --- the engine: one order of bodies -----------------------------------------------------------------------------------------
+// --- the engine: one order of bodies
+// -----------------------------------------------------------------------------------------
 
 /// The moments about A of rod and piston give the wall's reaction, their sum the rest: exactly.
 TEST(Engine, HasTheForcesOfItsClosedForm) {
@@ -55,7 +57,8 @@ TEST(Engine, HasTheForcesOfItsClosedForm) {
     const Vector at_g = acceleration(share);
     const Vector inertia_force{-(m_3 * at_g.x), -(m_3 * at_g.y)};
     const Exact along = Exact(-8000) - m_4 * acceleration(1).x;
-    const Exact turning = share * (rod.x * inertia_force.y - rod.y * inertia_force.x) - inertia * alpha_3 - rod.y * along;
+    const Exact turning =
+        share * (rod.x * inertia_force.y - rod.y * inertia_force.x) - inertia * alpha_3 - rod.y * along;
     const Exact wall = -(turning / rod.x);
     const Vector at_a{-inertia_force.x - along, -inertia_force.y - wall};
     EXPECT_EQ(force_on(solution, "4", "1"), (Vector{0, wall}));
@@ -102,7 +105,8 @@ TEST(Engine, MovesTheInertiaForceAside) {
     ADD_FAILURE() << "no arm moves it";
 }
 
-// --- superposition -----------------------------------------------------------------------------------------------------------
+// --- superposition
+// -----------------------------------------------------------------------------------------------------------
 
 class Superposed : public testing::TestWithParam<const char*> {};
 
@@ -142,7 +146,8 @@ TEST_P(Superposed, EachPartIsInEquilibrium) {
                 sum = sum + applied.force;
                 moment = moment + cross(applied.at, applied.force) + applied.couple;
                 const bool is_marked = applied.symbol.term == "(" + name_of(solution.mechanism, part) + ")";
-                EXPECT_EQ(is_marked, applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::effort)
+                EXPECT_EQ(is_marked,
+                          applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::effort)
                     << name_of(applied.symbol);
             }
             EXPECT_TRUE(sum.is_zero());
@@ -156,7 +161,8 @@ TEST_P(Superposed, HasAFigureOfLinesAndOneOfPolygonsForEachLoad) {
     std::set<std::string> figures;
     for (const Page& page : lay_out(solution, {}, fonts()))
         for (const Mark& mark : page.marks)
-            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure") figures.insert(group->id);
+            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure")
+                figures.insert(group->id);
     for (const char* id :
          {"lines-load-2", "lines-load-3", "lines-load-4", "forces-3-load-3", "forces-4-load-4", "sum-F_12", "sum-F_14"})
         EXPECT_TRUE(figures.contains(id)) << id;
@@ -168,7 +174,8 @@ TEST_P(Superposed, EachLoadHasPagesOfItsOwn) {
     std::set<std::string> figures;
     for (const Page& page : lay_out_steps(solution, {}, fonts()))
         for (const Mark& mark : page.marks)
-            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure") figures.insert(group->id);
+            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure")
+                figures.insert(group->id);
     for (const char* id : {"lines-load-2", "lines-load-3", "lines-load-4", "forces-3-load-3", "sum-F_12"})
         EXPECT_TRUE(figures.contains(id)) << id;
 }
@@ -189,7 +196,8 @@ TEST_P(Superposed, SaysItsSums) {
 INSTANTIATE_TEST_SUITE_P(Examples, Superposed, testing::Values("four_bar_weights", "four_bar_inertia"),
                          [](const testing::TestParamInfo<const char*>& each) { return std::string(each.param); });
 
-// --- the funicular polygon ---------------------------------------------------------------------------------------------------
+// --- the funicular polygon
+// ---------------------------------------------------------------------------------------------------
 
 /// Each string is parallel to its ray, and ends on the lines of the forces between whose rays it lies.
 TEST(Funicular, HasStringsParallelToItsRays) {
@@ -210,7 +218,8 @@ TEST(Funicular, HasStringsParallelToItsRays) {
     EXPECT_EQ(*found.corners.front() - *found.dividing, (Vector{0, 840}));
 }
 
-// --- what a sentence names is drawn ------------------------------------------------------------------------------------------
+// --- what a sentence names is drawn
+// ------------------------------------------------------------------------------------------
 
 /// The names that labels carry, on a sheet.
 std::set<std::string> lettered(const std::vector<Page>& pages) {
@@ -242,10 +251,8 @@ bool names_lines(Sentence sentence) {
         case Sentence::through_pin:
         case Sentence::known_resultant:
         case Sentence::funicular_parallel:
-        case Sentence::funicular_far:
-            return true;
-        default:
-            return false;
+        case Sentence::funicular_far: return true;
+        default: return false;
     }
 }
 /// Whether it vanishes: then there is nothing to be drawn.
@@ -257,14 +264,17 @@ bool is_of_a_force(const Solution& solution, const Symbol& symbol) {
     if (symbol.letter != Symbol::Letter::F) return false;
     const auto drawn = [&](const std::vector<FreeBody>& bodies) {
         return std::any_of(bodies.begin(), bodies.end(), [&](const FreeBody& body) {
-            const auto is_it = [&](const AppliedForce& applied) { return applied.symbol == symbol && !applied.force.is_zero(); };
+            const auto is_it = [&](const AppliedForce& applied) {
+                return applied.symbol == symbol && !applied.force.is_zero();
+            };
             return std::any_of(body.forces.begin(), body.forces.end(), is_it) ||
                    std::any_of(body.sums.begin(), body.sums.end(), is_it);
         });
     };
     if (drawn(solution.free_bodies)) return true;
-    return solution.superposition && std::any_of(solution.superposition->parts.begin(), solution.superposition->parts.end(),
-                                                 [&](const auto& part) { return drawn(part.bodies); });
+    return solution.superposition &&
+           std::any_of(solution.superposition->parts.begin(), solution.superposition->parts.end(),
+                       [&](const auto& part) { return drawn(part.bodies); });
 }
 
 class ForceSentence : public testing::TestWithParam<std::string> {};
@@ -314,14 +324,16 @@ std::vector<std::string> with_forces() {
     for (const std::string& name : example_names()) {
         const std::string text = contents(example_file(name));
         if (name.starts_with("truss_") || text.find("\"find\": [\"virtual work\"]") != std::string::npos) continue;
-        if (text.find("\"loads\"") != std::string::npos || text.find("\"mass\"") != std::string::npos) names.push_back(name);
+        if (text.find("\"loads\"") != std::string::npos || text.find("\"mass\"") != std::string::npos)
+            names.push_back(name);
     }
     return names;
 }
 INSTANTIATE_TEST_SUITE_P(Examples, ForceSentence, testing::ValuesIn(with_forces()),
                          [](const testing::TestParamInfo<std::string>& each) { return each.param; });
 
-// --- arms --------------------------------------------------------------------------------------------------------------------
+// --- arms
+// --------------------------------------------------------------------------------------------------------------------
 
 /// M = F · b wherever a couple is balanced by two forces: the arm is drawn, and the product is said.
 TEST(CoupleOfTwoForces, SaysForceTimesArm) {

@@ -25,13 +25,14 @@ Solution solved(const std::string& text) {
 }
 
 long said(const Solution& solution, Sentence sentence, Topic section) {
-    return std::count_if(
-        solution.protocol.statements.begin(), solution.protocol.statements.end(),
-        [&](const Statement& statement) { return statement.message.sentence == sentence && statement.section == section; });
+    return std::count_if(solution.protocol.statements.begin(), solution.protocol.statements.end(),
+                         [&](const Statement& statement) {
+                             return statement.message.sentence == sentence && statement.section == section;
+                         });
 }
 
-/// The double butterfly: four ternary links joined in two pairs, the pairs by four binary links. `turned` turns it, ten times as
-/// large.
+/// The double butterfly: four ternary links joined in two pairs, the pairs by four binary links. `turned` turns it, ten
+/// times as large.
 std::string double_butterfly(const std::string& driver, bool turned = false) {
     const std::vector<std::pair<std::string, std::pair<int, int>>> places{
         {"P", {0, 0}},  {"A", {-30, -2}}, {"C", {35, -5}},  {"B", {-32, 14}}, {"D", {36, 30}},
@@ -41,12 +42,14 @@ std::string double_butterfly(const std::string& driver, bool turned = false) {
     const char* between = "";
     for (const auto& [name, place] : places) {
         const auto [x, y] = place;
-        text << between << '"' << name << "\": [" << (turned ? 6 * x - 8 * y : x) << ", " << (turned ? 8 * x + 6 * y : y) << ']';
+        text << between << '"' << name << "\": [" << (turned ? 6 * x - 8 * y : x) << ", "
+             << (turned ? 8 * x + 6 * y : y) << ']';
         between = ", ";
     }
     text << R"(}, "bodies": {"2": ["P", "E", "G"], "3": ["Q", "B", "F"], "4": ["Q", "D", "H"], "5": ["A", "B"],
         "6": ["C", "D"], "7": ["E", "F"], "8": ["G", "H"]},
-        "joints": [{"revolute": "P", "bodies": [1, 2]}, {"revolute": "Q", "bodies": [3, 4]}, {"revolute": "A", "bodies": [1, 5]},
+        "joints": [{"revolute": "P", "bodies": [1, 2]}, {"revolute": "Q", "bodies": [3, 4]}, {"revolute": "A",
+        "bodies": [1, 5]},
         {"revolute": "B", "bodies": [5, 3]}, {"revolute": "C", "bodies": [1, 6]}, {"revolute": "D", "bodies": [6, 4]},
         {"revolute": "E", "bodies": [2, 7]}, {"revolute": "F", "bodies": [7, 3]}, {"revolute": "G", "bodies": [2, 8]},
         {"revolute": "H", "bodies": [8, 4]}], "drivers": [)"
@@ -70,8 +73,8 @@ TEST(Trials, AreKeptApartFromTheSolution) {
     for (const int trial : {1, 2}) {
         EXPECT_TRUE(std::any_of(trials.vectors.begin(), trials.vectors.end(),
                                 [&](const DrawnVector& vector) { return vector.trial == trial; }));
-        EXPECT_TRUE(
-            std::any_of(trials.images.begin(), trials.images.end(), [&](const Image& image) { return image.trial == trial; }));
+        EXPECT_TRUE(std::any_of(trials.images.begin(), trials.images.end(),
+                                [&](const Image& image) { return image.trial == trial; }));
     }
     for (const DrawnVector& vector : solution.protocol.vectors) EXPECT_EQ(vector.trial, 0);
 }
@@ -99,7 +102,8 @@ TEST(Trials, ErrorsAreDrawnAndTheTruePlaceDividesAsTheyDo) {
             EXPECT_NE(found, images.end());
             return place(found->point);
         };
-        const Vector from = tip(protocol.trials.images, 1), to = tip(protocol.trials.images, 2), at = tip(protocol.images, 0);
+        const Vector from = tip(protocol.trials.images, 1), to = tip(protocol.trials.images, 2),
+                     at = tip(protocol.images, 0);
         const Exact whole = dot(error - other, error);
         EXPECT_EQ(whole * (at - from), dot(error, error) * (to - from));
     }
@@ -110,7 +114,8 @@ TEST(Trials, DoNotDependOnWhichBodyIsDriven) {
     for (const int body : {2, 3, 4, 6, 7, 8}) {
         // Driven elsewhere with the very motion that the crank gives it, the mechanism moves alike.
         const BodyMotion& motion = by_crank.bodies[at(body - 1)];
-        auto mechanism = read_mechanism(double_butterfly(R"({"body": )" + std::to_string(body) + R"(, "omega": 1})"), "trials");
+        auto mechanism =
+            read_mechanism(double_butterfly(R"({"body": )" + std::to_string(body) + R"(, "omega": 1})"), "trials");
         ASSERT_TRUE(mechanism);
         auto& driver = std::get<SpinDriver>(mechanism->drivers[0]);
         driver.omega = *motion.omega;
@@ -134,12 +139,13 @@ TEST(Trials, TurnWithTheDrawing) {
     }
 }
 
-// --- beyond eight links ------------------------------------------------------------------------------------------------------
+// --- beyond eight links
+// ------------------------------------------------------------------------------------------------------
 
 using Edges = std::vector<std::pair<int, int>>;
 
-/// Ternary links joined along the edges of a cubic graph, some edges by a binary link between: with four such links the chain has
-/// one freedom, with five two. No loop of it is short where the graph's girth is large, so no dyad leads on.
+/// Ternary links joined along the edges of a cubic graph, some edges by a binary link between: with four such links the
+/// chain has one freedom, with five two. No loop of it is short where the graph's girth is large, so no dyad leads on.
 std::string cubic_chain(const Edges& edges, int binaries, std::uint32_t seed) {
     std::mt19937 random(seed);
     const auto below = [&](int count) { return static_cast<int>(random() % static_cast<std::uint32_t>(count)); };
@@ -155,8 +161,10 @@ std::string cubic_chain(const Edges& edges, int binaries, std::uint32_t seed) {
     std::ostringstream points, joints;
     int pins = 0;
     const auto pin = [&](int a, int b) {
-        points << (pins > 0 ? ", " : "") << "\"P" << pins << "\": [" << below(100) - 50 << ", " << below(100) - 50 << ']';
-        joints << (pins > 0 ? ", " : "") << R"({"revolute": "P)" << pins << R"(", "bodies": [)" << a << ", " << b << "]}";
+        points << (pins > 0 ? ", " : "") << "\"P" << pins << "\": [" << below(100) - 50 << ", " << below(100) - 50
+               << ']';
+        joints << (pins > 0 ? ", " : "") << R"({"revolute": "P)" << pins << R"(", "bodies": [)" << a << ", " << b
+               << "]}";
         ++pins;
     };
     for (std::size_t edge = 0; edge < edges.size(); ++edge) {
@@ -175,8 +183,8 @@ std::string cubic_chain(const Edges& edges, int binaries, std::uint32_t seed) {
     text << R"(}, "joints": [)" << joints.str() << R"(], "drivers": [)";
     for (int driver = 0; driver < binaries - 3; ++driver) {
         const int body = 1 + below(bodies - 1);
-        text << (driver > 0 ? ", " : "") << R"({"body": )" << body << R"(, "relative to": )" << below(body) << R"(, "omega": )"
-             << 1 + driver << R"(, "alpha": )" << 2 - driver << '}';
+        text << (driver > 0 ? ", " : "") << R"({"body": )" << body << R"(, "relative to": )" << below(body)
+             << R"(, "omega": )" << 1 + driver << R"(, "alpha": )" << 2 - driver << '}';
     }
     text << "]}";
     return text.str();
@@ -206,14 +214,16 @@ const std::vector<std::pair<std::string, Edges>>& cubic_graphs() {
     return graphs;
 }
 
-/// So many mechanisms of each graph, wherever the drivers determine the motion; returns how many had several unknowns at once.
+/// So many mechanisms of each graph, wherever the drivers determine the motion; returns how many had several unknowns
+/// at once.
 int hold_cubic_chains(int binaries, std::uint32_t count) {
     int held = 0, nested = 0;
     for (const auto& [name, edges] : cubic_graphs()) {
         for (std::uint32_t seed = 0; seed < count; ++seed) {
             SCOPED_TRACE(name + ", seed " + std::to_string(seed));
             const Solution solution = solved(cubic_chain(edges, binaries, seed));
-            if (solution.mobility.driven < solution.mobility.effective || !solution.mobility.idle_drivers.empty()) continue;
+            if (solution.mobility.driven < solution.mobility.effective || !solution.mobility.idle_drivers.empty())
+                continue;
             ++held;
             expect_whole_motion(solution);
             const long trials = said(solution, Sentence::trial_on_line, Topic::velocity) +
@@ -225,7 +235,9 @@ int hold_cubic_chains(int binaries, std::uint32_t count) {
     return nested;
 }
 
-TEST(Trials, LeadThroughChainsOfTenToFourteenLinks) { EXPECT_GT(hold_cubic_chains(4, 5), 0) << "none needed two trials"; }
+TEST(Trials, LeadThroughChainsOfTenToFourteenLinks) {
+    EXPECT_GT(hold_cubic_chains(4, 5), 0) << "none needed two trials";
+}
 
 TEST(Trials, LeadThroughCoupledDrivers) { hold_cubic_chains(5, 5); }
 

@@ -1,5 +1,5 @@
-// Virtual displacements: efforts found without a reaction, held against those of the force polygons, the velocity ratios and the
-// check; the numbers of the course.
+// Virtual displacements: efforts found without a reaction, held against those of the force polygons, the velocity
+// ratios and the check; the numbers of the course.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,12 +30,14 @@ std::string slider_crank(const std::string& more) {
       "points": {"O": [0, 0], "A": {"from": "O", "distance": 50, "angle": 60},
                  "B": {"meet": [{"circle": "A", "radius": 150}, {"line": [0, 0], "angle": 0}], "near": [170, 0]}},
       "bodies": {"2": {"points": ["O", "A"]}, "3": {"points": ["A", "B"]}, "4": {"points": ["B"]}},
-      "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+      "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+      "bodies": [3, 4]},
                  {"prismatic": "B", "bodies": [4, 1], "along": 0}])" +
            more + "}";
 }
 
-/// Every effort that both find: by the polygons of the forces, by the displacements drawn, by the ratios of the equations.
+/// Every effort that both find: by the polygons of the forces, by the displacements drawn, by the ratios of the
+/// equations.
 int hold_efforts_together(const Solution& solution, const std::string& name) {
     const Displacements& found = *solution.displacements;
     int held = 0;
@@ -86,7 +88,8 @@ TEST(VirtualWork, LiftsTheSluiceGateOfTheCourse) {
 
 TEST(VirtualWork, IsTheCoursesVelocityRatioForASliderCrank) {
     const Solution solution = displaced(slider_crank(
-        R"(, "loads": [{"force": "F", "body": 4, "at": "B", "value": [-1000, 0]}], "effort": {"couple": "M", "body": 2})"));
+        R"(, "loads": [{"force": "F", "body": 4, "at": "B", "value": [-1000, 0]}], "effort": {"couple": "M",
+        "body": 2})"));
     const Displacements& found = *solution.displacements;
     // M = −F Λ, Λ = dc/dα = −50.84 mm/rad.
     EXPECT_NEAR(found.efforts.front().value->to_double(), -50.84, 0.005);
@@ -116,8 +119,8 @@ TEST(VirtualWork, AgreesWithTheForcePolygonsOfRandomMechanisms) {
     for (int seed = 1; seed <= unless_sanitized(25, 5); ++seed) {
         const RandomMechanism drawn = random_mechanism(static_cast<std::uint64_t>(seed) * 29);
         const Solution bare = tests::solved(drawn.text);
-        const std::string text =
-            under_random_loads(drawn.text, bare.mechanism, bare.pose, static_cast<std::uint64_t>(seed), drawn.freedoms, true);
+        const std::string text = under_random_loads(drawn.text, bare.mechanism, bare.pose,
+                                                    static_cast<std::uint64_t>(seed), drawn.freedoms, true);
         const Solution solution = displaced(text);
         ASSERT_TRUE(solution.displacements->why_not.empty()) << solution.displacements->why_not.en << text;
         held += hold_efforts_together(solution, drawn.recipe + text);

@@ -1,5 +1,5 @@
-// Structures and trusses cut free whole: their reactions by pole, rays, strings and closing line, which are on the sheet with all
-// else that the sentences name; bodies on bars, which are cut free once.
+// Structures and trusses cut free whole: their reactions by pole, rays, strings and closing line, which are on the
+// sheet with all else that the sentences name; bodies on bars, which are cut free once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,11 +23,13 @@ using namespace kinegraph::tests;
 
 bool says(const Solution& solution, Sentence sentence) {
     const std::vector<Statement>& said = solution.protocol.statements;
-    return std::any_of(said.begin(), said.end(), [&](const Statement& each) { return each.message.sentence == sentence; });
+    return std::any_of(said.begin(), said.end(),
+                       [&](const Statement& each) { return each.message.sentence == sentence; });
 }
 Vector reaction_at(const Solution& solution, const std::string& joint) {
     for (const JointForce& action : solution.forces)
-        if (action.from == frame && action.force && solution.mechanism.joint(action.joint).name == joint) return *action.force;
+        if (action.from == frame && action.force && solution.mechanism.joint(action.joint).name == joint)
+            return *action.force;
     ADD_FAILURE() << "no reaction at " << joint;
     return {};
 }
@@ -39,7 +41,8 @@ std::set<std::string> figures_on(const std::vector<Page>& pages) {
     std::set<std::string> figures;
     for (const Page& page : pages)
         for (const Mark& mark : page.marks)
-            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure") figures.insert(group->id);
+            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure")
+                figures.insert(group->id);
     return figures;
 }
 std::set<std::string> labels_on(const std::vector<Page>& pages) {
@@ -82,14 +85,16 @@ const TakenTogether& together_in(const Solution& solution) {
     return solution.taken_together.front();
 }
 
-// --- by pole, rays and strings -----------------------------------------------------------------------------------------------
+// --- by pole, rays and strings
+// -----------------------------------------------------------------------------------------------
 
 TEST(WholeByStrings, AStepLadderUnderWeights) {
     const Solution solution = solved(R"({"kinegraph": 1, "frame": 1,
       "points": {"A": [0, 0], "B": [4, 0], "C": [2, 4], "D": [1, 2], "E": [3, 2], "P": [0.5, 1], "Q": [3.5, 1]},
       "bodies": {"2": ["A", "C", "D", "P"], "3": ["B", "C", "E", "Q"], "4": ["D", "E"]},
       "joints": [{"revolute": "A", "bodies": [1, 2]}, {"contact": "B", "bodies": [3, 1], "tangent": 0},
-                 {"revolute": "C", "bodies": [2, 3]}, {"revolute": "D", "bodies": [2, 4]}, {"revolute": "E", "bodies": [3, 4]}],
+                 {"revolute": "C", "bodies": [2, 3]}, {"revolute": "D", "bodies": [2, 4]}, {"revolute": "E",
+                 "bodies": [3, 4]}],
       "loads": [{"force": "W", "body": 2, "at": "P", "value": [0, -800]},
                 {"force": "V", "body": 3, "at": "Q", "value": [0, -400]}]})");
     EXPECT_TRUE(solution.unsolved.empty());
@@ -131,8 +136,9 @@ TEST(WholeByStrings, ARoofUnderWind) {
     // Where the outer strings meet has a letter, in the sentence as on the drawing.
     ASSERT_EQ(solution.truss->whole->meets.size(), 1U);
     const std::string letter = solution.truss->whole->meets.front().name;
-    const auto said = std::find_if(solution.protocol.statements.begin(), solution.protocol.statements.end(),
-                                   [](const Statement& each) { return each.message.sentence == Sentence::funicular_several; });
+    const auto said =
+        std::find_if(solution.protocol.statements.begin(), solution.protocol.statements.end(),
+                     [](const Statement& each) { return each.message.sentence == Sentence::funicular_several; });
     EXPECT_NE(english(said->message).find("its outer strings meet in " + letter + ", on the line"), std::string::npos);
     const Theme theme;
     const Figure figure = truss_figure({solution, theme, fonts()}, 150, 120);
@@ -148,7 +154,8 @@ TEST(WholeByStrings, ForcesOfSeveralDirections) {
       "points": {"A": [0, 0], "B": [6, 0], "C": [3, 4], "M": [1.5, 2], "N": [4.5, 2], "D": [1, 0], "E": [5, 0]},
       "bodies": {"2": ["A", "C", "M", "D"], "3": ["B", "C", "N", "E"], "4": ["D", "E"]},
       "joints": [{"revolute": "A", "bodies": [1, 2]}, {"contact": "B", "bodies": [3, 1], "tangent": 0},
-                 {"revolute": "C", "bodies": [2, 3]}, {"revolute": "D", "bodies": [2, 4]}, {"revolute": "E", "bodies": [3, 4]}],
+                 {"revolute": "C", "bodies": [2, 3]}, {"revolute": "D", "bodies": [2, 4]}, {"revolute": "E",
+                 "bodies": [3, 4]}],
       "loads": [{"force": "P", "body": 2, "at": "M", "value": [400, -300]},
                 {"force": "Q", "body": 3, "at": "N", "value": [-100, -700]},
                 {"force": "W", "pin": "C", "value": [0, -500]}]})");
@@ -166,7 +173,8 @@ TEST(WholeByStrings, NotUnderACouple) {
       "points": {"A": [0, 0], "B": [4, 0], "C": [2, 4], "D": [1, 2], "E": [3, 2]},
       "bodies": {"2": ["A", "C", "D"], "3": ["B", "C", "E"], "4": ["D", "E"]},
       "joints": [{"revolute": "A", "bodies": [1, 2]}, {"contact": "B", "bodies": [3, 1], "tangent": 0},
-                 {"revolute": "C", "bodies": [2, 3]}, {"revolute": "D", "bodies": [2, 4]}, {"revolute": "E", "bodies": [3, 4]}],
+                 {"revolute": "C", "bodies": [2, 3]}, {"revolute": "D", "bodies": [2, 4]}, {"revolute": "E",
+                 "bodies": [3, 4]}],
       "loads": [{"couple": "M", "body": 2, "value": 800}]})");
     EXPECT_TRUE(solution.unsolved.empty());
     EXPECT_FALSE(says(solution, Sentence::funicular_parallel));
@@ -179,7 +187,8 @@ TEST(WholeByStrings, WithoutTheSpringsWithin) {
       "points": {"A": [0, 0], "B": [4, 0], "C": [2, 4], "D": [1, 2], "E": [3, 2], "P": [0.5, 1], "Q": [3.5, 1]},
       "bodies": {"2": ["A", "C", "D", "P"], "3": ["B", "C", "E", "Q"], "4": ["D", "E"]},
       "joints": [{"revolute": "A", "bodies": [1, 2]}, {"contact": "B", "bodies": [3, 1], "tangent": 0},
-                 {"revolute": "C", "bodies": [2, 3]}, {"revolute": "D", "bodies": [2, 4]}, {"revolute": "E", "bodies": [3, 4]}],
+                 {"revolute": "C", "bodies": [2, 3]}, {"revolute": "D", "bodies": [2, 4]}, {"revolute": "E",
+                 "bodies": [3, 4]}],
       "loads": [{"force": "W", "body": 2, "at": "P", "value": [0, -800]},
                 {"force": "V", "body": 3, "at": "Q", "value": [0, -400]},
                 {"force": "S", "bodies": [2, 3], "between": ["P", "Q"], "magnitude": 50}]})");
@@ -193,12 +202,15 @@ TEST(WholeByStrings, WithoutTheSpringsWithin) {
 /// Every load and roller stands upright, so that every hinge does: no superposition.
 TEST(ParallelToAll, AGerberBeamOfThreeSpansNeedsNoSuperposition) {
     const Solution solution = solved(R"({"kinegraph": 1, "frame": 1,
-      "points": {"A": [0, 0], "B": [6, 0], "G": [8, 0], "H": [12, 0], "C": [14, 0], "D": [20, 0], "P": [3, 0], "Q": [10, 0], "R": [17, 0]},
+      "points": {"A": [0, 0], "B": [6, 0], "G": [8, 0], "H": [12, 0], "C": [14, 0], "D": [20, 0], "P": [3, 0],
+       "Q": [10, 0],
+       "R": [17, 0]},
       "bodies": {"2": ["A", "B", "G", "P"], "3": ["G", "H", "Q"], "4": ["H", "C", "D", "R"]},
       "joints": [{"revolute": "A", "bodies": [1, 2]}, {"contact": "B", "bodies": [2, 1], "tangent": 0},
                  {"revolute": "G", "bodies": [2, 3]}, {"revolute": "H", "bodies": [3, 4]},
                  {"contact": "C", "bodies": [4, 1], "tangent": 0}, {"contact": "D", "bodies": [4, 1], "tangent": 0}],
-      "loads": [{"force": "P_1", "body": 2, "at": "P", "value": [0, -40]}, {"force": "P_2", "body": 3, "at": "Q", "value": [0, -24]},
+      "loads": [{"force": "P_1", "body": 2, "at": "P", "value": [0, -40]}, {"force": "P_2", "body": 3, "at": "Q",
+      "value": [0, -24]},
                 {"force": "P_3", "body": 4, "at": "R", "value": [0, -30]}]})");
     EXPECT_TRUE(solution.unsolved.empty());
     EXPECT_FALSE(solution.superposition);
@@ -214,16 +226,17 @@ TEST(ParallelToAll, AGerberBeamOfThreeSpansNeedsNoSuperposition) {
     EXPECT_FALSE(pages::says(pages, "× 10"));
 }
 
-// --- a body on bars ----------------------------------------------------------------------------------------------------------
+// --- a body on bars
+// ----------------------------------------------------------------------------------------------------------
 
 /// Two of its struts share a pin, two a hinge of the frame: that is still one body, cut free once.
 TEST(BodyOnBars, ThatSharePinsIsCutFreeOnce) {
     for (const bool at_body : {true, false}) {
         const std::string shared =
-            at_body
-                ? R"({"revolute": "K", "bodies": [2, 3, 4]}, {"revolute": "L", "bodies": [2, 5]},
+            at_body ? R"({"revolute": "K", "bodies": [2, 3, 4]}, {"revolute": "L", "bodies": [2, 5]},
                          {"revolute": "A", "bodies": [1, 3]}, {"revolute": "B", "bodies": [1, 4]})"
-                : R"({"revolute": "K", "bodies": [2, 3]}, {"revolute": "L", "bodies": [2, 5]}, {"revolute": "N", "bodies": [2, 4]},
+                    : R"({"revolute": "K", "bodies": [2, 3]}, {"revolute": "L", "bodies": [2, 5]}, {"revolute": "N",
+                "bodies": [2, 4]},
                          {"revolute": "A", "bodies": [1, 3, 4]})";
         const std::string bar_4 = at_body ? R"(["B", "K"])" : R"(["A", "N"])";
         const Solution solution = solved(R"({"kinegraph": 1, "frame": 1,
@@ -241,7 +254,8 @@ TEST(BodyOnBars, ThatSharePinsIsCutFreeOnce) {
     }
 }
 
-// --- what a sentence of a truss names is drawn -------------------------------------------------------------------------------
+// --- what a sentence of a truss names is drawn
+// -------------------------------------------------------------------------------
 
 /// By statement: strokes and letters that are drawn by it.
 std::set<StatementIndex> drawn_by(const std::vector<Page>& pages) {
@@ -266,7 +280,8 @@ std::set<std::string> bars_on(const std::vector<Page>& pages) {
     std::set<std::string> bars;
     for (const Page& page : pages)
         for (const Mark& mark : page.marks)
-            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "bar") bars.insert(group->title);
+            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "bar")
+                bars.insert(group->title);
     return bars;
 }
 
@@ -298,7 +313,8 @@ private:
             return solution.truss->structure.bar_named(solution.mechanism, name) >= 0;
         };
         if (const auto* names = std::get_if<Names>(&argument)) {
-            for (const std::string& name : *names) EXPECT_TRUE(!has_bar(name) || bars_.contains(name)) << name << " of: " << said;
+            for (const std::string& name : *names)
+                EXPECT_TRUE(!has_bar(name) || bars_.contains(name)) << name << " of: " << said;
         }
         if (const auto* bar = std::get_if<BodyName>(&argument); bar && has_bar(bar->name)) {
             EXPECT_TRUE(bars_.contains(bar->name)) << bar->name << " of: " << said;
@@ -338,12 +354,16 @@ INSTANTIATE_TEST_SUITE_P(Examples, TrussExample, testing::Values("truss_simple",
 TEST_F(TrussSentence, OfATrussOnThreeLinksHasCulmannsLine) {
     const Solution solution = solved(R"({"kinegraph": 1, "frame": 1,
       "points": {"A": [0,0], "B": [4,0], "C": [8,0], "D": [2,3], "E": [6,3], "P": [-2,-2], "Q": [4,-3], "R": [8,-3]},
-      "bodies": {"2": ["A","B"], "3": ["B","C"], "4": ["A","D"], "5": ["D","B"], "6": ["D","E"], "7": ["B","E"], "8": ["E","C"],
+      "bodies": {"2": ["A","B"], "3": ["B","C"], "4": ["A","D"], "5": ["D","B"], "6": ["D","E"], "7": ["B","E"],
+      "8": ["E","C"],
                  "9": ["P","A"], "10": ["Q","B"], "11": ["R","C"]},
-      "joints": [{"revolute": "A", "bodies": [2,4,9]}, {"revolute": "B", "bodies": [2,3,5,7,10]}, {"revolute": "C", "bodies": [3,8,11]},
-                 {"revolute": "D", "bodies": [4,5,6]}, {"revolute": "E", "bodies": [6,7,8]}, {"revolute": "P", "bodies": [1,9]},
+      "joints": [{"revolute": "A", "bodies": [2,4,9]}, {"revolute": "B", "bodies": [2,3,5,7,10]}, {"revolute": "C",
+      "bodies": [3,8,11]},
+                 {"revolute": "D", "bodies": [4,5,6]}, {"revolute": "E", "bodies": [6,7,8]}, {"revolute": "P",
+                 "bodies": [1,9]},
                  {"revolute": "Q", "bodies": [1,10]}, {"revolute": "R", "bodies": [1,11]}],
-      "loads": [{"force": "F_D", "pin": "D", "value": [3000, -8000]}, {"force": "F_E", "pin": "E", "value": [0, -6000]}]})");
+      "loads": [{"force": "F_D", "pin": "D", "value": [3000, -8000]}, {"force": "F_E", "pin": "E", "value": [0,
+      -6000]}]})");
     ASSERT_TRUE(solution.truss);
     EXPECT_TRUE(solution.unsolved.empty());
     EXPECT_TRUE(says(solution, Sentence::culmann_line));
@@ -359,7 +379,8 @@ TEST(TrussSteps, ShowTheStringsAndTheirPolygon) {
     for (const char* id : {"truss", "forces-truss", "cremona"}) EXPECT_TRUE(figures.contains(id)) << id;
 }
 
-// --- loads that act alone ----------------------------------------------------------------------------------------------------
+// --- loads that act alone
+// ----------------------------------------------------------------------------------------------------
 
 /// Each body that carries three forces is cut free under the loads of each row.
 TEST(LoadsAlone, HaveTheirBodiesCutFree) {

@@ -44,12 +44,14 @@ TEST(Workings, ComeOutInEveryExample) {
                 if (!working.summands.empty()) product = 0;
                 for (std::size_t i = 0; i < working.summands.size(); ++i)
                     product += working.factors[i].value * working.summands[i];
-                EXPECT_NEAR(product, working.result.value, 1e-9 * std::abs(product)) << name << ' ' << name_of(working.of);
+                EXPECT_NEAR(product, working.result.value, 1e-9 * std::abs(product))
+                    << name << ' ' << name_of(working.of);
             }
     }
 }
 
-/// An inertia in kg mm² is told in kg m², so that no power of ten divides; an angular velocity in the file's unit as well.
+/// An inertia in kg mm² is told in kg m², so that no power of ten divides; an angular velocity in the file's unit as
+/// well.
 TEST(Workings, UnitsOfTheFileAreBridged) {
     const Solution solution = tests::solved(R"({"kinegraph": 1,
         "units": {"length": "mm", "moment": "N m", "inertia": "kg mm²", "angular velocity": "rpm"},
@@ -60,13 +62,15 @@ TEST(Workings, UnitsOfTheFileAreBridged) {
         "frame": 1, "drivers": [{"body": 2, "omega": "300 rpm"}],
         "masses": {"3": {"mass": "1 kg", "centre": "A", "inertia": "4000 kg mm²"}}, "inertia forces": true,
         "effort": {"couple": "M", "body": 2}, "find": ["velocity", "acceleration", "forces"]})");
-    const std::string couple = said(solution, Sentence::inertia_couple), turning = said(solution, Sentence::omega_from_pair);
+    const std::string couple = said(solution, Sentence::inertia_couple),
+                      turning = said(solution, Sentence::omega_from_pair);
     EXPECT_TRUE(has(couple, "M_i~=~−0.004~·~")) << couple;
     EXPECT_TRUE(has(said(solution, Sentence::crank_velocity), "ω_2~=~300~rpm =~31.4~rad/s")) << turning;
     EXPECT_TRUE(has(turning, "rad/s =~−45.0~rpm")) << turning;
 }
 
-/// M = ΣF·b in the units of the file's forces and lengths, and F = M/b of the same number; across parallel bars F alone.
+/// M = ΣF·b in the units of the file's forces and lengths, and F = M/b of the same number; across parallel bars F
+/// alone.
 TEST(Workings, MomentsOfCutsAreSumsOfForcesTimesArms) {
     const Solution solution = tests::solved(R"({"kinegraph": 1, "units": {"length": "m", "force": "kN"},
         "points": {"A": [0, 0], "B": [3, 0], "C": [6, 0], "D": [3, 4], "E": [6, 4], "F": [9, 0]},
@@ -79,7 +83,8 @@ TEST(Workings, MomentsOfCutsAreSumsOfForcesTimesArms) {
         "loads": [{"force": "P", "pin": "B", "magnitude": "30 kN", "along": -90},
                   {"force": "Q", "pin": "E", "magnitude": "20 kN", "along": 0}],
         "find": ["forces", {"cut": ["DE", "CD", "BC"]}]})");
-    const std::string about = said(solution, Sentence::truss_cut_moment), across = said(solution, Sentence::truss_cut_across);
+    const std::string about = said(solution, Sentence::truss_cut_moment),
+                      across = said(solution, Sentence::truss_cut_across);
     EXPECT_TRUE(has(about, "M_C~=~−20~·~4 +~18.89~·~3 =~−23.3~kN~m; F_DE~=~23.33/4 =~5.83~kN.")) << about;
     EXPECT_TRUE(has(about, "M_D~=~18.89~·~6 =~113~kN~m; F_BC~=~113.3/4 =~28.3~kN.")) << about;
     EXPECT_TRUE(has(across, "F_CD~=~−18.89/0.8 =~−23.6~kN.")) << across;
@@ -157,20 +162,25 @@ TEST(Workings, ATriangleIsOfThreeForces) {
 
 TEST(Workings, TheInertiaForceIsAStep) {
     const Solution solution = example("exam_2001");
-    EXPECT_TRUE(has(said(solution, Sentence::inertia_force), "10~·~1.468 =~14.7~N")) << said(solution, Sentence::inertia_force);
+    EXPECT_TRUE(has(said(solution, Sentence::inertia_force), "10~·~1.468 =~14.7~N"))
+        << said(solution, Sentence::inertia_force);
 }
 
 // Area and centroid of a trapezium; the forces' resultant, and by how much a couple moves it aside.
 TEST(Workings, ADistributedLoadAndACoupleHaveTheirNumbers) {
-    const Solution solution = tests::solved(R"({"kinegraph": 1, "units": {"length": "m", "force": "kN", "moment": "kN m"},
-        "frame": 0, "points": {"A": [0, 0], "C": [2, 0], "B": [6, 0], "D": [8, 0]}, "bodies": {"1": ["A", "C", "B", "D"]},
+    const Solution solution =
+        tests::solved(R"({"kinegraph": 1, "units": {"length": "m", "force": "kN", "moment": "kN m"},
+        "frame": 0, "points": {"A": [0, 0], "C": [2, 0], "B": [6, 0], "D": [8, 0]}, "bodies": {"1": ["A", "C", "B",
+        "D"]},
         "joints": [{"revolute": "A", "bodies": [0, 1]}, {"contact": "B", "bodies": [1, 0], "tangent": 20}],
-        "loads": [{"distributed": "q", "body": 1, "from": "C", "to": "D", "intensity": ["4 kN/m", "10 kN/m"], "along": -90},
+        "loads": [{"distributed": "q", "body": 1, "from": "C", "to": "D", "intensity": ["4 kN/m", "10 kN/m"],
+        "along": -90},
                   {"couple": "m", "body": 1, "value": 12},
                   {"force": "P", "body": 1, "at": "D", "magnitude": 5, "along": -120}]})");
     const std::string load = said(solution, Sentence::distributed_load);
     EXPECT_TRUE(has(load, "7~·~6 =~42.0~kN") && has(load, "x~=~3.43~m")) << load;  // 6·(4 + 2·10)/(3·14)
-    EXPECT_TRUE(has(said(solution, Sentence::known_resultant), "F_q, F_P")) << said(solution, Sentence::known_resultant);
+    EXPECT_TRUE(has(said(solution, Sentence::known_resultant), "F_q, F_P"))
+        << said(solution, Sentence::known_resultant);
     const std::string moved = said(solution, Sentence::inertia_moved);
     EXPECT_TRUE(has(moved, "12/46.4 =~0.259~m")) << moved;  // |(0, −42) + 5(cos 240°, sin 240°)| = 46.4
 }
@@ -179,7 +189,8 @@ TEST(Workings, ADistributedLoadAndACoupleHaveTheirNumbers) {
 TEST(Workings, AForceMovedAsideIsToldInTheUnitsOfTheFile) {
     const auto moved = [](const std::string& units, const std::string& couple) {
         return said(tests::solved(R"({"kinegraph": 1, "units": )" + units + R"(,
-            "frame": 0, "points": {"A": [0, 0], "C": [2, 0], "B": [6, 0], "D": [8, 0]}, "bodies": {"1": ["A", "C", "B", "D"]},
+            "frame": 0, "points": {"A": [0, 0], "C": [2, 0], "B": [6, 0], "D": [8, 0]}, "bodies": {"1": ["A", "C",
+            "B", "D"]},
             "joints": [{"revolute": "A", "bodies": [0, 1]}, {"contact": "B", "bodies": [1, 0], "tangent": 20}],
             "loads": [{"force": "Q", "body": 1, "at": "C", "magnitude": 40, "along": -90},
                       {"force": "P", "body": 1, "at": "D", "magnitude": 30, "along": 0},
@@ -197,7 +208,8 @@ TEST(Workings, AForceMovedAsideIsToldInTheUnitsOfTheFile) {
     EXPECT_TRUE(has(of_feet, "20/50 =~0.400~ft =~4.80~in.")) << of_feet;
 }
 
-// A body whose ω a driver gives relative to another has no polygon yet: the first link of its image is set off, and closes it.
+// A body whose ω a driver gives relative to another has no polygon yet: the first link of its image is set off, and
+// closes it.
 TEST(Workings, TheFirstLinkOfAnImageIsDrawnAndValued) {
     const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
         "points": {"O": [0, 0], "A": {"from": "O", "distance": 300, "angle": 40},
@@ -220,7 +232,8 @@ TEST(Workings, TheFirstLinkOfAnImageIsDrawnAndValued) {
 }
 
 TEST(Workings, AnAuxiliaryPointHasItsPlaceAndItsLever) {
-    const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm", "velocity": "mm/s"},
+    const Solution solution =
+        tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm", "velocity": "mm/s"},
         "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 80, "angle": 70}, "O4": [150, 20],
                    "B": {"meet": [{"circle": "A", "radius": 120}, {"circle": "O4", "radius": 100}], "near": [180, 140]},
                    "P": {"from": "A", "to": "B", "ratio": 0.4}},
@@ -238,8 +251,10 @@ TEST(Workings, AnAuxiliaryPointHasItsPlaceAndItsLever) {
 TEST(Workings, ParallelForcesHaveTheirMomentAndArm) {
     const auto told = [](const std::string& loads) {
         return said(tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
-            "points": {"O": [0, 0], "P": [100, 0], "B": [250, 0], "C": [250, 90]}, "bodies": {"2": ["O", "P", "B"], "3": ["B", "C"]},
-            "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "B", "bodies": [2, 3]}, {"revolute": "C", "bodies": [1, 3]}],
+            "points": {"O": [0, 0], "P": [100, 0], "B": [250, 0], "C": [250, 90]}, "bodies": {"2": ["O", "P", "B"],
+            "3": ["B", "C"]},
+            "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "B", "bodies": [2, 3]}, {"revolute": "C",
+            "bodies": [1, 3]}],
             "loads": [)" + loads + "]}"),
                     Sentence::parallel_forces);
     };
@@ -258,8 +273,10 @@ TEST(Workings, AnInertiaForceIsMovedOnce) {
                    "C": {"from": "A", "distance": 110, "angle": 35, "relative to": ["A", "B"]},
                    "D": {"meet": [{"circle": "C", "radius": 130}, {"circle": "O6", "radius": 90}], "side": "left"}},
         "bodies": {"2": ["O2", "A"], "3": ["A", "B", "C"], "4": ["O4", "B"], "5": ["C", "D"], "6": ["O6", "D"]},
-        "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
-                   {"revolute": "O4", "bodies": [1, 4]}, {"revolute": "C", "bodies": [3, 5]}, {"revolute": "D", "bodies": [5, 6]},
+        "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+        "bodies": [3, 4]},
+                   {"revolute": "O4", "bodies": [1, 4]}, {"revolute": "C", "bodies": [3, 5]}, {"revolute": "D",
+                   "bodies": [5, 6]},
                    {"revolute": "O6", "bodies": [1, 6]}],
         "drivers": [{"body": 2, "omega": 12, "alpha": -30}], "gravity": [0, -9.81], "inertia forces": true,
         "masses": {"3": {"mass": 1.2, "centre": "C", "inertia": "3000 kg mm²"}},
@@ -309,8 +326,10 @@ TEST(Workings, AnImageTellsTheVelocityThatIsReadOff) {
 
 // In pounds and inches the mass is divided by g_c = 386.09 lb in/(lbf s²).
 TEST(Workings, AnInertiaForceInPoundsIsDividedByTheirConstant) {
-    const Solution solution = tests::solved(R"({"kinegraph": 1, "units": {"length": "in", "force": "lbf", "moment": "lbf in",
-        "mass": "lb", "acceleration": "in/s²"}, "frame": 1, "points": {"O": [0, 0], "A": [10, 0]}, "bodies": {"2": ["O", "A"]},
+    const Solution solution =
+        tests::solved(R"({"kinegraph": 1, "units": {"length": "in", "force": "lbf", "moment": "lbf in",
+        "mass": "lb", "acceleration": "in/s²"}, "frame": 1, "points": {"O": [0, 0], "A": [10, 0]},
+        "bodies": {"2": ["O", "A"]},
         "joints": [{"revolute": "O", "bodies": [1, 2]}], "drivers": [{"body": 2, "omega": 10}],
         "masses": {"2": {"mass": 3, "centre": "A", "inertia": 0}}, "inertia forces": true,
         "effort": {"couple": "M", "body": 2}})");

@@ -1,5 +1,5 @@
-// Block memory: blocks of all sizes, each one's own, whichever thread made them; the same again and again; all of them given
-// back. What is tested is what the program is linked with, so it stands here as a whole, and serves all tests.
+// Block memory: blocks of all sizes, each one's own, whichever thread made them; the same again and again; all of them
+// given back. What is tested is what the program is linked with, so it stands here as a whole, and serves all tests.
 #include "app/commands/block_memory.hpp"
 
 #include <gtest/gtest.h>

@@ -214,7 +214,10 @@ TEST(SecondOrderConditions, OfADiscOnAStraightTrackHeldByAParallelGuideAreFree) 
 TEST(DeadPoint, NamesTheBodyThatCannotBeDriven) {
     Sketch s;
     s.point("O", "0", "0").point("A", "1", "0").point("B", "4", "0");
-    s.revolute("O", {"1", "2"}).revolute("A", {"2", "3"}).revolute("B", {"3", "4"}).prismatic("B", {"4", "1"}, at_angle("0"));
+    s.revolute("O", {"1", "2"})
+        .revolute("A", {"2", "3"})
+        .revolute("B", {"3", "4"})
+        .prismatic("B", {"4", "1"}, at_angle("0"));
     const Seen seen = look(s.slide(3, "1"));
     EXPECT_EQ(seen.motion.still, std::vector<BodyIndex>{BodyIndex(3)});
     EXPECT_TRUE(seen.motion.unturning.empty());

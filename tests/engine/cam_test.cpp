@@ -1,4 +1,5 @@
-// Cams: the curve that a law asks for against closed forms, against the follower that rolls round it, and against our own solver.
+// Cams: the curve that a law asks for against closed forms, against the follower that rolls round it, and against our
+// own solver.
 #include "engine/mechanism/cam.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +20,8 @@ using Spot = VectorOf<double>;
 constexpr double pi_ = std::numbers::pi;
 
 std::string file(const std::string& follower, const std::string& law, int base, const char* omega = "10") {
-    return R"({"kinegraph": 1, "units": {"length": "mm"}, "cam": {"omega": )" + std::string(omega) + R"(, "base radius": )" +
-           std::to_string(base) + R"(, "follower": )" + follower + R"(, "law": )" + law + "}}";
+    return R"({"kinegraph": 1, "units": {"length": "mm"}, "cam": {"omega": )" + std::string(omega) +
+           R"(, "base radius": )" + std::to_string(base) + R"(, "follower": )" + follower + R"(, "law": )" + law + "}}";
 }
 /// Up, a rest, down, a rest.
 std::string dwells(const std::string& rise) {
@@ -44,16 +45,19 @@ const std::vector<Kind> kinds{
     {"roller, offset", R"({"moves": "translating", "face": "roller", "radius": 10, "offset": 8})", "24", "10"},
     {"edge", R"({"moves": "translating", "face": "knife edge", "offset": -6})", "20", "-10"},
     {"flat", R"({"moves": "translating", "face": "flat"})", "15", "-10"},
-    {"rocker with roller", R"({"moves": "oscillating", "face": "roller", "radius": 8, "pivot": [90, 10], "arm": 80})", "20",
-     "10"},
-    {"on the right", R"({"moves": "oscillating", "face": "roller", "radius": 8, "pivot": [90, 10], "arm": 80, "side": "right"})",
+    {"rocker with roller", R"({"moves": "oscillating", "face": "roller", "radius": 8, "pivot": [90, 10], "arm": 80})",
      "20", "10"},
-    {"rocker with edge", R"({"moves": "oscillating", "face": "knife edge", "pivot": [-90, 10], "arm": 80})", "20", "-10"},
+    {"on the right",
+     R"({"moves": "oscillating", "face": "roller", "radius": 8, "pivot": [90, 10], "arm": 80, "side": "right"})", "20",
+     "10"},
+    {"rocker with edge", R"({"moves": "oscillating", "face": "knife edge", "pivot": [-90, 10], "arm": 80})", "20",
+     "-10"},
     {"lever", R"({"moves": "oscillating", "face": "flat", "pivot": [90, 10], "offset": 5})", "12", "10"},
-    {"lever on the right", R"({"moves": "oscillating", "face": "flat", "pivot": [90, 10], "offset": -5, "side": "right"})", "12",
-     "-10"}};
+    {"lever on the right",
+     R"({"moves": "oscillating", "face": "flat", "pivot": [90, 10], "offset": -5, "side": "right"})", "12", "-10"}};
 
-/// What the profile leaves between itself and the follower that stands where the law has it; negative where it would cut.
+/// What the profile leaves between itself and the follower that stands where the law has it; negative where it would
+/// cut.
 double clearance(const Cam& cam, const CamState& at, const Spot& profile) {
     if (cam.follower.face == Follower::Face::flat) return dot(at.outward, at.contact - profile);
     const Spot d = profile - at.trace;
@@ -70,7 +74,8 @@ TEST(Cam, ItsProfileTouchesTheFollowerEverywhereAndCutsItNowhere) {
             const CamState state = geometry.at(2 * pi_ * i / 3600);
             profile.push_back(state.on_cam(state.contact, geometry.sense()));
         }
-        EXPECT_NEAR(std::hypot(profile[0].x, profile[0].y), 0.04, cam.follower.face == Follower::Face::knife_edge ? 1e-12 : 1e-3);
+        EXPECT_NEAR(std::hypot(profile[0].x, profile[0].y), 0.04,
+                    cam.follower.face == Follower::Face::knife_edge ? 1e-12 : 1e-3);
         EXPECT_TRUE(summary_of(cam, geometry).undercuts.empty());
         for (int degrees = 0; degrees < 360; degrees += 15) {
             const CamState state = geometry.at(degrees * pi_ / 180);
@@ -108,10 +113,11 @@ TEST(Cam, OurOwnSolverFindsTheLaw) {
 }
 
 TEST(Cam, AnEccentricIsFoundAgain) {
-    // Harmonic all round under a flat face, s = e (1 − cos θ): a circle of radius r + e about a point e beside the axis.
-    const Cam cam =
-        cam_of(file(R"({"moves": "translating", "face": "flat"})",
-                    R"([{"form": "harmonic", "rise": 20, "turn": 180}, {"form": "harmonic", "rise": -20, "turn": 180}])", 30));
+    // Harmonic all round under a flat face, s = e (1 − cos θ): a circle of radius r + e about a point e beside the
+    // axis.
+    const Cam cam = cam_of(
+        file(R"({"moves": "translating", "face": "flat"})",
+             R"([{"form": "harmonic", "rise": 20, "turn": 180}, {"form": "harmonic", "rise": -20, "turn": 180}])", 30));
     const CamGeometry geometry = *CamGeometry::of(cam);
     for (int degrees = 0; degrees < 360; degrees += 7) {
         const CamState state = geometry.at(degrees * pi_ / 180);
@@ -150,7 +156,8 @@ TEST(Cam, UndercutIsSaid) {
         EXPECT_EQ(!summary_of(cam, geometry).undercuts.empty(), is_cut) << base;
     }
     // A roller larger than the pitch curve's least radius.
-    const std::string steep = R"([{"form": "cycloidal", "rise": 40, "turn": 60}, {"form": "cycloidal", "rise": -40, "turn": 60},
+    const std::string steep =
+        R"([{"form": "cycloidal", "rise": 40, "turn": 60}, {"form": "cycloidal", "rise": -40, "turn": 60},
         {"form": "rest", "turn": 240}])";
     const Cam blunt = cam_of(file(R"({"moves": "translating", "face": "roller", "radius": 25})", steep, 15));
     EXPECT_FALSE(summary_of(blunt, *CamGeometry::of(blunt)).undercuts.empty());
@@ -161,7 +168,8 @@ TEST(Cam, UndercutIsSaid) {
 /// Up and down at constant speeds: the speed jumps up at 60° and 360°, down at 160° and 200°.
 std::string with_jumps(const std::string& rise) {
     return R"([{"form": "rest", "turn": 60}, {"form": "constant speed", "rise": )" + rise +
-           R"(, "turn": 100}, {"form": "rest", "turn": 40}, {"form": "constant speed", "rise": -)" + rise + R"(, "turn": 160}])";
+           R"(, "turn": 100}, {"form": "rest", "turn": 40}, {"form": "constant speed", "rise": -)" + rise +
+           R"(, "turn": 160}])";
 }
 
 TEST(Cam, WhereTheSpeedJumpsThePitchCurveHasACorner) {
@@ -189,10 +197,12 @@ TEST(Cam, WhereTheSpeedJumpsThePitchCurveHasACorner) {
             double least = 0;
             for (const CamState& other : states) {
                 const double turned = geometry.sense() * other.turn;
-                least = std::min(least, clearance(cam, other, faced(Spot{std::cos(turned), std::sin(turned)}, contact)));
+                least =
+                    std::min(least, clearance(cam, other, faced(Spot{std::cos(turned), std::sin(turned)}, contact)));
             }
-            const bool told = std::any_of(summary.undercuts.begin(), summary.undercuts.end(),
-                                          [&](const auto& range) { return range[0] <= at.turn && at.turn <= range[1]; });
+            const bool told = std::any_of(summary.undercuts.begin(), summary.undercuts.end(), [&](const auto& range) {
+                return range[0] <= at.turn && at.turn <= range[1];
+            });
             EXPECT_EQ(least < -1e-8, told) << at.turn * 180 / pi_;
         }
         EXPECT_EQ(summary.undercuts.empty(), is_edge);
@@ -218,7 +228,8 @@ TEST(Cam, TheProfileGoesRoundAHollowCornerInAnArcOfTheRoller) {
 
 TEST(Cam, TwoUndercutsAreTwo) {
     const std::string twice = R"([{"form": "cycloidal", "rise": 20, "turn": 45}, {"form": "rest", "turn": 60},
-        {"form": "cycloidal", "rise": -20, "turn": 90}, {"form": "rest", "turn": 30}, {"form": "cycloidal", "rise": 20, "turn": 45},
+        {"form": "cycloidal", "rise": -20, "turn": 90}, {"form": "rest", "turn": 30}, {"form": "cycloidal",
+        "rise": 20, "turn": 45},
         {"form": "cycloidal", "rise": -20, "turn": 90}])";
     const Cam cam = cam_of(file(R"({"moves": "translating", "face": "flat"})", twice, 20));
     const CamSummary summary = summary_of(cam, *CamGeometry::of(cam));
@@ -227,10 +238,11 @@ TEST(Cam, TwoUndercutsAreTwo) {
 }
 
 TEST(Cam, BreaksOfALawAreItsJumps) {
-    const Cam cam = cam_of(file(R"({"moves": "translating", "face": "flat"})",
-                                R"([{"form": "constant acceleration", "rise": 20, "turn": 120}, {"form": "rest", "turn": 40},
+    const Cam cam =
+        cam_of(file(R"({"moves": "translating", "face": "flat"})",
+                    R"([{"form": "constant acceleration", "rise": 20, "turn": 120}, {"form": "rest", "turn": 40},
         {"form": "cycloidal", "rise": -20, "turn": 200}])",
-                                30));
+                    30));
     const std::vector<LawBreak> breaks = breaks_of_cycle(cam.law);
     ASSERT_EQ(breaks.size(), 3U);
     const double turn = 2 * pi_ / 3, most = 4 * 0.02 / (turn * turn);
@@ -263,20 +275,23 @@ TEST(Cam, FaultsOfFilesAreTold) {
     for (const Case& each :
          {Case{file(roller, R"([{"form": "rest", "turn": 350}])", 40), "its pieces make 350°"},
           Case{file(roller, R"([{"form": "harmonic", "rise": 1, "turn": 360}])", 40), "the rises add up to zero"},
-          Case{file(roller, R"([{"form": "harmonic", "rise": -1, "turn": 180}, {"form": "harmonic", "rise": 1, "turn": 180}])",
+          Case{file(roller,
+                    R"([{"form": "harmonic", "rise": -1, "turn": 180}, {"form": "harmonic", "rise": 1, "turn": 180}])",
                     40),
                "begins at its lowest"},
           Case{file(roller, law, 40, "0"), "does not turn"}, Case{file(roller, law, -4), "greater than zero"},
           Case{file(R"({"moves": "sliding", "face": "roller", "radius": 10})", law, 40), "\"sliding\" is none of"},
-          Case{file(R"({"moves": "translating", "face": "flat", "radius": 10})", law, 40), "only a roller has a radius"},
-          Case{file(R"({"moves": "oscillating", "face": "roller", "radius": 10, "arm": 5})", law, 40), "\"pivot\" is missing"},
+          Case{file(R"({"moves": "translating", "face": "flat", "radius": 10})", law, 40),
+               "only a roller has a radius"},
+          Case{file(R"({"moves": "oscillating", "face": "roller", "radius": 10, "arm": 5})", law, 40),
+               "\"pivot\" is missing"},
           Case{R"({"kinegraph": 1})", "\"cam\" is missing"}, Case{"[]", "is a JSON object"}}) {
         const auto cam = read_cam(each.text, "cam.json");
         ASSERT_FALSE(cam) << each.told;
         EXPECT_NE(cam.error().front().message.en.find(each.told), std::string::npos) << cam.error().front().message.en;
     }
-    const Cam far =
-        cam_of(file(R"({"moves": "oscillating", "face": "roller", "radius": 10, "pivot": [200, 0], "arm": 20})", law, 40));
+    const Cam far = cam_of(
+        file(R"({"moves": "oscillating", "face": "roller", "radius": 10, "pivot": [200, 0], "arm": 20})", law, 40));
     EXPECT_FALSE(CamGeometry::of(far));
     const Cam beside = cam_of(file(R"({"moves": "translating", "face": "knife edge", "offset": 50})", law, 40));
     EXPECT_FALSE(CamGeometry::of(beside));
@@ -285,7 +300,8 @@ TEST(Cam, FaultsOfFilesAreTold) {
 TEST(Cam, TheExampleIsTheMechanismOfItsCam) {
     const std::string folder = tests::example_file("cams/disc_cam");
     const Cam cam = cam_of(tests::contents(folder));
-    EXPECT_EQ(mechanism_file_of(cam, *CamGeometry::of(cam), pi_ / 3), tests::contents(tests::example_file("cam_from_law")));
+    EXPECT_EQ(mechanism_file_of(cam, *CamGeometry::of(cam), pi_ / 3),
+              tests::contents(tests::example_file("cam_from_law")));
 }
 
 }  // namespace

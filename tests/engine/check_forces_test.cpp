@@ -76,13 +76,14 @@ void expect_force(const NumericForces::Action& action, double x, double y, doubl
     EXPECT_NEAR(action.couple, couple, tolerance);
 }
 
-// --- power -------------------------------------------------------------------------------------------------------------------
+// --- power
+// -------------------------------------------------------------------------------------------------------------------
 
 double dot(const std::array<double, 2>& a, const std::array<double, 2>& b) { return a[0] * b[0] + a[1] * b[1]; }
 std::array<double, 2> numbers(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
 
-/// Power of loads, weights, inertia and efforts in the motion of the drivers: zero, as ideal pairs do no work. The largest term
-/// is what the sum is small against.
+/// Power of loads, weights, inertia and efforts in the motion of the drivers: zero, as ideal pairs do no work. The
+/// largest term is what the sum is small against.
 void expect_power_closes(const Statics& s) {
     double sum = 0;
     double largest = 0;
@@ -99,7 +100,8 @@ void expect_power_closes(const Statics& s) {
         if (const auto* one = std::get_if<ForceLoad>(&load)) {
             if (one->value) add(dot(numbers(*one->value), s.motion.velocity(one->body, s.pose.at(one->at))));
             if (one->magnitude) {
-                force(one->body, one->at, direction_of(one->magnitude->second, s.pose), one->magnitude->first.to_double());
+                force(one->body, one->at, direction_of(one->magnitude->second, s.pose),
+                      one->magnitude->first.to_double());
             }
         } else if (const auto* couple = std::get_if<CoupleLoad>(&load)) {
             add(couple->value.to_double() * state(couple->body).omega);
@@ -136,7 +138,8 @@ void expect_power_closes(const Statics& s) {
     EXPECT_LE(std::abs(sum), 1e-12 * largest);
 }
 
-// --- one body ----------------------------------------------------------------------------------------------------------------
+// --- one body
+// ----------------------------------------------------------------------------------------------------------------
 
 std::string beam(const std::string& support) {
     return R"({"kinegraph": 1, "frame": 1,
@@ -180,7 +183,8 @@ TEST(Forces, BeamOnTwoHingesIsOnceIndeterminate) {
 TEST(Forces, CantileverIsClamped) {
     const Statics s(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [2, 1]}, "bodies": {"2": ["A", "B"]},
         "joints": [{"weld": "A", "bodies": [2, 1]}],
-        "loads": [{"force": "P", "body": 2, "at": "B", "value": [300, -500]}, {"couple": "M", "body": 2, "value": 70}]})");
+        "loads": [{"force": "P", "body": 2, "at": "B", "value": [300, -500]}, {"couple": "M", "body": 2,
+        "value": 70}]})");
     expect_determined(s);
     expect_force(s.on("A", "2"), -300, 500, 1300 - 70);
     expect_force(s.on("A", "1"), 300, -500, 70 - 1300);
@@ -200,7 +204,8 @@ TEST(Forces, LeverAndItsThreeParallelForces) {
 
 TEST(Forces, RotatingBodyOfTheNotes) {
     // 2.3-1: F_1 + R_12 + F_c = 0, and the couple that the moments about O still need.
-    const Statics s(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "G": [0.0983, 0.0688], "X": [-0.0434, 0.2462]},
+    const Statics s(
+        R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "G": [0.0983, 0.0688], "X": [-0.0434, 0.2462]},
         "bodies": {"2": ["O", "G", "X"]}, "joints": [{"revolute": "O", "bodies": [1, 2]}],
         "drivers": [{"body": 2, "omega": 12}], "masses": {"2": {"mass": 3, "centre": "G", "inertia": 0.1}},
         "inertia forces": true, "loads": [{"force": "F", "body": 2, "at": "X", "value": [40, 0]}],
@@ -236,7 +241,8 @@ TEST(Forces, PairOfARollingWheel) {
     expect_power_closes(s);
 }
 
-// --- several bodies ----------------------------------------------------------------------------------------------------------
+// --- several bodies
+// ----------------------------------------------------------------------------------------------------------
 
 std::string slider_crank(const std::string& tail) {
     return R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
@@ -292,7 +298,8 @@ TEST(Forces, LockedPositionHoldsNothing) {
     // At the dead point the rods hold the gas force by themselves: the crank's couple is zero, and determined.
     const Statics held(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [0.05, 0], "B": [0.2, 0]},
         "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
-        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+        "bodies": [3, 4]},
                    {"prismatic": "B", "bodies": [4, 1], "along": 0, "name": "guide"}],
         "loads": [{"force": "F", "body": 4, "at": "B", "value": [-2000, 0]}], "effort": {"couple": "M", "body": 2}})");
     expect_determined(held);
@@ -300,7 +307,8 @@ TEST(Forces, LockedPositionHoldsNothing) {
     // The other way, no force on the slider balances a couple on the crank.
     const Statics locked(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [0.05, 0], "B": [0.2, 0]},
         "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
-        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+        "bodies": [3, 4]},
                    {"prismatic": "B", "bodies": [4, 1], "along": 0, "name": "guide"}],
         "loads": [{"couple": "M", "body": 2, "value": 12}], "effort": {"force": "F", "joint": "guide"}})");
     EXPECT_FALSE(locked.forces.balanced);
@@ -309,7 +317,8 @@ TEST(Forces, LockedPositionHoldsNothing) {
 
 TEST(Forces, SpringPullsTogether) {
     // Two cranks held by one spring and two couples.
-    const Statics s(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "P": [0, 0.1], "B": [0.4, 0], "Q": [0.4, 0.4]},
+    const Statics s(
+        R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "P": [0, 0.1], "B": [0.4, 0], "Q": [0.4, 0.4]},
         "bodies": {"2": ["A", "P"], "3": ["B", "Q"]},
         "joints": [{"revolute": "A", "bodies": [1, 2]}, {"revolute": "B", "bodies": [1, 3]}],
         "drivers": [{"body": 2, "omega": 3}, {"body": 3, "omega": 2}],
@@ -354,9 +363,11 @@ TEST(Forces, FrameCountsAtAPinOfThree) {
 
 TEST(Forces, KnownBesideAnIndeterminatePart) {
     // Bar 3 hangs on body 2, which is clamped twice over: what 3 gives to 2 is known, how the clamps share it is not.
-    const Statics s(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [4, 0], "C": [2, 1], "D": [2, 3], "E": [3, 3]},
+    const Statics s(
+        R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [4, 0], "C": [2, 1], "D": [2, 3], "E": [3, 3]},
         "bodies": {"2": ["A", "B", "C", "D"], "3": ["C", "D", "E"]},
-        "joints": [{"revolute": "A", "bodies": [1, 2]}, {"revolute": "B", "bodies": [1, 2]}, {"revolute": "C", "bodies": [2, 3]},
+        "joints": [{"revolute": "A", "bodies": [1, 2]}, {"revolute": "B", "bodies": [1, 2]}, {"revolute": "C",
+        "bodies": [2, 3]},
                    {"contact": "D", "bodies": [3, 2], "tangent": 90}],
         "loads": [{"force": "F", "body": 3, "at": "E", "value": [0, -100]}]})");
     EXPECT_TRUE(s.forces.balanced);
@@ -382,7 +393,8 @@ TEST(Forces, KnownBesideAnUnbalancedPart) {
 
 TEST(Forces, InertiaOfAMotionThatNobodyKnows) {
     const Statics s(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "G": [0.3, 0]}, "bodies": {"2": ["O", "G"]},
-        "joints": [{"revolute": "O", "bodies": [1, 2]}], "masses": {"2": {"mass": 4, "centre": "G"}}, "inertia forces": true,
+        "joints": [{"revolute": "O", "bodies": [1, 2]}], "masses": {"2": {"mass": 4, "centre": "G"}},
+        "inertia forces": true,
         "effort": {"couple": "M", "body": 2}})");
     EXPECT_FALSE(s.on("O", "2").known);
     EXPECT_FALSE(s.forces.effort_known.at(0));
@@ -422,7 +434,8 @@ TEST(Forces, FourBarWithWeightsAndInertia) {
         "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
                    {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [1, 4]}],
         "drivers": [{"body": 2, "omega": -10, "alpha": 30}],
-        "masses": {"2": {"mass": 0.8, "centre": "G2", "inertia": 0.00012}, "3": {"mass": 2, "centre": "G3", "inertia": 0.004},
+        "masses": {"2": {"mass": 0.8, "centre": "G2", "inertia": 0.00012}, "3": {"mass": 2, "centre": "G3",
+        "inertia": 0.004},
                    "4": {"mass": 1.5, "centre": "G4", "inertia": 0.0009}},
         "gravity": [0, -9.81], "effort": {"couple": "M", "body": 2})";
     for (const char* tail : {"}", R"(, "inertia forces": true})"}) {
@@ -439,17 +452,19 @@ TEST(Forces, FourBarWithWeightsAndInertia) {
     }
 }
 
-// --- gears -------------------------------------------------------------------------------------------------------------------
+// --- gears
+// -------------------------------------------------------------------------------------------------------------------
 
-/// Pinion 2 turned by a couple M; body 3 holds. The tangential force on the pinion is −M/r, the radial one tan 20° of it and away
-/// from the mate, whichever way M turns and in whatever order the bodies are named.
-void expect_teeth_push(const std::string& points, const std::string& mate, const std::string& joints, const std::string& effort,
-                       std::array<double, 2> tangential, std::array<double, 2> into_pinion) {
+/// Pinion 2 turned by a couple M; body 3 holds. The tangential force on the pinion is −M/r, the radial one tan 20° of
+/// it and away from the mate, whichever way M turns and in whatever order the bodies are named.
+void expect_teeth_push(const std::string& points, const std::string& mate, const std::string& joints,
+                       const std::string& effort, std::array<double, 2> tangential, std::array<double, 2> into_pinion) {
     for (const char* couple : {"3", "-3"}) {
         for (const char* order : {"[2, 3]", "[3, 2]"}) {
             const Statics s(R"({"kinegraph": 1, "frame": 1, "points": {)" + points + R"(}, "bodies":
                 {"2": {"points": ["C"], "circle": {"centre": "C", "radius": 0.02}}, "3": )" +
-                            mate + R"(}, "joints": [{"revolute": "C", "bodies": [1, 2]}, )" + joints + R"("bodies": )" + order +
+                            mate + R"(}, "joints": [{"revolute": "C", "bodies": [1, 2]}, )" + joints + R"("bodies": )" +
+                            order +
                             R"(, "pressure angle": 20}], "drivers": [{"body": 2, "omega": 7}],
                 "loads": [{"couple": "M", "body": 2, "value": )" +
                             couple + R"(}], "effort": )" + effort + "}");
@@ -457,36 +472,41 @@ void expect_teeth_push(const std::string& points, const std::string& mate, const
             expect_power_closes(s);
             const double t = std::stod(couple) / 0.02;
             const double r = std::abs(t) * std::tan(20 * degree);
-            expect_force(s.on("P", "2"), t * tangential[0] + r * into_pinion[0], t * tangential[1] + r * into_pinion[1]);
+            expect_force(s.on("P", "2"), t * tangential[0] + r * into_pinion[0],
+                         t * tangential[1] + r * into_pinion[1]);
         }
     }
 }
 
 TEST(ForcesOfGears, TwoWheelsPushEachOtherApart) {
-    expect_teeth_push(
-        R"("C": [0, 0], "P": [0.02, 0], "D": [0.08, 0])", R"({"points": ["D"], "circle": {"centre": "D", "radius": 0.06}})",
-        R"({"revolute": "D", "bodies": [1, 3]}, {"gear": "P", )", R"({"couple": "E", "body": 3})", {0, -1}, {-1, 0});
+    expect_teeth_push(R"("C": [0, 0], "P": [0.02, 0], "D": [0.08, 0])",
+                      R"({"points": ["D"], "circle": {"centre": "D", "radius": 0.06}})",
+                      R"({"revolute": "D", "bodies": [1, 3]}, {"gear": "P", )", R"({"couple": "E", "body": 3})",
+                      {0, -1}, {-1, 0});
 }
 TEST(ForcesOfGears, RingPushesThePinionInwards) {
-    expect_teeth_push(
-        R"("C": [0.04, 0], "P": [0.06, 0], "D": [0, 0])", R"({"points": ["D"], "circle": {"centre": "D", "radius": 0.06}})",
-        R"({"revolute": "D", "bodies": [1, 3]}, {"gear": "P", )", R"({"couple": "E", "body": 3})", {0, -1}, {-1, 0});
+    expect_teeth_push(R"("C": [0.04, 0], "P": [0.06, 0], "D": [0, 0])",
+                      R"({"points": ["D"], "circle": {"centre": "D", "radius": 0.06}})",
+                      R"({"revolute": "D", "bodies": [1, 3]}, {"gear": "P", )", R"({"couple": "E", "body": 3})",
+                      {0, -1}, {-1, 0});
 }
 TEST(ForcesOfGears, RackPushesThePinionOff) {
-    expect_teeth_push(R"("C": [0, 0.02], "P": [0, 0], "Q": [0.1, -0.01])", R"(["Q"])",
-                      R"({"prismatic": "Q", "bodies": [3, 1], "along": 0}, {"gear": "P", "profiles": {"3": {"line": 0}}, )",
-                      R"({"force": "E", "joint": "Q"})", {-1, 0}, {0, 1});
+    expect_teeth_push(
+        R"("C": [0, 0.02], "P": [0, 0], "Q": [0.1, -0.01])", R"(["Q"])",
+        R"({"prismatic": "Q", "bodies": [3, 1], "along": 0}, {"gear": "P", "profiles": {"3": {"line": 0}}, )",
+        R"({"force": "E", "joint": "Q"})", {-1, 0}, {0, 1});
 }
 
 TEST(ForcesOfGears, PlanetaryGear) {
-    // Sun 2 (r = 20), planet 3 (r = 10) on the arm 4, ring = frame (r = 40): ω_4 = ω_2 / 3, so M_2 = −M_4 / 3. The planet's
-    // tooth forces are equal along the tangent and add up to the pin's.
+    // Sun 2 (r = 20), planet 3 (r = 10) on the arm 4, ring = frame (r = 40): ω_4 = ω_2 / 3, so M_2 = −M_4 / 3. The
+    // planet's tooth forces are equal along the tangent and add up to the pin's.
     const Statics s(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
         "points": {"O": [0, 0], "C": [30, 0], "P": [20, 0], "R": [40, 0]},
         "bodies": {"1": {"points": [], "circle": {"centre": "O", "radius": 40}},
                    "2": {"points": ["O"], "circle": {"centre": "O", "radius": 20}},
                    "3": {"points": ["C"], "circle": {"centre": "C", "radius": 10}}, "4": ["O", "C"]},
-        "joints": [{"revolute": "O", "bodies": [1, 2], "name": "sun"}, {"revolute": "O", "bodies": [1, 4], "name": "arm"},
+        "joints": [{"revolute": "O", "bodies": [1, 2], "name": "sun"}, {"revolute": "O", "bodies": [1, 4],
+        "name": "arm"},
                    {"revolute": "C", "bodies": [3, 4]}, {"gear": "P", "bodies": [2, 3], "pressure angle": 20, "arm": 4},
                    {"gear": "R", "bodies": [3, 1], "pressure angle": 20, "arm": 4}],
         "drivers": [{"body": 2, "omega": 30}], "loads": [{"couple": "L", "body": 4, "value": -90}],
@@ -500,7 +520,8 @@ TEST(ForcesOfGears, PlanetaryGear) {
     expect_force(s.on("C", "4"), 0, 2 * t);
 }
 
-// --- the notes ---------------------------------------------------------------------------------------------------------------
+// --- the notes
+// ---------------------------------------------------------------------------------------------------------------
 
 /// Mirrored x → −x: points given by coordinates, directions by vectors or points, loads by components.
 Mechanism mirrored(Mechanism m) {
@@ -534,14 +555,18 @@ void expect_mirrored(const Statics& s) {
 }
 
 TEST(ForcesOfTheNotes, SluiceGate) {
-    const Statics s(R"({"kinegraph": 1, "points": {"A": [0, 0], "O": [-10, -1], "C": [-12.1296, 1.6254], "D": [-7.4445, 11.5778],
+    const Statics s(
+        R"({"kinegraph": 1, "points": {"A": [0, 0], "O": [-10, -1], "C": [-12.1296, 1.6254], "D": [-7.4445, 11.5778],
             "E": [-5.9445, 16.0778], "B": [1.5512, 7.3510], "F": [2.2649, 12.3892]},
         "bodies": {"1": ["A", "C", "O"], "2": ["C", "D"], "3": ["B", "D", "E"], "4": ["E", "F"], "5": ["F"]},
-        "joints": [{"revolute": "A", "bodies": [0, 1]}, {"revolute": "C", "bodies": [1, 2]}, {"revolute": "D", "bodies": [2, 3]},
-                   {"revolute": "B", "bodies": [0, 3]}, {"revolute": "E", "bodies": [3, 4]}, {"revolute": "F", "bodies": [4, 5]},
+        "joints": [{"revolute": "A", "bodies": [0, 1]}, {"revolute": "C", "bodies": [1, 2]}, {"revolute": "D",
+        "bodies": [2, 3]},
+                   {"revolute": "B", "bodies": [0, 3]}, {"revolute": "E", "bodies": [3, 4]}, {"revolute": "F",
+                   "bodies": [4, 5]},
                    {"prismatic": "F", "bodies": [5, 0], "along": [-0.38212, 0.92411], "name": "G"}],
         "drivers": [{"joint": "G", "speed": 0.01}],
-        "masses": {"1": {"mass": 1.66e6, "centre": "O"}}, "gravity": [0, -9.81], "effort": {"force": "F_G", "joint": "G"}})");
+        "masses": {"1": {"mass": 1.66e6, "centre": "O"}}, "gravity": [0, -9.81], "effort": {"force": "F_G",
+        "joint": "G"}})");
     expect_determined(s);
     expect_power_closes(s);
     const double millimetre = 1.66e6 * 9.81 / 14;
@@ -562,15 +587,18 @@ TEST(ForcesOfTheNotes, SluiceGate) {
 }
 
 TEST(ForcesOfTheNotes, Tipper) {
-    const Statics s(R"({"kinegraph": 1, "points": {"A": [0, 0], "F": [2.4432, 0.88925], "O": [1.8794, 1.4840], "B": [1.1, -0.55],
+    const Statics s(
+        R"({"kinegraph": 1, "points": {"A": [0, 0], "F": [2.4432, 0.88925], "O": [1.8794, 1.4840], "B": [1.1, -0.55],
             "E": [1.75, -0.05], "C": [3.2, -0.75], "D": {"from": "C", "to": "E", "ratio": 0.5}},
         "bodies": {"1": ["A", "F", "O"], "2": ["C", "D"], "3": ["D", "E"], "4": ["B", "E", "F"]},
-        "joints": [{"revolute": "A", "bodies": [0, 1]}, {"revolute": "B", "bodies": [0, 4]}, {"revolute": "E", "bodies": [3, 4]},
+        "joints": [{"revolute": "A", "bodies": [0, 1]}, {"revolute": "B", "bodies": [0, 4]}, {"revolute": "E",
+        "bodies": [3, 4]},
                    {"contact": "F", "bodies": [1, 4], "profiles": {"1": {"line": ["A", "F"]}, "4": {"tip": true}},
                     "pushes": [0, 1]},
                    {"prismatic": "D", "bodies": [3, 2], "along": ["C", "E"]}, {"revolute": "C", "bodies": [0, 2]}],
         "drivers": [{"joint": "D", "speed": 0.1}],
-        "masses": {"1": {"mass": 9000, "centre": "O"}}, "gravity": [0, -9.81], "effort": {"force": "F_p", "joint": "D"}})");
+        "masses": {"1": {"mass": 9000, "centre": "O"}}, "gravity": [0, -9.81], "effort": {"force": "F_p",
+        "joint": "D"}})");
     expect_determined(s);
     expect_power_closes(s);
     const double weight = 9000 * 9.81;

@@ -29,7 +29,8 @@ void expect_near(const std::array<double, 2>& a, double x, double y, double tole
     EXPECT_NEAR(a[1], y, tolerance) << what;
 }
 
-// --- derivatives of drawn positions --------------------------------------------------------------------------------------------
+// --- derivatives of drawn positions
+// --------------------------------------------------------------------------------------------
 
 /// A mechanism drawn at any value of its driven coordinate, and the points to follow on their bodies.
 struct Moving {
@@ -37,8 +38,8 @@ struct Moving {
     std::vector<std::pair<std::string, std::string>> follow;  ///< body, point
 };
 
-/// Draws the mechanism a moment before and after, with q = q0 + speed·t + acceleration·t²/2, on 300 bits, so that the differences
-/// lose nothing; what is left is their own error, of the order of the moment squared.
+/// Draws the mechanism a moment before and after, with q = q0 + speed·t + acceleration·t²/2, on 300 bits, so that the
+/// differences lose nothing; what is left is their own error, of the order of the moment squared.
 void expect_derivatives(const Moving& moving, const char* q0, const char* speed, const char* acceleration) {
     const Exact moment = Exact::ratio(1, 10'000'000);
     const auto at_time = [&](const Exact& t) {
@@ -58,15 +59,17 @@ void expect_derivatives(const Moving& moving, const char* q0, const char* speed,
         const std::string what = "point " + point + " of body " + body;
         EXPECT_TRUE(motion.bodies[at_index(b)].acceleration_known) << what;
         expect_near(motion.velocity(b, pose.at(p)), v.x.to_double(), v.y.to_double(), 1e-10, "velocity of " + what);
-        expect_near(motion.acceleration(b, pose.at(p)), a.x.to_double(), a.y.to_double(), 1e-9, "acceleration of " + what);
+        expect_near(motion.acceleration(b, pose.at(p)), a.x.to_double(), a.y.to_double(), 1e-9,
+                    "acceleration of " + what);
     }
 }
 
-void polar(Sketch& s, const std::string& name, const std::string& from, const char* distance, const Exact& angle_in_radians) {
+void polar(Sketch& s, const std::string& name, const std::string& from, const char* distance,
+           const Exact& angle_in_radians) {
     s.point(name, Polar{s[from], decimal(distance), Angle{angle_in_radians, false}, {}});
 }
-void polar_from_line(Sketch& s, const std::string& name, const std::string& from, const char* distance, const char* angle,
-                     const std::string& p, const std::string& q) {
+void polar_from_line(Sketch& s, const std::string& name, const std::string& from, const char* distance,
+                     const char* angle, const std::string& p, const std::string& q) {
     s.point(name, Polar{s[from], decimal(distance), degrees(angle), Bearing::Between{s[p], s[q]}});
 }
 
@@ -114,11 +117,12 @@ Sketch quick_return(const Exact& q, bool sleeve) {
 }
 
 TEST(Derivative, SleeveOnATurningGuide) {
-    expect_derivatives({[](const Exact& q) { return quick_return(q, true); }, {{"2", "A"}, {"3", "A"}, {"4", "E"}}}, "0.4", "4",
-                       "1");
+    expect_derivatives({[](const Exact& q) { return quick_return(q, true); }, {{"2", "A"}, {"3", "A"}, {"4", "E"}}},
+                       "0.4", "4", "1");
 }
 TEST(Derivative, PinInATurningSlot) {
-    expect_derivatives({[](const Exact& q) { return quick_return(q, false); }, {{"2", "A"}, {"4", "E"}}}, "0.4", "4", "1");
+    expect_derivatives({[](const Exact& q) { return quick_return(q, false); }, {{"2", "A"}, {"4", "E"}}}, "0.4", "4",
+                       "1");
 }
 
 TEST(Derivative, PinInATurningCurvedSlot) {
@@ -137,7 +141,8 @@ TEST(Derivative, PinInATurningCurvedSlot) {
 TEST(Derivative, DiscRollingOnALine) {
     const auto disc = [](const Exact& q) {  // q: the disc's turn, clockwise; x = R q
         Sketch s;
-        s.point("C", Coordinates{{decimal("0.25") * q, decimal("0.25")}}).point("P", Coordinates{{decimal("0.25") * q, 0}});
+        s.point("C", Coordinates{{decimal("0.25") * q, decimal("0.25")}})
+            .point("P", Coordinates{{decimal("0.25") * q, 0}});
         polar(s, "M", "C", "0.2", -q);
         s.touching(JointKind::rolling, "P", {"2", "1"}, {CircleProfile{s["C"]}, LineProfile{at_angle("0")}});
         s.mechanism.bodies[1].points.push_back(s["C"]);
@@ -161,7 +166,8 @@ TEST(Derivative, DiscRollingOutsideACircle) {
     expect_derivatives({[](const Exact& q) { return planet(q, true); }, {{"2", "C"}, {"3", "M"}}}, "0.3", "1.5", "0.5");
 }
 TEST(Derivative, DiscRollingInsideACircle) {
-    expect_derivatives({[](const Exact& q) { return planet(q, false); }, {{"2", "C"}, {"3", "M"}}}, "0.3", "1.5", "0.5");
+    expect_derivatives({[](const Exact& q) { return planet(q, false); }, {{"2", "C"}, {"3", "M"}}}, "0.3", "1.5",
+                       "0.5");
 }
 
 TEST(Derivative, BarRollingOnACircle) {
@@ -210,12 +216,14 @@ Sketch cam(const Exact& q, bool flat, bool follower_first = true) {
 }
 TEST(Derivative, EccentricUnderAFlatFollower) {
     for (const bool first : {true, false}) {
-        expect_derivatives({[&](const Exact& q) { return cam(q, true, first); }, {{"2", "C"}, {"3", "F"}}}, "0.8", "6", "3");
+        expect_derivatives({[&](const Exact& q) { return cam(q, true, first); }, {{"2", "C"}, {"3", "F"}}}, "0.8", "6",
+                           "3");
     }
 }
 TEST(Derivative, EccentricUnderAKnifeEdge) {
     for (const bool first : {true, false}) {
-        expect_derivatives({[&](const Exact& q) { return cam(q, false, first); }, {{"2", "C"}, {"3", "F"}}}, "0.8", "6", "3");
+        expect_derivatives({[&](const Exact& q) { return cam(q, false, first); }, {{"2", "C"}, {"3", "F"}}}, "0.8", "6",
+                           "3");
     }
 }
 
@@ -242,7 +250,8 @@ TEST(Derivative, TurningFlatUnderARoundNose) {
         polar_from_line(s, "V", "O", "0.03", "90", "O", "U");  // the nose's centre runs 0.03 above the flat through O
         const LineCurve path{at("0.1", "0"), LineCurve::By::angle, degrees("90"), none, {}};
         s.meet("D", LineCurve{s["V"], LineCurve::By::parallel, {}, none, s.between("O", "U")}, path);
-        s.meet("P", s.line_to("O", "U"), LineCurve{s["D"], LineCurve::By::perpendicular, {}, none, s.between("O", "U")});
+        s.meet("P", s.line_to("O", "U"),
+               LineCurve{s["D"], LineCurve::By::perpendicular, {}, none, s.between("O", "U")});
         s.revolute("O", {"1", "2"}).prismatic("D", {"3", "1"}, at_angle("90"));
         s.touching(JointKind::contact, "P", {"3", "2"}, {CircleProfile{s["D"]}, LineProfile{s.between("O", "U")}});
         return s.spin("2", "2", "-1");
@@ -252,18 +261,19 @@ TEST(Derivative, TurningFlatUnderARoundNose) {
 
 /// Planet gear 3 on the arm 4 around the turning sun 2.
 TEST(Derivative, PlanetaryGear) {
-    const auto train = [](const Exact& q) {  // the arm turns by q, the sun by −2q: the planet by q − (−2q − q)·0.3/0.1 = 10q
-        Sketch s;
-        s.point("O", "0", "0");
-        polar(s, "C", "O", "0.4", q);
-        s.point("P", Along{s["O"], s["C"], Exact::ratio(3, 4), true});
-        polar(s, "M", "C", "0.05", 10 * q);
-        polar(s, "N", "O", "0.2", -2 * q);
-        s.revolute("O", {"1", "2"}).revolute("O", {"1", "4"}).revolute("C", {"3", "4"});
-        s.touching(JointKind::gear, "P", {"2", "3"}, {CircleProfile{s["O"]}, CircleProfile{s["C"]}});
-        s.mechanism.joints.back().arm = s.body("4");
-        return s.spin("4", "1.5", "0.5").spin("2", "-3", "-1");
-    };
+    const auto train =
+        [](const Exact& q) {  // the arm turns by q, the sun by −2q: the planet by q − (−2q − q)·0.3/0.1 = 10q
+            Sketch s;
+            s.point("O", "0", "0");
+            polar(s, "C", "O", "0.4", q);
+            s.point("P", Along{s["O"], s["C"], Exact::ratio(3, 4), true});
+            polar(s, "M", "C", "0.05", 10 * q);
+            polar(s, "N", "O", "0.2", -2 * q);
+            s.revolute("O", {"1", "2"}).revolute("O", {"1", "4"}).revolute("C", {"3", "4"});
+            s.touching(JointKind::gear, "P", {"2", "3"}, {CircleProfile{s["O"]}, CircleProfile{s["C"]}});
+            s.mechanism.joints.back().arm = s.body("4");
+            return s.spin("4", "1.5", "0.5").spin("2", "-3", "-1");
+        };
     expect_derivatives({train, {{"2", "N"}, {"4", "C"}, {"3", "M"}}}, "0.3", "1.5", "0.5");
 }
 
@@ -307,21 +317,28 @@ TEST(Derivative, PointDrivenAlongALine) {
     expect_derivatives({trammel, {{"2", "A"}, {"2", "B"}}}, "0.6", "0.5", "-0.25");
 }
 
-// --- closed forms --------------------------------------------------------------------------------------------------------------
+// --- closed forms
+// --------------------------------------------------------------------------------------------------------------
 
 TEST(ClosedForm, SliderCrank) {
     const double r = 0.1, l = 0.3, omega = 10;
     for (const char* angle : {"0", "60", "90"}) {
         Sketch s;
-        s.point("O", "0", "0").polar("A", "O", "0.1", angle).meet("B", s.circle("A", "0.3"), s.line("O", "0"), Meet::Side::right);
-        s.revolute("O", {"1", "2"}).revolute("A", {"2", "3"}).revolute("B", {"3", "4"}).prismatic("B", {"4", "1"}, at_angle("0"));
+        s.point("O", "0", "0")
+            .polar("A", "O", "0.1", angle)
+            .meet("B", s.circle("A", "0.3"), s.line("O", "0"), Meet::Side::right);
+        s.revolute("O", {"1", "2"})
+            .revolute("A", {"2", "3"})
+            .revolute("B", {"3", "4"})
+            .prismatic("B", {"4", "1"}, at_angle("0"));
         s.spin("2", "10");
         const NumericMotion motion = motion_of(s);
         const double t = std::stod(angle) * degree;
         const double root = std::sqrt(l * l - r * r * std::sin(t) * std::sin(t));
         const double v = -omega * r * std::sin(t) * (1 + r * std::cos(t) / root);
-        const double a = -omega * omega * r *
-                         (std::cos(t) + r * (std::cos(2 * t) * l * l + r * r * std::pow(std::sin(t), 4)) / std::pow(root, 3));
+        const double a =
+            -omega * omega * r *
+            (std::cos(t) + r * (std::cos(2 * t) * l * l + r * r * std::pow(std::sin(t), 4)) / std::pow(root, 3));
         expect_near(motion.bodies[3].velocity, v, 0, 1e-14, angle);
         expect_near(motion.bodies[3].acceleration, a, 0, 1e-12, angle);
     }
@@ -343,7 +360,8 @@ TEST(ClosedForm, ScotchYoke) {
 TEST(ClosedForm, RollingDiscsLowestPointAcceleratesUpwards) {
     Sketch s;
     s.point("C", "0", "0.5").point("P", "0", "0");
-    s.touching(JointKind::rolling, "P", {"2", "1"}, {CircleProfile{PointIndex(0)}, LineProfile{at_angle("0")}}).spin("2", "-4");
+    s.touching(JointKind::rolling, "P", {"2", "1"}, {CircleProfile{PointIndex(0)}, LineProfile{at_angle("0")}})
+        .spin("2", "-4");
     const NumericMotion motion = motion_of(s);
     expect_near(motion.velocity(BodyIndex(1), {0, decimal("0.5")}), 2, 0, 1e-14);
     expect_near(motion.acceleration(BodyIndex(1), {0, 0}), 0, 16 * 0.5, 1e-13);
@@ -363,13 +381,15 @@ TEST(ClosedForm, ActOfMotion) {
     const NumericMotion motion = motion_of(s);
     EXPECT_TRUE(motion.bodies[1].velocity_known);
     EXPECT_NEAR(motion.bodies[1].omega, -0.5, 1e-14);
-    EXPECT_FALSE(motion.bodies[1].acceleration_known);  // ω² ≠ 0 gives a_B a part along x, so the two contradict each other
+    EXPECT_FALSE(
+        motion.bodies[1].acceleration_known);  // ω² ≠ 0 gives a_B a part along x, so the two contradict each other
     s.mechanism.motion->accelerations[1].value = at_angle("0");
     EXPECT_TRUE(motion_of(s).bodies[1].acceleration_known);
     EXPECT_NEAR(motion_of(s).bodies[1].alpha, 0, 1e-14);
 }
 
-// --- what is known -------------------------------------------------------------------------------------------------------------
+// --- what is known
+// -------------------------------------------------------------------------------------------------------------
 
 TEST(Known, AFreeBodyLeavesTheOthersKnown) {
     Sketch s;
@@ -404,7 +424,9 @@ TEST(Known, RedundantConstraintsThatAgree) {
 
 TEST(Known, ADriverAgainstADeadPointDeterminesNothing) {
     Sketch s;
-    s.point("O", "0", "0").polar("A", "O", "0.1", "0").meet("B", s.circle("A", "0.3"), s.line("O", "0"), Meet::Side::right);
+    s.point("O", "0", "0")
+        .polar("A", "O", "0.1", "0")
+        .meet("B", s.circle("A", "0.3"), s.line("O", "0"), Meet::Side::right);
     s.revolute("O", {"1", "2"})
         .revolute("A", {"2", "3"})
         .revolute("B", {"3", "4"})

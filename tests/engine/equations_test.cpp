@@ -1,5 +1,5 @@
-// The closure equations: written from the loops in symbols, evaluated, and held against the constructions, closed forms and the
-// numbers of the course.
+// The closure equations: written from the loops in symbols, evaluated, and held against the constructions, closed forms
+// and the numbers of the course.
 #include "engine/equations/equations.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,8 @@ Agreement agreement(const Solution& solution, const Equations& equations) {
     fastest = std::max(fastest, speed / size);
     speed = std::max(speed, fastest * size);
     double spin = std::max(fastest * fastest, rush / size);
-    for (const BodyMotion& body : solution.bodies) spin = std::max(spin, std::abs(body.alpha.value_or(Exact(0)).to_double()));
+    for (const BodyMotion& body : solution.bodies)
+        spin = std::max(spin, std::abs(body.alpha.value_or(Exact(0)).to_double()));
     rush = std::max(rush, spin * size);
     Agreement found;
     const auto hold = [&](const std::string& what, double drawn, const std::optional<double>& written, double large) {
@@ -81,8 +82,8 @@ Agreement agreement(const Solution& solution, const Equations& equations) {
         if (point.point == none) continue;
         const Vector& place = solution.pose.at(point.point);
         const Equations::BodyState& state = equations.bodies[at_index(point.bodies.front())];
-        const auto both = [&](const char* what, const Vector& drawn, const std::optional<std::array<double, 2>>& written,
-                              double large) {
+        const auto both = [&](const char* what, const Vector& drawn,
+                              const std::optional<std::array<double, 2>>& written, double large) {
             const std::string name = std::string(what) + " " + point.label;
             hold(name + " x", drawn.x.to_double(), written ? std::optional((*written)[0]) : std::nullopt, large);
             hold(name + " y", drawn.y.to_double(), written ? std::optional((*written)[1]) : std::nullopt, large);
@@ -117,8 +118,9 @@ TEST_P(EquationsOfExample, GiveTheMotionOfThePolygons) {
     const Solution solution = tests::example(GetParam());
     const Equations equations = equations_of(solution.mechanism, solution.pose);
     if (!equations.why_not.empty()) {
-        const bool open = std::any_of(solution.mechanism.joints.begin(), solution.mechanism.joints.end(),
-                                      [](const Joint& joint) { return joint.pair().touches() && joint.profiles.size() < 2; });
+        const bool open =
+            std::any_of(solution.mechanism.joints.begin(), solution.mechanism.joints.end(),
+                        [](const Joint& joint) { return joint.pair().touches() && joint.profiles.size() < 2; });
         EXPECT_TRUE(solution.mechanism.motion || open || solution.mechanism.joints.empty()) << equations.why_not.en;
         return;
     }
@@ -166,7 +168,8 @@ TEST(EquationsOfRandomMechanisms, GiveTheMotionOfThePolygons) {
         worst = std::max(worst, found.worst);
     }
     EXPECT_GT(compared, 16 * count);
-    if (asked != nullptr) std::cout << count << " mechanisms, " << compared << " values, worst difference " << worst << "\n";
+    if (asked != nullptr)
+        std::cout << count << " mechanisms, " << compared << " values, worst difference " << worst << "\n";
 }
 
 /// The loops of the course's slider-crank: λ = 1/3, α = 60°.
@@ -212,7 +215,8 @@ Solution four_bar(const std::vector<Setting>& bars, const std::string& side) {
     constexpr const char* file = R"json({"kinegraph": 1, "units": {"length": "mm"},
         "parameters": {"a": "20 mm", "b": "60 mm", "c": "20 mm", "d": "60 mm", "th": "30°"},
         "points": {"O2": [0, 0], "A": ["= a*cos(th)", "= a*sin(th)"], "O4": ["= d", 0],
-                   "B": {"meet": [{"circle": "A", "radius": "= b"}, {"circle": "O4", "radius": "= c"}], "side": "left"}},
+                   "B": {"meet": [{"circle": "A", "radius": "= b"}, {"circle": "O4", "radius": "= c"}],
+                   "side": "left"}},
         "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]},
         "joints": [{"revolute": "O2", "bodies": [0, 2]}, {"revolute": "A", "bodies": [2, 3]},
                    {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [0, 4]}],
@@ -229,7 +233,8 @@ std::string told(const Solution& solution, render::Language language) {
     return render::as_text(render::equation_items(solution, language));
 }
 
-/// Where the shortest and the longest bar are as long as the two others the bars come to lie in one line, and go on beyond it.
+/// Where the shortest and the longest bar are as long as the two others the bars come to lie in one line, and go on
+/// beyond it.
 TEST(EquationsAtChangePoints, TellThatTheCrankPasses) {
     const std::vector<Setting> parallelogram, other{{"a", "40 mm"}, {"b", "70 mm"}, {"c", "90 mm"}};
     for (const auto& [bars, side] :
@@ -242,7 +247,8 @@ TEST(EquationsAtChangePoints, TellThatTheCrankPasses) {
         ASSERT_EQ(solved.change_points.size(), twice ? 2U : 1U);
         EXPECT_NEAR(solved.change_points.front(), 0, 1e-9);
         EXPECT_NEAR(solved.change_points.back(), twice ? std::numbers::pi : 0, 1e-9);
-        const std::string english = told(solution, render::Language::en), italian = told(solution, render::Language::it);
+        const std::string english = told(solution, render::Language::en),
+                          italian = told(solution, render::Language::it);
         const std::string places = twice ? "0°; 180°: change points" : "0°: a change point";
         EXPECT_NE(english.find("det J = 0 at α = " + places +
                                ", where the branch is a choice; the driven body passes and makes full turns."),
@@ -262,7 +268,8 @@ TEST(EquationsAtChangePoints, TellThatTheCrankPasses) {
     EXPECT_NE(told(stopped, render::Language::en).find("its body makes no full turn"), std::string::npos);
 }
 
-/// What the compass leaves over is no velocity: the coupler of a parallelogram translates, in the results and in the equations.
+/// What the compass leaves over is no velocity: the coupler of a parallelogram translates, in the results and in the
+/// equations.
 TEST(EquationsOfAParallelogram, HaveNoNoise) {
     const Solution solution = four_bar({}, "left");
     ASSERT_FALSE(solution.pose.exact);
@@ -294,7 +301,8 @@ TEST(EquationsAtDeadPoints, TellWhatCannotBeDriven) {
     }
 }
 
-/// Grashof's crank-rocker turns fully; of the same links with a shorter frame side the crank stops where b and c are stretched.
+/// Grashof's crank-rocker turns fully; of the same links with a shorter frame side the crank stops where b and c are
+/// stretched.
 TEST(EquationsOfFourBar, FollowTheLawOfCosines) {
     const Solution solution = tests::example("four_bar");
     const Equations equations = equations_of(solution.mechanism, solution.pose);
@@ -308,7 +316,8 @@ TEST(EquationsOfFourBar, FollowTheLawOfCosines) {
     EXPECT_NEAR(std::cos(gamma - loop.solved.direction), (b * b - p * p - c * c) / (2 * c * p), 1e-12);
     // γ'/α' = a sin(α − β) / (c sin(γ − β)).
     const double a = 0.04, alpha = named(equations, "theta 2").value;
-    EXPECT_NEAR(ratio(equations, "theta 4", "theta 2"), a * std::sin(alpha - beta) / (c * std::sin(gamma - beta)), 1e-9);
+    EXPECT_NEAR(ratio(equations, "theta 4", "theta 2"), a * std::sin(alpha - beta) / (c * std::sin(gamma - beta)),
+                1e-9);
     EXPECT_NEAR(std::abs(*equations.determinant), std::abs(b * c * std::sin(gamma - beta)), 1e-12);
 }
 
@@ -336,11 +345,13 @@ TEST(EquationsOfRodOnRod, AreThoseOfTheResultant) {
     const Letter &s = equations.letter(rod.length), &gamma = equations.letter(rod.angle.letters.front());
     const Letter &crank = named(equations, "theta 2"), &a = equations.letter(loop.sides.front().length);
     EXPECT_NEAR(loop.solved.resultant, s.value, 1e-12);
-    EXPECT_NEAR(ratio(equations, gamma.name, "theta 2"), a.value * std::cos(crank.value - gamma.value) / s.value, 1e-12);
+    EXPECT_NEAR(ratio(equations, gamma.name, "theta 2"), a.value * std::cos(crank.value - gamma.value) / s.value,
+                1e-12);
     EXPECT_NEAR(ratio(equations, s.name, "theta 2"), -a.value * std::sin(crank.value - gamma.value), 1e-12);
 }
 
-/// Norton's inverted slider-crank: rod and arm c are square to each other, so b² = p² − c², and the arm gives the angle.
+/// Norton's inverted slider-crank: rod and arm c are square to each other, so b² = p² − c², and the arm gives the
+/// angle.
 constexpr const char* rod_at_an_arm = R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
   "points": {"O2": [0, 0], "O4": [120, 0], "A": {"from": "O2", "distance": 50, "angle": 110},
     "B": {"meet": [{"line": "A", "angle": -10}, {"circle": "O4", "radius": 40}], "side": "behind"}},
@@ -394,7 +405,8 @@ TEST(EquationsOfGears, AreWillisLaws) {
 }
 
 TEST(EquationsOfContacts, HoldToTheFirstOrderWhereOnlyTheTangentIsKnown) {
-    const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": [3, 0], "P": [1, 1]},
+    const Solution solution =
+        tests::solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": [3, 0], "P": [1, 1]},
       "bodies": {"2": {"points": ["O", "P"]}, "3": {"points": ["C", "P"]}},
       "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "C", "bodies": [1, 3]},
                  {"contact": "P", "bodies": [2, 3], "tangent": 30}],

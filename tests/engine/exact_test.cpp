@@ -29,7 +29,9 @@ TEST(Exact, RefusesWhatIsNoDecimal) {
     EXPECT_TRUE(Exact::from_decimal(std::string(1000, '1')));
 }
 
-TEST(Exact, OneTenthThreeTimesIsThreeTenths) { EXPECT_EQ(*Exact::from_decimal("0.1") * 3, *Exact::from_decimal("0.3")); }
+TEST(Exact, OneTenthThreeTimesIsThreeTenths) {
+    EXPECT_EQ(*Exact::from_decimal("0.1") * 3, *Exact::from_decimal("0.3"));
+}
 
 TEST(Exact, GoesToTheNearestDouble) {
     EXPECT_EQ(Exact::from_decimal("0.1")->to_double(), 0.1);
@@ -107,8 +109,10 @@ TEST(Exact, AddsAndSubtractsWhateverDenominatorsShare) {
     };
     for (int i = 0; i < 20'000; ++i) {
         const Exact a = number(), b = i % 5 == 0 ? a : number();
-        ASSERT_EQ((a + b).rational(), mpq_class(a.rational() + b.rational())) << a.to_fraction() << " + " << b.to_fraction();
-        ASSERT_EQ((a - b).rational(), mpq_class(a.rational() - b.rational())) << a.to_fraction() << " - " << b.to_fraction();
+        ASSERT_EQ((a + b).rational(), mpq_class(a.rational() + b.rational()))
+            << a.to_fraction() << " + " << b.to_fraction();
+        ASSERT_EQ((a - b).rational(), mpq_class(a.rational() - b.rational()))
+            << a.to_fraction() << " - " << b.to_fraction();
     }
 }
 

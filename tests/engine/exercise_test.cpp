@@ -13,10 +13,10 @@
 #include <set>
 
 #include "constructions/positions/variants.hpp"
-#include "engine/reading/file_text.hpp"
-#include "engine/solution/problem_solution.hpp"
-#include "engine/results/result_names.hpp"
 #include "engine/mechanism/variation.hpp"
+#include "engine/reading/file_text.hpp"
+#include "engine/results/result_names.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "render/sheet/key_sheet.hpp"
 #include "render/sheet/readable.hpp"
 #include "render/sheet/sheet.hpp"
@@ -38,12 +38,13 @@ std::string example_text(const std::string& name) { return tests::contents(tests
 /// A crank with some parameters, and members of the file in their place.
 std::string crank(const std::string& more, const std::string& parameters = "", const std::string& omega = "k") {
     return R"({"kinegraph": 1, "parameters": {"r": "40 mm", "phi": "60°", "k": 3)" + parameters + "}, " + more +
-           R"(, "points": {"O": [0, 0], "A": {"from": "O", "distance": "= r", "angle": "= phi"}}, "bodies": {"2": ["O", "A"]},
+           R"(, "points": {"O": [0, 0], "A": {"from": "O", "distance": "= r", "angle": "= phi"}},
+           "bodies": {"2": ["O", "A"]},
               "joints": [{"revolute": "O", "bodies": [0, 2]}], "drivers": [{"body": 2, "omega": "= )" +
            omega + "\"}]}";
 }
-std::vector<std::string> faults(const std::string& more, const std::string& parameters = "", const std::string& omega = "k",
-                                const std::vector<Setting>& set = {}) {
+std::vector<std::string> faults(const std::string& more, const std::string& parameters = "",
+                                const std::string& omega = "k", const std::vector<Setting>& set = {}) {
     std::vector<std::string> lines;
     const auto read = read_mechanism(crank(more, parameters, omega), "test.json", set);
     if (!read)
@@ -52,12 +53,14 @@ std::vector<std::string> faults(const std::string& more, const std::string& para
 }
 Mechanism read(const std::string& text) {
     auto mechanism = read_mechanism(text, "test.json");
-    if (!mechanism) throw std::runtime_error(mechanism.error().front().where + ": " + mechanism.error().front().message.en);
+    if (!mechanism)
+        throw std::runtime_error(mechanism.error().front().where + ": " + mechanism.error().front().message.en);
     return *std::move(mechanism);
 }
 const auto always = [](const Solution&, Condition::Polygon) { return true; };
 
-/// How many variants of each example are looked at: few, or as many as bench/variants_bench.sh asks for; then of all examples.
+/// How many variants of each example are looked at: few, or as many as bench/variants_bench.sh asks for; then of all
+/// examples.
 std::size_t asked_for() {
     const char* const count = std::getenv("KINEGRAPH_VARIANTS");
     return count == nullptr ? 0 : std::strtoul(count, nullptr, 10);
@@ -66,7 +69,8 @@ std::size_t count_of(int usual, int sanitized) {
     return asked_for() > 0 ? asked_for() : static_cast<std::size_t>(unless_sanitized(usual, sanitized));
 }
 
-// --- vary ---------------------------------------------------------------------------------------------------------------------
+// --- vary
+// ---------------------------------------------------------------------------------------------------------------------
 
 TEST(Vary, GoesInExactStepsInTheUnitOfTheFile) {
     const Mechanism m = read(crank(
@@ -92,10 +96,10 @@ TEST(Vary, GoesInExactStepsInTheUnitOfTheFile) {
 
 TEST(Vary, FaultsNameThePlaceAndTheRemedy) {
     using Lines = std::vector<std::string>;
-    EXPECT_EQ(
-        faults(R"("vary": {"R": {"choose": [1]}})"),
-        Lines{"/vary/R: no parameter is named \"R\" (did you mean \"r\"?); what varies stands among the \"parameters\", with a "
-              "value of its own"});
+    EXPECT_EQ(faults(R"("vary": {"R": {"choose": [1]}})"),
+              Lines{"/vary/R: no parameter is named \"R\" (did you mean \"r\"?); what varies stands among the "
+                    "\"parameters\", with a "
+                    "value of its own"});
     EXPECT_EQ(faults(R"("vary": {"r": {"choose": ["30°"]}})"),
               Lines{"/vary/r/choose/0: 30° is an angle; the parameter’s own value is a length"});
     EXPECT_EQ(faults(R"("vary": {"r": {"choose": ["10 mm", "1 cm"]}})"),
@@ -114,10 +118,9 @@ TEST(Vary, FaultsNameThePlaceAndTheRemedy) {
     EXPECT_EQ(faults(R"("vary": {"u": {"choose": [1, 2]}}, "require": ["u > 1"])", R"(, "u": 1)"), Lines{same});
     EXPECT_EQ(faults(R"("vary": {"u": {"choose": [1, 2]}})", R"(, "u": 1, "w": "= 2*u")"), Lines{same}) << "nor on w";
     EXPECT_EQ(faults(R"("vary": {"u": {"choose": [1, 2]}})", R"(, "u": 1, "w": "= 2*u", "q": "= w")", "q"), Lines{});
-    EXPECT_EQ(
-        faults(R"("vary": {"w": {"choose": [1, 2]}})", R"(, "u": 1, "w": "= 2*u")", "w"),
-        Lines{
-            "/vary/w: \"w\" is a formula, and what varies has a value of its own; let vary what it hangs on, or give it a value"});
+    EXPECT_EQ(faults(R"("vary": {"w": {"choose": [1, 2]}})", R"(, "u": 1, "w": "= 2*u")", "w"),
+              Lines{"/vary/w: \"w\" is a formula, and what varies has a value of its own; let vary what it hangs on, "
+                    "or give it a value"});
     EXPECT_EQ(faults(R"("vary": {"k": {"from": 1, "to": 2}})").size(), 1U);
     EXPECT_EQ(faults(R"("vary": {})").size(), 1U);
     EXPECT_EQ(faults(R"("vary": {"k": {"choose": []}})").size(), 1U);
@@ -125,17 +128,18 @@ TEST(Vary, FaultsNameThePlaceAndTheRemedy) {
 
 TEST(Vary, WhatIsSetFromOutsideIsToldAsSuch) {
     const std::string vary = R"("vary": {"phi": {"choose": ["30°", "60°"]}})";
-    EXPECT_EQ(
-        faults(vary, "", "k", {{"phi", "0"}}),
-        std::vector<std::string>{": --set phi=0 is a bare number; the file’s own value, and all that \"vary\" gives it, is an "
-                                 "angle: set such a one"});
+    EXPECT_EQ(faults(vary, "", "k", {{"phi", "0"}}),
+              std::vector<std::string>{
+                  ": --set phi=0 is a bare number; the file’s own value, and all that \"vary\" gives it, is an "
+                  "angle: set such a one"});
     EXPECT_EQ(faults(vary, "", "k", {{"phi", "0°"}}), std::vector<std::string>{});
     // A value in place of a formula cuts off what the formula hangs on.
     EXPECT_EQ(faults(R"("vary": {"u": {"choose": [1, 2]}})", R"(, "u": 1, "w": "= 2*u")", "w", {{"w", "3"}}),
               std::vector<std::string>{});
 }
 
-// --- require ------------------------------------------------------------------------------------------------------------------
+// --- require
+// ------------------------------------------------------------------------------------------------------------------
 
 TEST(Require, ReadsComparisonsOfParametersAndResults) {
     const auto decided = [](const std::string& condition) {
@@ -154,7 +158,8 @@ TEST(Require, ReadsComparisonsOfParametersAndResults) {
 
 TEST(Require, HoldsOfResultsInTheirUnits) {
     const Solution solution = tests::solved(crank(
-        R"("require": ["omega 2 > 20 rpm", "omega 2 = 3", "|v A| <= 0.1 m/s", "abs(vx A) between 0.1 and 0.11", "vx A > vy A",
+        R"("require": ["omega 2 > 20 rpm", "omega 2 = 3", "|v A| <= 0.1 m/s", "abs(vx A) between 0.1 and 0.11",
+        "vx A > vy A",
             "v A = k*r/1 s", "angle 2 <= 59°"])"));
     const auto results = results_for(*solution.mechanism.exercise, solution);
     std::vector<bool> held;
@@ -173,17 +178,20 @@ TEST(Require, FaultsNameThePlaceAndTheRemedy) {
         const auto lines = faults("\"require\": [\"" + condition + "\"]");
         return lines.size() == 1 ? lines.front() : std::to_string(lines.size()) + " faults";
     };
-    EXPECT_EQ(first("omega 22 > 1"),
-              "/require/0: \"omega 22\" is neither a result nor a formula of the parameters (did you mean \"omega 2\"?)");
+    EXPECT_EQ(
+        first("omega 22 > 1"),
+        "/require/0: \"omega 22\" is neither a result nor a formula of the parameters (did you mean \"omega 2\"?)");
     EXPECT_EQ(first("omega 2 > 1 m"), "/require/0: \"omega 2\" is an angular velocity, and \"1 m\" is a length");
     EXPECT_EQ(first("omega 2 > vx A"), "/require/0: \"omega 2\" is an angular velocity, and \"vx A\" is a velocity");
     EXPECT_NE(first("r > 3").find("the bare number wants a unit"), std::string::npos) << first("r > 3");
-    EXPECT_EQ(first("0 < k < 5"), "/require/0: one comparison at a time; write \"… between … and …\", or two conditions");
+    EXPECT_EQ(first("0 < k < 5"),
+              "/require/0: one comparison at a time; write \"… between … and …\", or two conditions");
     EXPECT_EQ(first("k between 1"), "/require/0: \"between\" wants two limits: \"… between … and …\"");
     EXPECT_EQ(first("omega 2 between 1 rad/s and 5 rpm"),
               "/require/0: never holds, for \"1 rad/s\" is more than \"5 rpm\"; exchange the limits");
     EXPECT_EQ(first("k between 2 and 1"), "/require/0: never holds, for \"2\" is more than \"1\"; exchange the limits");
-    EXPECT_EQ(faults(R"("require": ["omega 2 between k and 1", "omega 2 between 1 and 1"])").size(), 0U) << "k may vary";
+    EXPECT_EQ(faults(R"("require": ["omega 2 between k and 1", "omega 2 between 1 and 1"])").size(), 0U)
+        << "k may vary";
     for (const std::string sign : {"!=", "==", "<>", "≠", "=>"})
         EXPECT_EQ(first("r " + sign + " 35 mm"), "/require/0: " + sign +
                                                      " is not among the comparisons; they are >, >=, <, <=, =, "
@@ -193,7 +201,8 @@ TEST(Require, FaultsNameThePlaceAndTheRemedy) {
     EXPECT_NE(first("k > 1/0").find("divides by zero"), std::string::npos) << first("k > 1/0");
 }
 
-// --- the order of draws -------------------------------------------------------------------------------------------------------
+// --- the order of draws
+// -------------------------------------------------------------------------------------------------------
 
 TEST(Shuffle, GoesThroughAllNumbersOnce) {
     for (const std::uint64_t size : {1U, 2U, 3U, 17U, 256U, 1000U}) {
@@ -210,7 +219,8 @@ TEST(Shuffle, GoesThroughAllNumbersOnce) {
     EXPECT_LT(large.at(Lattice::most - 1), Lattice::most);
 }
 
-// --- variants -----------------------------------------------------------------------------------------------------------------
+// --- variants
+// -----------------------------------------------------------------------------------------------------------------
 
 std::vector<Variant> drawn(const std::string& text, std::uint64_t seed, std::size_t count) {
     auto variants = Variants::of(text, "test.json", {}, seed);
@@ -274,7 +284,8 @@ TEST(Variants, OfEveryTeachingExampleAreSolvedAndMeetTheirConditionsByTheCheck) 
             const auto checked = by_check(each, held);
             EXPECT_GT(held, 2U) << name;
             for (const Condition& condition : each.solution.mechanism.exercise->require) {
-                if (condition.kind == Condition::Kind::crank_turns_fully || condition.kind == Condition::Kind::polygon_readable)
+                if (condition.kind == Condition::Kind::crank_turns_fully ||
+                    condition.kind == Condition::Kind::polygon_readable)
                     continue;
                 EXPECT_TRUE(condition.holds ? *condition.holds : *holds(condition, each.solution, checked))
                     << name << ": " << condition.text;
@@ -302,10 +313,11 @@ TEST(Variants, DoNotHangOnHowManyAreWanted) {
 }
 
 TEST(Variants, AreCountedWhereTheConditionsLeaveTooFew) {
-    auto variants = Variants::of(crank(
-                                     R"("vary": {"k": {"from": 1, "to": 10, "step": 1}, "r": {"choose": ["10 mm", "20 mm"]}},
+    auto variants =
+        Variants::of(crank(
+                         R"("vary": {"k": {"from": 1, "to": 10, "step": 1}, "r": {"choose": ["10 mm", "20 mm"]}},
             "require": ["omega 2 > 7", "r < 15 mm"])"),
-                                 "test.json", {}, 1);
+                     "test.json", {}, 1);
     ASSERT_TRUE(variants);
     std::size_t count = 0;
     while (*variants->next(always)) ++count;
@@ -340,7 +352,8 @@ TEST(Variants, HaveSheetsWithoutFaults) {
         const std::vector<Page> sheets = lay_out(variant.solution, options, tests::fonts());
         pages::expect_clean(sheets);
         for (const Page& page : sheets)
-            for (const render::Fault& fault : faults_of(page, tests::fonts())) ADD_FAILURE() << name << ": " << said(fault);
+            for (const render::Fault& fault : faults_of(page, tests::fonts()))
+                ADD_FAILURE() << name << ": " << said(fault);
     };
     // As the command chooses them: polygons that are to be read can be.
     const IsReadable is_readable = [](const Solution& solution, Condition::Polygon polygon) {
@@ -355,7 +368,8 @@ TEST(Variants, HaveSheetsWithoutFaults) {
             const auto variant = variants->next(is_readable);
             ASSERT_TRUE(variant && *variant) << name << ": only " << i;
             expect_none(**variant, SheetKind::question, name.c_str());
-            if (asked_for() > 0 || !(*variant)->solution.problem) expect_none(**variant, SheetKind::solution, name.c_str());
+            if (asked_for() > 0 || !(*variant)->solution.problem)
+                expect_none(**variant, SheetKind::solution, name.c_str());
         }
         if (asked_for() > 0) std::printf("%s: %zu variants\n", name.c_str(), count);
     }
@@ -370,7 +384,8 @@ TEST(Variants, QuestionsOfProblemsKeepBackWhatIsFound) {
     EXPECT_TRUE(pages::says(question, "Bodies, and velocities before"));
     EXPECT_TRUE(pages::says(question, "energy lost")) << "it is sought";
     EXPECT_FALSE(pages::says(question, "impulse x")) << "it is not";
-    for (const char* found : {"and after", "ψ", "oblique", "Results"}) EXPECT_FALSE(pages::says(question, found)) << found;
+    for (const char* found : {"and after", "ψ", "oblique", "Results"})
+        EXPECT_FALSE(pages::says(question, found)) << found;
 }
 
 TEST(Questions, OfAllProblemsAreOneCleanPage) {
@@ -386,7 +401,8 @@ TEST(Questions, OfAllProblemsAreOneCleanPage) {
         for (const char* found : {"and after", "pressures and", "and pressures", "Results"})
             EXPECT_FALSE(pages::says(question, found)) << found;
         for (const ProblemValue& each : solution.problem->values)
-            EXPECT_TRUE(pages::says(question, (each.spoken.empty() ? each.name : each.spoken).en)) << "sought: " << each.name.en;
+            EXPECT_TRUE(pages::says(question, (each.spoken.empty() ? each.name : each.spoken).en))
+                << "sought: " << each.name.en;
     }
 }
 

@@ -1,5 +1,5 @@
-// Formulas: exact laws, dimensions, what is refused, random expressions against the same sums done in doubles; and what they make
-// of a mechanism.
+// Formulas: exact laws, dimensions, what is refused, random expressions against the same sums done in doubles; and what
+// they make of a mechanism.
 #include "engine/file/formula.hpp"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/mechanism/mechanism.hpp"
 
 namespace kinegraph {
 namespace {
@@ -94,7 +94,8 @@ TEST(Formula, CarriesDimensions) {
 
 TEST(Formula, SaysWhatIsWrong) {
     EXPECT_EQ(refusal("= r + phi"), "a length and an angle do not go together in a sum");
-    EXPECT_EQ(refusal("= r - 3"), "a length and a bare number do not go together in a difference; the bare number wants a unit");
+    EXPECT_EQ(refusal("= r - 3"),
+              "a length and a bare number do not go together in a difference; the bare number wants a unit");
     EXPECT_EQ(refusal("= r*r"), "the formula gives a quantity in m^2; a length is wanted here");
     EXPECT_EQ(refusal("= r*omega^2"), "the formula gives a quantity in m rad^2/s^2; a length is wanted here");
     EXPECT_EQ(refusal("= r/(k - 3)"), "the formula divides by zero");
@@ -114,7 +115,8 @@ TEST(Formula, SaysWhatIsWrong) {
     EXPECT_EQ(refusal("= (r"), "a bracket is not closed");
     EXPECT_EQ(refusal("= r − 1 mm"), "a minus is written \"-\" in a formula");
     EXPECT_EQ(refusal("= atan2(r)"), "atan2 is written atan2(y, x), with two values between the brackets");
-    for (const char* text : {"=", "= +", "= )", "= r,", "= r k", "= .5*r", "= 2**3", "= sin", "= min()", "= \xC3", "= \xCE"})
+    for (const char* text :
+         {"=", "= +", "= )", "= r,", "= r k", "= .5*r", "= 2**3", "= sin", "= min()", "= \xC3", "= \xCE"})
         EXPECT_FALSE(evaluate(text, look_up)) << text;
     EXPECT_FALSE(evaluate("= " + std::string(100000, '(') + "1", look_up));
     EXPECT_FALSE(evaluate("= " + std::string(100000, '-'), look_up));
@@ -132,24 +134,15 @@ public:
         const auto [a, x] = next(depth - 1);
         const auto [b, y] = next(depth - 1);
         switch (choice(9)) {
-            case 0:
-                return {'(' + a + " + " + b + ')', x + y};
-            case 1:
-                return {'(' + a + " - " + b + ')', x - y};
-            case 2:
-                return {a + '*' + b, x * y};
-            case 3:
-                return {'(' + a + ")/(1 + abs(" + b + "))", x / (1 + std::abs(y))};
-            case 4:
-                return {"sqrt(abs(" + a + "))", std::sqrt(std::abs(x))};
-            case 5:
-                return {"sin(" + a + ')', std::sin(x)};
-            case 6:
-                return {"tan(atan2(" + a + ", 1 + abs(" + b + ")))", x / (1 + std::abs(y))};
-            case 7:
-                return {"max(" + a + ", " + b + ')', std::max(x, y)};
-            default:
-                return {"-(" + a + ")^2", -x * x};
+            case 0: return {'(' + a + " + " + b + ')', x + y};
+            case 1: return {'(' + a + " - " + b + ')', x - y};
+            case 2: return {a + '*' + b, x * y};
+            case 3: return {'(' + a + ")/(1 + abs(" + b + "))", x / (1 + std::abs(y))};
+            case 4: return {"sqrt(abs(" + a + "))", std::sqrt(std::abs(x))};
+            case 5: return {"sin(" + a + ')', std::sin(x)};
+            case 6: return {"tan(atan2(" + a + ", 1 + abs(" + b + ")))", x / (1 + std::abs(y))};
+            case 7: return {"max(" + a + ", " + b + ')', std::max(x, y)};
+            default: return {"-(" + a + ")^2", -x * x};
         }
     }
 
@@ -242,15 +235,18 @@ TEST(Parameters, AreSetFromOutside) {
     EXPECT_NEAR(pose->at(*mechanism->point_named("A")).x.to_double(), 0.045 * std::sqrt(3.0) / 2, 1e-15);
     const auto wrong = read_mechanism(crank, "crank.json", std::vector<Setting>{{"rr", "1"}});
     ASSERT_FALSE(wrong);
-    EXPECT_EQ(wrong.error().front().message.en, "--set \"rr\": the file has no parameter named \"rr\" (did you mean \"r\"?)");
+    EXPECT_EQ(wrong.error().front().message.en,
+              "--set \"rr\": the file has no parameter named \"rr\" (did you mean \"r\"?)");
 }
 
 /// A coordinate that a root makes zero is zero in the pose, and a mechanism with it is read.
 TEST(Parameters, MayCancelToZero) {
     constexpr const char* file = R"json({
       "kinegraph": 1, "units": {"length": "mm"}, "parameters": {"r": "40 mm", "phi": "30°", "d": "= r*sqrt(3)/2"},
-      "points": {"O": [0, 0], "A": ["= r*cos(phi)", "= r*sin(phi)"], "C": ["= r*cos(phi) - d", "= r*(sin(phi)^2 + cos(phi)^2 - 1)"]},
-      "bodies": {"2": ["O", "A", "C"]}, "joints": [{"revolute": "O", "bodies": [0, 2]}], "drivers": [{"body": 2, "omega": 1}]})json";
+      "points": {"O": [0, 0], "A": ["= r*cos(phi)", "= r*sin(phi)"], "C": ["= r*cos(phi) - d",
+      "= r*(sin(phi)^2 + cos(phi)^2 - 1)"]},
+      "bodies": {"2": ["O", "A", "C"]}, "joints": [{"revolute": "O", "bodies": [0, 2]}], "drivers": [{"body": 2,
+      "omega": 1}]})json";
     const auto mechanism = read_mechanism(file, "zero.json");
     ASSERT_TRUE(mechanism) << mechanism.error().front().message.en;
     const auto pose = draw_pose(*mechanism);

@@ -1,5 +1,6 @@
-// The reader against the published schema: what the reader reads, the schema allows, on every example spoilt at random in many
-// ways. So the program need not ask the schema at every start, and an editor that checks files by it is never told otherwise.
+// The reader against the published schema: what the reader reads, the schema allows, on every example spoilt at random
+// in many ways. So the program need not ask the schema at every start, and an editor that checks files by it is never
+// told otherwise.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,9 +84,7 @@ private:
     void spoil(Json& value) {
         const bool members = value.is_object() && !value.empty(), elements = value.is_array() && !value.empty();
         switch (random_.whole(1, 6)) {
-            case 1:
-                value = strange();
-                break;
+            case 1: value = strange(); break;
             case 2:
                 if (members) value.erase(any_member(value, random_));
                 if (elements) value.erase(value.begin());
@@ -103,7 +102,8 @@ private:
                 }
                 break;
             case 5:
-                if (value.is_number()) value = random_.chance(50) ? Json(-value.get<double>()) : Json(value.dump() + " m");
+                if (value.is_number())
+                    value = random_.chance(50) ? Json(-value.get<double>()) : Json(value.dump() + " m");
                 break;
             default:
                 if (value.is_string()) value = value.get<std::string>() + ' ';
@@ -148,9 +148,9 @@ TEST(Gate, RefusesWithAPointer) {
 }
 
 TEST(Gate, KnowsTheFormsOfTheFormat) {
-    for (const char* more :
-         {R"("spede": 1)", R"("drivers": {})", R"("frame": 1.5)", R"("scales": {"plot": "1:2"})", R"("find": ["beauty"])",
-          R"("motion": {"body": 1, "velocities": {}})", R"("loads": [{"couple": "C", "body": 2}])"}) {
+    for (const char* more : {R"("spede": 1)", R"("drivers": {})", R"("frame": 1.5)", R"("scales": {"plot": "1:2"})",
+                             R"("find": ["beauty"])", R"("motion": {"body": 1, "velocities": {}})",
+                             R"("loads": [{"couple": "C", "body": 2}])"}) {
         EXPECT_FALSE(refused_by_schema(with(more)).empty()) << more;
     }
 }

@@ -12,7 +12,8 @@ namespace {
 
 static_assert(!std::is_convertible_v<int, BodyIndex> && !std::is_convertible_v<BodyIndex, int>);
 static_assert(!std::is_constructible_v<BodyIndex, PointIndex> && !std::is_constructible_v<int, BodyIndex>);
-static_assert(!std::is_invocable_v<std::equal_to<>, BodyIndex, JointIndex> && !std::is_invocable_v<std::less<>, BodyIndex, int>);
+static_assert(!std::is_invocable_v<std::equal_to<>, BodyIndex, JointIndex> &&
+              !std::is_invocable_v<std::less<>, BodyIndex, int>);
 static_assert(std::is_same_v<decltype(indices_of(std::vector<Statement*>{})), Indices<ListIndex<Statement*>>>);
 
 std::vector<int> numbers(const Indices<BodyIndex>& range) {

@@ -24,10 +24,10 @@ TEST(Law, HasItsTextbookPeaks) {
         LawForm form;
         double speed, acceleration;  ///< the largest, in h/T and h/T²
     };
-    for (const Case& each :
-         {Case{LawForm::constant_speed, 1, 0}, Case{LawForm::constant_acceleration, 2, 4},
-          Case{LawForm::harmonic, pi_ / 2, pi_ * pi_ / 2}, Case{LawForm::cycloidal, 2, 2 * pi_},
-          Case{LawForm::polynomial_345, 1.875, 10 / std::sqrt(3)}, Case{LawForm::modified_trapezoidal, 2, 8 * pi_ / (2 + pi_)}}) {
+    for (const Case& each : {Case{LawForm::constant_speed, 1, 0}, Case{LawForm::constant_acceleration, 2, 4},
+                             Case{LawForm::harmonic, pi_ / 2, pi_ * pi_ / 2}, Case{LawForm::cycloidal, 2, 2 * pi_},
+                             Case{LawForm::polynomial_345, 1.875, 10 / std::sqrt(3)},
+                             Case{LawForm::modified_trapezoidal, 2, 8 * pi_ / (2 + pi_)}}) {
         SCOPED_TRACE(spelling_of(each.form));
         const Law law = one_piece(each.form, 3, 2);
         double speed = 0, acceleration = 0;
@@ -83,8 +83,8 @@ std::string crank(const std::string& driver) {
 }
 
 TEST(Law, OfAFileIsReadAndGivesTheDrawnRates) {
-    const Mechanism m =
-        *read_mechanism(crank(R"("law": [{"form": "cycloidal", "turn": 90, "time": "500 ms"}], "drawn at": 0.25)"), "a.json");
+    const Mechanism m = *read_mechanism(
+        crank(R"("law": [{"form": "cycloidal", "turn": 90, "time": "500 ms"}], "drawn at": 0.25)"), "a.json");
     const auto& driver = std::get<SpinDriver>(m.drivers[0]);
     ASSERT_TRUE(driver.law);
     EXPECT_NEAR(driver.omega.to_double(), 2 * (pi_ / 2) / 0.5, 1e-12);
@@ -111,8 +111,9 @@ TEST(Law, FaultsOfFilesAreTold) {
           Case{R"("law": {"form": "harmonic", "slide": "2 mm", "time": 1})", "unknown key \"slide\""}}) {
         const auto read = read_mechanism(crank(each.driver), "a.json");
         ASSERT_FALSE(read) << each.driver;
-        EXPECT_TRUE(std::any_of(read.error().begin(), read.error().end(),
-                                [&](const Error& error) { return error.message.en.find(each.told) != std::string::npos; }))
+        EXPECT_TRUE(
+            std::any_of(read.error().begin(), read.error().end(),
+                        [&](const Error& error) { return error.message.en.find(each.told) != std::string::npos; }))
             << each.driver << ": " << read.error().front().message.en;
     }
 }
@@ -133,7 +134,8 @@ TEST(Law, ACrankThatFollowsOneMovesItsSliderByTheChainRule) {
             if (cycle.columns()[i].name == name) return i;
         throw std::out_of_range(name);
     };
-    const std::size_t x = column("x B"), v = column("vx B"), a = column("ax B"), omega = column("omega 2"), time = column("time");
+    const std::size_t x = column("x B"), v = column("vx B"), a = column("ax B"), omega = column("omega 2"),
+                      time = column("time");
     const double r = 0.05, l = 0.15, drawn = law.at(0.125).s;
     for (int i = 0; i <= 150; ++i) {
         const auto row = cycle.row(travel.at(i / 150.0));
@@ -142,7 +144,8 @@ TEST(Law, ACrankThatFollowsOneMovesItsSliderByTheChainRule) {
         const double angle = pi_ / 6 + here.s - drawn, s = std::sin(angle), c = std::cos(angle),
                      root = std::sqrt(l * l - r * r * s * s);
         const double first = -r * s - r * r * s * c / root;
-        const double second = -r * c - r * r * (c * c - s * s) / root - std::pow(r, 4) * s * s * c * c / std::pow(root, 3);
+        const double second =
+            -r * c - r * r * (c * c - s * s) / root - std::pow(r, 4) * s * s * c * c / std::pow(root, 3);
         EXPECT_NEAR((*row)[time], 0.01 * i - 0.125, 1e-12);
         EXPECT_NEAR((*row)[omega], here.first, 1e-12);
         EXPECT_NEAR((*row)[x], r * c + root, 1e-12);

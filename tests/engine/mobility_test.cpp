@@ -91,8 +91,13 @@ TEST(Mobility, ACrankThatIsNotParallelLocks) {
 /// A slider-crank stretched out at 25°: on the compass's own numbers only a finer pose can tell.
 Sketch stretched() {
     Sketch s;
-    s.point("O", "0", "0").polar("A", "O", "0.1", "25").meet("B", s.circle("A", "0.3"), s.line("O", "25"), Meet::Side::right);
-    s.revolute("O", {"1", "2"}).revolute("A", {"2", "3"}).revolute("B", {"3", "4"}).prismatic("B", {"4", "1"}, at_angle("25"));
+    s.point("O", "0", "0")
+        .polar("A", "O", "0.1", "25")
+        .meet("B", s.circle("A", "0.3"), s.line("O", "25"), Meet::Side::right);
+    s.revolute("O", {"1", "2"})
+        .revolute("A", {"2", "3"})
+        .revolute("B", {"3", "4"})
+        .prismatic("B", {"4", "1"}, at_angle("25"));
     return s;
 }
 
@@ -114,7 +119,8 @@ TEST(Mobility, ACoincidenceThroughRootsIsDecidedOnAFinerPose) {
     s.meet("B", s.circle("K", "0.15"), s.circle("O2", "0.3"), Meet::Side::left);  // some place, irrational
     s.point("C", Polar{s["O2"], decimal("0.1"), degrees("40"), Bearing::Between{s["O2"], s["B"]}});
     s.point("D", Polar{s["O2"], decimal("0.2"), degrees("40"), Bearing::Between{s["O2"], s["B"]}});
-    // O2, C, D lie on one line, but only up to the grid on which C and D were rounded: two bars stretched out and pinned.
+    // O2, C, D lie on one line, but only up to the grid on which C and D were rounded: two bars stretched out and
+    // pinned.
     s.revolute("O2", {"1", "2"}).revolute("C", {"2", "3"}).revolute("D", {"3", "1"});
     const Mobility found = mobility(s);
     EXPECT_EQ(found.gruebler, 0);
@@ -126,7 +132,10 @@ TEST(Mobility, ACoincidenceThroughRootsIsDecidedOnAFinerPose) {
 
 TEST(Mobility, ANearCoincidenceThatStaysIsNone) {
     Sketch s;  // the same two bars, truly 1e-20 m off the line
-    s.point("O2", "0", "0").polar("C", "O2", "0.1", "20").polar("D0", "O2", "0.2", "20").polar("D", "D0", "1e-20", "110");
+    s.point("O2", "0", "0")
+        .polar("C", "O2", "0.1", "20")
+        .polar("D0", "O2", "0.2", "20")
+        .polar("D", "D0", "1e-20", "110");
     s.revolute("O2", {"1", "2"}).revolute("C", {"2", "3"}).revolute("D", {"3", "1"});
     const auto pose = draw_pose(s.mechanism);
     ASSERT_TRUE(pose);
@@ -147,7 +156,9 @@ TEST(Mobility, CountsEveryKindOfPair) {
         .point("Q", "3", "1")
         .point("R", "4", "0")
         .point("C", "2", "1");
-    s.revolute("O", {"1", "2", "3"}).prismatic("A", {"2", "4"}, at_angle("10")).pin_slot("Q", {"4", "5"}, at_angle("30"));
+    s.revolute("O", {"1", "2", "3"})
+        .prismatic("A", {"2", "4"}, at_angle("10"))
+        .pin_slot("Q", {"4", "5"}, at_angle("30"));
     s.touching(JointKind::rolling, "P", {"5", "1"}, {CircleProfile{s["C"]}, LineProfile{at_angle("0")}});
     s.joint(JointKind::contact, "R", {"6", "1"}).tangent = at_angle("0");
     s.joint(JointKind::gear, "A", {"6", "3"}).tangent = at_angle("90");

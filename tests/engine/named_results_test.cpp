@@ -30,7 +30,8 @@ std::string asking(const std::string& example, const std::string& ask) {
     return text;
 }
 const NamedResult* find(const std::vector<NamedResult>& results, const std::string& name) {
-    const auto found = std::find_if(results.begin(), results.end(), [&](const auto& each) { return each.column.name == name; });
+    const auto found =
+        std::find_if(results.begin(), results.end(), [&](const auto& each) { return each.column.name == name; });
     return found == results.end() ? nullptr : &*found;
 }
 
@@ -50,11 +51,13 @@ TEST(NamedResults, AreTheRowOfASweepInTheDrawnPosition) {
         std::size_t held = 0;
         for (std::size_t i = 0; i < row->size(); ++i) {
             const Column& column = cycle->columns()[i];
-            if (column.kind == Column::Kind::turn || column.kind == Column::Kind::time || column.kind == Column::Kind::slid)
+            if (column.kind == Column::Kind::turn || column.kind == Column::Kind::time ||
+                column.kind == Column::Kind::slid)
                 continue;
             const NamedResult* result = find(results, column.name);
             ASSERT_NE(result, nullptr) << example << ": " << column.name;
-            EXPECT_NEAR(result->value, (*row)[i], 1e-9 * std::max(1.0, std::abs((*row)[i]))) << example << ": " << column.name;
+            EXPECT_NEAR(result->value, (*row)[i], 1e-9 * std::max(1.0, std::abs((*row)[i])))
+                << example << ": " << column.name;
             EXPECT_EQ(result->column.unit, column.unit);
             ++held;
         }
@@ -69,7 +72,8 @@ TEST(NamedResults, KnowTheLengthsOfVectors) {
     EXPECT_NEAR(v->value, 0.04 * 4 * std::acos(-1.0), 1e-12) << "120 rpm at 40 mm";
     EXPECT_EQ(v->column.unit, QuantityKind::velocity);
     EXPECT_TRUE(is_modulus(v->column));
-    EXPECT_NEAR(find(results, "a B")->value, std::hypot(find(results, "ax B")->value, find(results, "ay B")->value), 1e-9);
+    EXPECT_NEAR(find(results, "a B")->value, std::hypot(find(results, "ax B")->value, find(results, "ay B")->value),
+                1e-9);
 }
 
 TEST(NamedResults, HaveNamesOfTheirOwnThatTheMechanismAloneTells) {
@@ -98,7 +102,9 @@ TEST(Ask, GivesTheResultsInTheOrderOfTheFile) {
     EXPECT_EQ((*asked)[0].value, solution.bodies[3].omega->to_double());
     EXPECT_NEAR((*asked)[1].value, 0.08 * std::abs((*asked)[0].value), 1e-12) << "v = ω r";
     // Crank and frame on one line: cos μ = (b² + c² − (d ± a)²) / 2bc, with 150, 80, 150 and 40 mm.
-    const auto transmission = [](double base) { return std::acos((150.0 * 150 + 80 * 80 - base * base) / (2 * 150 * 80)); };
+    const auto transmission = [](double base) {
+        return std::acos((150.0 * 150 + 80 * 80 - base * base) / (2 * 150 * 80));
+    };
     const double pi = std::acos(-1.0);
     const double least = std::min({transmission(110), transmission(190), pi - transmission(190)});
     EXPECT_NEAR((*asked)[2].value, least, 1e-9);
@@ -107,13 +113,15 @@ TEST(Ask, GivesTheResultsInTheOrderOfTheFile) {
 }
 
 TEST(Ask, KnowsWhatAProblemFinds) {
-    const auto asked = asked_results(tests::solved(asking("contact/ball_against_wall", R"(["impulse x", "energy lost"])")));
+    const auto asked =
+        asked_results(tests::solved(asking("contact/ball_against_wall", R"(["impulse x", "energy lost"])")));
     ASSERT_TRUE(asked);
     EXPECT_EQ((*asked)[0].unit, "N s");
     const auto wrong = asked_results(tests::solved(asking("contact/ball_against_wall", R"(["impulse z"])")));
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().front().where, "/ask/0");
-    EXPECT_NE(wrong.error().front().message.en.find("\"impulse x\""), std::string::npos) << wrong.error().front().message.en;
+    EXPECT_NE(wrong.error().front().message.en.find("\"impulse x\""), std::string::npos)
+        << wrong.error().front().message.en;
 }
 
 TEST(Ask, FaultsNameThePlaceAndTheNearest) {
@@ -122,7 +130,8 @@ TEST(Ask, FaultsNameThePlaceAndTheNearest) {
         return read ? std::string("none") : read.error().front().where + ": " + read.error().front().message.en;
     };
     EXPECT_EQ(fault(R"(["omega 3", "omega 33"])"),
-              "/ask/1: no result is named \"omega 33\" (did you mean \"omega 3\"?); names are those of the columns of \"sweep\"");
+              "/ask/1: no result is named \"omega 33\" (did you mean \"omega 3\"?); names are those of the columns of "
+              "\"sweep\"");
     EXPECT_EQ(fault(R"(["v B", "v B"])"), "/ask/1: \"v B\" is asked for twice; take one out");
     EXPECT_EQ(fault(R"([])"), "/ask: nothing is asked for; take \"ask\" out, or name a result");
     EXPECT_EQ(fault(R"("v B")"), "/ask: an array of names of results, such as \"omega 3\" is wanted here, not \"v B\"");
@@ -141,7 +150,8 @@ TEST(Ask, NamesAreComparedByTheirLetters) {
         return from == std::string::npos ? std::string("none") : said.substr(from + 15, to - from - 15);
     };
     for (const char* written : {"v_B", "vB", "v_b", "V_B", "V B"}) EXPECT_EQ(meant(written), "v B") << written;
-    for (const char* written : {"omega3", "omega_3", "Omega 3", "OMEGA3"}) EXPECT_EQ(meant(written), "omega 3") << written;
+    for (const char* written : {"omega3", "omega_3", "Omega 3", "OMEGA3"})
+        EXPECT_EQ(meant(written), "omega 3") << written;
     for (const char* written : {"v_Bx", "vBx", "vx_B"}) EXPECT_EQ(meant(written), "vx B") << written;
     EXPECT_EQ(meant("omega 5"), "omega 4");
     EXPECT_EQ(meant("fx_A_3_on_2 "), "Fx A 3 on 2");

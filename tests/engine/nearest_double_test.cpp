@@ -1,5 +1,5 @@
-// The doubles nearest to exact numbers and lengths, held against MPFR: numbers of all lengths, and such as lie on, or beside, the
-// middle between two doubles, where a conversion by leading digits must not guess.
+// The doubles nearest to exact numbers and lengths, held against MPFR: numbers of all lengths, and such as lie on, or
+// beside, the middle between two doubles, where a conversion by leading digits must not guess.
 #include <gtest/gtest.h>
 #include <mpfr.h>
 
@@ -89,7 +89,8 @@ TEST(NearestDouble, OfADifferenceIsThatOfTheExactOne) {
         ASSERT_EQ(difference_to_double(a, b), (a - b).to_double()) << a.to_fraction() << " - " << b.to_fraction();
         ASSERT_EQ(difference_to_double(b, a), (b - a).to_double()) << b.to_fraction() << " - " << a.to_fraction();
         // Their difference is on, or beside, the middle.
-        ASSERT_EQ(difference_to_double(middle + a, a), by_mpfr(middle)) << middle.to_fraction() << " + " << a.to_fraction();
+        ASSERT_EQ(difference_to_double(middle + a, a), by_mpfr(middle))
+            << middle.to_fraction() << " + " << a.to_fraction();
         ASSERT_EQ(distance(Vector{a, b}, Vector{b, a}), length({b - a, a - b}));
     }
     EXPECT_EQ(difference_to_double(2, 2), 0);

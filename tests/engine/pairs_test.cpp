@@ -1,4 +1,5 @@
-// The catalogue of pairs: what it says is what the rank finds, its schemes are trees, its page is the program's own output.
+// The catalogue of pairs: what it says is what the rank finds, its schemes are trees, its page is the program's own
+// output.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,9 +11,9 @@
 #include <string>
 
 #include "engine/mechanism/chain.hpp"
+#include "engine/mechanism/pair_catalogue.hpp"
 #include "engine/motion/constraint_rows.hpp"
 #include "engine/motion/mobility.hpp"
-#include "engine/mechanism/pair_catalogue.hpp"
 #include "render/tables/pair_tables.hpp"
 #include "tests/support/sketch.hpp"
 #include "tests/support/solved.hpp"
@@ -31,18 +32,14 @@ Sketch single(JointKind kind) {
     s.point("P", "0", "0").point("C", "0", "1");
     switch (kind) {
         case JointKind::prismatic:
-        case JointKind::pin_slot:
-            s.joint(kind, "P", {"2", "1"}).along = at_angle("0");
-            break;
+        case JointKind::pin_slot: s.joint(kind, "P", {"2", "1"}).along = at_angle("0"); break;
         case JointKind::rolling:
         case JointKind::contact:
         case JointKind::gear:
             s.touching(kind, "P", {"2", "1"}, {CircleProfile{s["C"]}, LineProfile{at_angle("0")}});
             break;
         case JointKind::revolute:
-        case JointKind::weld:
-            s.joint(kind, "P", {"2", "1"});
-            break;
+        case JointKind::weld: s.joint(kind, "P", {"2", "1"}); break;
     }
     return s;
 }
@@ -94,7 +91,8 @@ TEST(Catalogue, InSpaceMotionsAndReactionsAreSix) {
         const auto letters = [](std::string_view text, std::string_view of) {
             std::set<std::string_view> different;
             for (std::size_t i = 0; i + 2 < text.size(); ++i)
-                if (of.find(text[i]) != std::string_view::npos && text[i + 1] == '_') different.insert(text.substr(i, 3));
+                if (of.find(text[i]) != std::string_view::npos && text[i + 1] == '_')
+                    different.insert(text.substr(i, 3));
             if (text.size() >= 3) different.insert(text.substr(text.size() - 3));
             return static_cast<int>(different.size());
         };
@@ -137,7 +135,8 @@ std::string contents(const std::string& path) {
 }
 
 TEST(Catalogue, ThePageOfTheDocsIsTheProgramsOwn) {
-    EXPECT_EQ(contents(KINEGRAPH_TESTS_DIR "/../docs/pairs.md"), render::pair_catalogue(Language::en, TextForm::markdown))
+    EXPECT_EQ(contents(KINEGRAPH_TESTS_DIR "/../docs/pairs.md"),
+              render::pair_catalogue(Language::en, TextForm::markdown))
         << "print it again: kinegraph pairs --format markdown > docs/pairs.md";
 }
 
@@ -184,8 +183,11 @@ TEST(Chains, AreOpenClosedOrMixed) {
 }
 
 TEST(Chains, OfEveryExampleHaveTheLoopsOfEuler) {
-    // Watt's and Stephenson's six bodies make two loops; a hinge of three bodies counts as two pairs and once at each body.
-    const auto of = [](const char* name) { return chain_of(tests::solved(contents(tests::example_file(name))).mechanism); };
+    // Watt's and Stephenson's six bodies make two loops; a hinge of three bodies counts as two pairs and once at each
+    // body.
+    const auto of = [](const char* name) {
+        return chain_of(tests::solved(contents(tests::example_file(name))).mechanism);
+    };
     for (const char* name : {"watt_six_bar", "stephenson_1_driver_2", "whitworth"}) {
         const KinematicChain chain = of(name);
         EXPECT_EQ(chain.loops, 2) << name;

@@ -113,7 +113,9 @@ TEST(Pose, AlongByDistanceAndByRatio) {
 
 TEST(Pose, PointsMayBeUsedBeforeTheyAreDefined) {
     Sketch s;
-    s.point("M", Along{PointIndex(1), PointIndex(2), Exact::ratio(1, 2), true}).point("A", "0", "0").point("B", "2", "0");
+    s.point("M", Along{PointIndex(1), PointIndex(2), Exact::ratio(1, 2), true})
+        .point("A", "0", "0")
+        .point("B", "2", "0");
     EXPECT_EQ(drawn(s).at(PointIndex(0)), (Vector{1, 0}));
 }
 
@@ -202,9 +204,9 @@ TEST(Pose, CurvesThatDoNotMeetSayByHowMuch) {
     s.point("A", "0", "0").point("O4", "0.1", "0").meet("B", s.circle("A", "0.05"), s.circle("O4", "0.03"));
     EXPECT_EQ(refused(s).code, ErrorCode::cannot_meet);
     EXPECT_EQ(refused(s).where, "/points/B");
-    EXPECT_EQ(
-        refused(s).message.en,
-        "the circles about A (radius 50 mm) and O4 (radius 30 mm) do not meet: their centres are 100 mm apart, 20 mm too far");
+    EXPECT_EQ(refused(s).message.en,
+              "the circles about A (radius 50 mm) and O4 (radius 30 mm) do not meet: their centres are 100 mm apart, "
+              "20 mm too far");
     Sketch inside = s;
     inside.mechanism.points.pop_back();
     inside.meet("B", s.circle("A", "0.25"), s.circle("O4", "0.03"));
@@ -243,7 +245,8 @@ TEST(Pose, AFinerPoseConvergesOnTheSameBranch) {
 
 TEST(Pose, ASmallDrawingOnALongRadiusKeepsItsBits) {
     Sketch s;  // drawn within a millimetre, on a circle of a thousand kilometres
-    s.point("A", "0", "0").meet("B", CircleCurve{at("0", "-1e6"), decimal("1000000.0003")}, s.line("A", "77"), Meet::Side::right);
+    s.point("A", "0", "0")
+        .meet("B", CircleCurve{at("0", "-1e6"), decimal("1000000.0003")}, s.line("A", "77"), Meet::Side::right);
     const auto miss = [&](int bits) {
         return length(drawn(s, bits).at(PointIndex(1)) - drawn(s, 400).at(PointIndex(1))) / drawn(s).size.to_double();
     };
@@ -293,7 +296,9 @@ TEST(Contact, OffItsCurveIsRefusedWithTheMisfit) {
 
 TEST(Contact, GearsTouchOnTheLineOfCentres) {
     Sketch s;
-    s.point("O1", "0", "0").point("O2", "0.3", "0.4").point("P", Along{PointIndex(0), PointIndex(1), Exact::ratio(2, 5), true});
+    s.point("O1", "0", "0")
+        .point("O2", "0.3", "0.4")
+        .point("P", Along{PointIndex(0), PointIndex(1), Exact::ratio(2, 5), true});
     s.touching(JointKind::gear, "P", {"2", "3"}, {CircleProfile{PointIndex(0)}, CircleProfile{PointIndex(1)}});
     s.mechanism.joints[0].pressure_angle = degrees("45");
     const Pose pose = drawn(s);

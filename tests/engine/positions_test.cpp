@@ -1,4 +1,5 @@
-// Positions: closed forms of limits and of places, branches kept through change points, and random mechanisms there and back.
+// Positions: closed forms of limits and of places, branches kept through change points, and random mechanisms there and
+// back.
 #include "engine/motion/positions.hpp"
 
 #include <gtest/gtest.h>
@@ -43,16 +44,21 @@ Spot rough(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
 /// A four-bar by its lengths (mm), crank a at an angle in degrees; the crank drives.
 std::string four_bar(double a, double b, double c, double d, double angle) {
     const auto n = [](double value) { return std::to_string(value); };
-    return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O2": [0, 0], "A": {"from": "O2", "distance": )" +
-           n(a) + R"(, "angle": )" + n(angle) + R"(}, "O4": [)" + n(d) + R"(, 0], "B": {"meet": [{"circle": "A", "radius": )" +
-           n(b) + R"(}, {"circle": "O4", "radius": )" + n(c) +
+    return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O2": [0, 0], "A": {"from": "O2",
+    "distance": )" +
+           n(a) + R"(, "angle": )" + n(angle) + R"(}, "O4": [)" + n(d) +
+           R"(, 0], "B": {"meet": [{"circle": "A", "radius": )" + n(b) + R"(}, {"circle": "O4", "radius": )" + n(c) +
            R"(}], "side": "left"}}, "bodies": {"2": ["O2", "A"], "3": ["A", "B"], )" +
-           R"("4": ["O4", "B"]}, "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, )" +
-           R"({"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [1, 4]}], "drivers": [{"body": 2, "omega": 1}]})";
+           R"("4": ["O4", "B"]}, "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2,
+           3]}, )" +
+           R"({"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [1, 4]}], "drivers": [{"body": 2,
+           "omega": 1}]})";
 }
 
 /// The crank's angle at which coupler and follower lie on one line: O4A = b + c, or |b − c|.
-double limit_angle(double a, double reach, double d) { return std::acos((a * a + d * d - reach * reach) / (2 * a * d)); }
+double limit_angle(double a, double reach, double d) {
+    return std::acos((a * a + d * d - reach * reach) / (2 * a * d));
+}
 
 TEST(Positions, FourBarsOfEveryKindTurnOrStopWhereTheyMust) {
     struct Case {
@@ -79,9 +85,10 @@ TEST(Positions, FourBarsOfEveryKindTurnOrStopWhereTheyMust) {
             const double stopped = std::abs(std::remainder(start + *d.positions.limit(), 2 * pi_));
             const double longest = limit_angle(each.a, each.b + each.c, each.d);
             const double shortest = limit_angle(each.a, std::abs(each.b - each.c), each.d);
-            const double off = std::isnan(longest)    ? std::abs(stopped - shortest)
-                               : std::isnan(shortest) ? std::abs(stopped - longest)
-                                                      : std::min(std::abs(stopped - longest), std::abs(stopped - shortest));
+            const double off = std::isnan(longest) ? std::abs(stopped - shortest)
+                               : std::isnan(shortest)
+                                   ? std::abs(stopped - longest)
+                                   : std::min(std::abs(stopped - longest), std::abs(stopped - shortest));
             EXPECT_LT(off, 1e-9) << "stopped at " << stopped * 180 / pi_;
             EXPECT_EQ(d.positions.coordinate(), 0) << "nothing moved";
         }
@@ -125,7 +132,8 @@ TEST(Positions, AChangePointThatIsDrawnIsLeftAlongABranch) {
         Places places;
         ASSERT_TRUE(crossed.move_to(way * 1.2));
         crossed.read(places);
-        // The antiparallelogram is symmetric: B is the mirror image of A's partner, so tan(φ2/2) tan(φ4/2) = −(b − a)/(b + a).
+        // The antiparallelogram is symmetric: B is the mirror image of A's partner, so tan(φ2/2) tan(φ4/2) = −(b −
+        // a)/(b + a).
         const double second = way * 1.2, fourth = crossed.turn(BodyIndex(3));
         EXPECT_NEAR(std::tan(fourth / 2) / std::tan(second / 2), -140.0 / 60, 1e-9);
         ASSERT_TRUE(crossed.move_to(0));
@@ -135,7 +143,8 @@ TEST(Positions, AChangePointThatIsDrawnIsLeftAlongABranch) {
     ASSERT_FALSE(third);
     EXPECT_EQ(third.error().front().code, ErrorCode::no_unique_answer);
     const Mechanism plain = example("four_bar");
-    EXPECT_FALSE(Positions::of(plain, *draw_pose(plain), Course{.driver = 0, .branch = 0})) << "there is none to choose";
+    EXPECT_FALSE(Positions::of(plain, *draw_pose(plain), Course{.driver = 0, .branch = 0}))
+        << "there is none to choose";
 }
 
 TEST(Positions, ADeadPointThatIsDrawnIsRefused) {

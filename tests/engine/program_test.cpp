@@ -1,5 +1,5 @@
-// The record as a program: every example replayed in Exact and in doubles, with other drivers and loads; cut to some results;
-// what results hang on; which guard flips.
+// The record as a program: every example replayed in Exact and in doubles, with other drivers and loads; cut to some
+// results; what results hang on; which guard flips.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ using tests::example_names;
 std::size_t at(auto index) { return at_index(index); }
 
 std::string four_bar(const std::string& omega, const std::string& more = "") {
-    return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"A0": [0, 0], "A": [30, 40], "B": [150, 90],
+    return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"A0": [0, 0], "A": [30, 40],
+    "B": [150, 90],
         "B0": [180, 0]}, "bodies": {"2": ["A0", "A"], "3": ["A", "B"], "4": ["B0", "B"]},
         "joints": [{"revolute": "A0", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
         {"revolute": "B", "bodies": [3, 4]}, {"revolute": "B0", "bodies": [1, 4]}],
@@ -49,7 +50,8 @@ TEST(Program, GivensHaveTheirNames) {
     const Program& program = solution.protocol.program;
     std::vector<std::string> names;
     for (const Given& given : program.givens) names.push_back(given.name);
-    for (const char* name : {"/points/A0", "/points/A", "/points/B", "/points/B0", "/drivers/0/omega", "/drivers/0/alpha"})
+    for (const char* name :
+         {"/points/A0", "/points/A", "/points/B", "/points/B0", "/drivers/0/omega", "/drivers/0/alpha"})
         EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
 }
 
@@ -83,7 +85,8 @@ TEST(Program, IsCutToWhatIsWanted) {
     EXPECT_EQ(std::get<Exact>(again.values[at(velocities.element[at(omega)])]), *solution.bodies[2].omega);
 }
 
-/// A crank brought to rest: what was a body that moves is one that stands, and the record says so before it gives a number.
+/// A crank brought to rest: what was a body that moves is one that stands, and the record says so before it gives a
+/// number.
 TEST(Program, SaysWhichGuardFlips) {
     const Solution moving = tests::solved(four_bar("\"2 rad/s\""));
     const Solution resting = tests::solved(four_bar("0"));

@@ -1,5 +1,5 @@
-// The reader of mechanism files: what each form of the format becomes, and that every broken file of tests/broken is refused with
-// exactly the lines of the .txt beside it.
+// The reader of mechanism files: what each form of the format becomes, and that every broken file of tests/broken is
+// refused with exactly the lines of the .txt beside it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,8 +44,10 @@ std::string refusal(std::string_view text) {
 
 /// A small mechanism with more members of the file put at its end.
 std::string with(const std::string& more) {
-    return R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [1, 0], "B": [3, 1]}, "bodies": {"2": ["O", "A"], "3": ["A", "B"]},
-               "joints": [{"revolute": "O", "bodies": [0, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"prismatic": "B", "bodies": [3, 0], "along": 0}])" +
+    return R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [1, 0], "B": [3, 1]}, "bodies": {"2": ["O", "A"],
+    "3": ["A", "B"]},
+               "joints": [{"revolute": "O", "bodies": [0, 2]}, {"revolute": "A", "bodies": [2, 3]},
+               {"prismatic": "B", "bodies": [3, 0], "along": 0}])" +
            (more.empty() ? "" : ", " + more) + "}";
 }
 std::string with_points(const std::string& points) {
@@ -54,7 +56,8 @@ std::string with_points(const std::string& points) {
 }
 std::string with_joint(const std::string& joint) {
     return R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [1, 0], "B": [3, 1]},
-               "bodies": {"2": ["O"], "3": {"points": ["A"], "circle": {"centre": "B", "radius": 2}}, "4": ["B"]}, "joints": [)" +
+               "bodies": {"2": ["O"], "3": {"points": ["A"], "circle": {"centre": "B", "radius": 2}}, "4": ["B"]},
+               "joints": [)" +
            joint + "]}";
 }
 
@@ -73,24 +76,27 @@ TEST(Reader, RefusesEveryBrokenFileInTheseWords) {
 }
 
 TEST(Reader, EveryFaultHasItsOwnWordsInBothLanguages) {
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(KINEGRAPH_TESTS_DIR) / "broken")) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(KINEGRAPH_TESTS_DIR) / "broken")) {
         if (entry.path().extension() != ".json") continue;
         const auto refused = read_mechanism(text_of(entry.path()), "test.json");
         ASSERT_FALSE(refused);
-        for (const Error& error : refused.error()) EXPECT_NE(error.message.en, error.message.it) << entry.path().filename();
+        for (const Error& error : refused.error())
+            EXPECT_NE(error.message.en, error.message.it) << entry.path().filename();
     }
 }
 
 TEST(Reader, ABodyIsDrivenByItsAngularVelocity) {
-    EXPECT_EQ(
-        refusal(with(R"("drivers": [{"body": 2, "speed": 150}])")),
-        "/drivers/0/speed: a body turns: give \"omega\"; \"speed\" is of a \"joint\" that slides, or of a point of the body, "
-        "\"at\" P \"along\" X\n");
+    EXPECT_EQ(refusal(with(R"("drivers": [{"body": 2, "speed": 150}])")),
+              "/drivers/0/speed: a body turns: give \"omega\"; \"speed\" is of a \"joint\" that slides, or of a point "
+              "of the body, "
+              "\"at\" P \"along\" X\n");
 }
 
 TEST(Reader, LoadsHaveNamesOfTheirOwn) {
     EXPECT_EQ(refusal(with(
-                  R"("loads": [{"force": "Q", "body": 2, "at": "A", "value": [1, 0]}, {"couple": "Q", "body": 3, "value": 1}])")),
+                  R"("loads": [{"force": "Q", "body": 2, "at": "A", "value": [1, 0]}, {"couple": "Q", "body": 3,
+            "value": 1}])")),
               "/loads/1/couple: two loads are named \"Q\"; figures go by the name, so rename one\n");
 }
 
@@ -99,9 +105,9 @@ TEST(Reader, OnALineAMeetIsAheadOrBehind) {
     for (const char* side : {"ahead", "behind"}) {
         const std::string by = std::string(R"(], "side": ")") + side + "\"}";
         EXPECT_EQ(refusal(with_points("\"P\": {\"meet\": [" + line + ", " + circle + by)), "read");
-        EXPECT_EQ(
-            refusal(with_points("\"P\": {\"meet\": [" + circle + ", " + circle + by)),
-            std::string("/points/P/side: \"") + side + "\" is a side on a line; of two circles take \"left\" or \"right\"\n");
+        EXPECT_EQ(refusal(with_points("\"P\": {\"meet\": [" + circle + ", " + circle + by)),
+                  std::string("/points/P/side: \"") + side +
+                      "\" is a side on a line; of two circles take \"left\" or \"right\"\n");
     }
 }
 
@@ -168,9 +174,10 @@ TEST(Reader, ReadsTheFileOfTheDocumentation) {
 }
 
 TEST(Reader, DecimalsAreThoseOfTheText) {
-    const Mechanism m =
-        read(with_points(R"("A": [0.1, 18446744073709551616], "B": ["0.1 in", -7], "C": [1E+1, 0.000000000000000000001])"));
-    EXPECT_EQ(std::get<Coordinates>(m.points[2].placement).at, (Vector{Exact::ratio(1, 10000), exact("18446744073709551.616")}));
+    const Mechanism m = read(
+        with_points(R"("A": [0.1, 18446744073709551616], "B": ["0.1 in", -7], "C": [1E+1, 0.000000000000000000001])"));
+    EXPECT_EQ(std::get<Coordinates>(m.points[2].placement).at,
+              (Vector{Exact::ratio(1, 10000), exact("18446744073709551.616")}));
     EXPECT_EQ(std::get<Coordinates>(m.points[3].placement).at, (Vector{exact("0.00254"), exact("-0.007")}));
     EXPECT_EQ(std::get<Coordinates>(m.points[4].placement).at, (Vector{exact("0.01"), exact("1e-24")}));
 }
@@ -214,7 +221,8 @@ TEST(Reader, FrameIsNoughtAndNeedsNoEntry) {
 
 TEST(Reader, FrameMayHaveAnEntryAnywhere) {
     const Mechanism m = read(R"({"kinegraph": 1, "frame": "ground", "points": {"A": [0, 0], "B": [1, 1]},
-        "bodies": {"crank": ["A"], "ground": {"points": ["B"], "label": "base"}}, "joints": [{"revolute": "A", "bodies": ["ground", "crank"]}]})");
+        "bodies": {"crank": ["A"], "ground": {"points": ["B"], "label": "base"}}, "joints": [{"revolute": "A",
+        "bodies": ["ground", "crank"]}]})");
     ASSERT_EQ(m.bodies.size(), 2U);
     EXPECT_EQ(m.bodies[0].name, "ground");
     EXPECT_EQ(m.bodies[0].label.it, "base");
@@ -240,19 +248,20 @@ TEST(Reader, JointsOfEveryKind) {
     EXPECT_EQ(slot.bodies[1].points, (std::vector{PointIndex(0)}));
     EXPECT_EQ(read(with_joint(R"({"weld": "A", "bodies": [2, 4]})")).bodies[3].points,
               (std::vector{PointIndex(2), PointIndex(1)}));
-    const Mechanism contact =
-        read(with_joint(R"({"contact": "A", "bodies": [2, 3], "profiles": {"2": {"line": ["O", "A"]}}, "pushes": [0, -1]})"));
+    const Mechanism contact = read(with_joint(
+        R"({"contact": "A", "bodies": [2, 3], "profiles": {"2": {"line": ["O", "A"]}}, "pushes": [0, -1]})"));
     EXPECT_TRUE(std::holds_alternative<LineProfile>(contact.joints[0].profiles.at(BodyIndex(1))));
     EXPECT_EQ(contact.joints[0].pushes->y, Exact(-1));
     // A body's own circle is its profile.
     EXPECT_EQ(std::get<CircleProfile>(contact.joints[0].profiles.at(BodyIndex(2))).centre, PointIndex(2));
-    const Mechanism gear = read(with_joint(R"({"gear": "A", "bodies": [2, 3], "tangent": 90, "pressure angle": 20, "arm": 4})"));
+    const Mechanism gear =
+        read(with_joint(R"({"gear": "A", "bodies": [2, 3], "tangent": 90, "pressure angle": 20, "arm": 4})"));
     EXPECT_EQ(gear.joints[0].arm, BodyIndex(3));
     EXPECT_EQ(gear.joints[0].pressure_angle->value, Exact(20));
     EXPECT_TRUE(gear.joints[0].tangent);
     EXPECT_TRUE(gear.joints[0].profiles.empty());
-    const Mechanism rolling =
-        read(with_joint(R"({"rolling": "A", "bodies": [2, 3], "profiles": {"2": {"tip": true}, "3": {"circle": "O"}}})"));
+    const Mechanism rolling = read(
+        with_joint(R"({"rolling": "A", "bodies": [2, 3], "profiles": {"2": {"tip": true}, "3": {"circle": "O"}}})"));
     // What the joint says goes before the body's circle.
     EXPECT_EQ(std::get<CircleProfile>(rolling.joints[0].profiles.at(BodyIndex(2))).centre, PointIndex(0));
 }
@@ -277,10 +286,14 @@ TEST(Reader, DriversOfEveryKind) {
 
 TEST(Reader, ForcesOfEveryKind) {
     const Mechanism m = read(with(
-        R"("masses": {"3": {"mass": "2 t", "centre": "B", "inertia": "5 kg cm²"}}, "gravity": [0, -9.81], "inertia forces": true,
-        "loads": [{"force": "F", "body": 3, "at": "B", "value": ["1 kN", 2]}, {"force": "G", "body": 2, "at": "A", "magnitude": 3, "along": 90},
-                  {"couple": "M", "body": 2, "value": "1 lbf in"}, {"force": "S", "bodies": [0, 3], "between": ["O", "B"], "magnitude": 7}],
-        "effort": [{"couple": "C", "body": 2, "from": 3}, {"force": "P", "body": 3, "at": "B", "along": 0}, {"force": "Q", "joint": "B"}])"));
+        R"("masses": {"3": {"mass": "2 t", "centre": "B", "inertia": "5 kg cm²"}}, "gravity": [0, -9.81],
+        "inertia forces": true,
+        "loads": [{"force": "F", "body": 3, "at": "B", "value": ["1 kN", 2]}, {"force": "G", "body": 2, "at": "A",
+        "magnitude": 3, "along": 90},
+                  {"couple": "M", "body": 2, "value": "1 lbf in"}, {"force": "S", "bodies": [0, 3], "between": ["O",
+                  "B"], "magnitude": 7}],
+        "effort": [{"couple": "C", "body": 2, "from": 3}, {"force": "P", "body": 3, "at": "B", "along": 0},
+        {"force": "Q", "joint": "B"}])"));
     EXPECT_EQ(m.masses[0].mass, Exact(2000));
     EXPECT_EQ(m.masses[0].inertia, exact("0.0005"));
     EXPECT_EQ(m.gravity->y, exact("-9.81"));
@@ -293,11 +306,14 @@ TEST(Reader, ForcesOfEveryKind) {
     EXPECT_EQ(std::get<ActuatorEffort>(m.efforts[2]).joint, JointIndex(2));
 }
 
-TEST(Reader, OneEffortMayStandAlone) { EXPECT_EQ(read(with(R"("effort": {"couple": "C", "body": 2})")).efforts.size(), 1U); }
+TEST(Reader, OneEffortMayStandAlone) {
+    EXPECT_EQ(read(with(R"("effort": {"couple": "C", "body": 2})")).efforts.size(), 1U);
+}
 
 TEST(Reader, ActOfMotionStandsForJoints) {
     const Mechanism m = read(R"({"kinegraph": 1, "points": {"A": [0, 0], "B": [1, 0]}, "bodies": {"1": ["A", "B"]},
-        "motion": {"body": 1, "velocities": {"A": [1, "20 cm/s"], "B": {"along": 30}}, "accelerations": {"A": [0, 0]}}})");
+        "motion": {"body": 1, "velocities": {"A": [1, "20 cm/s"], "B": {"along": 30}}, "accelerations": {"A": [0,
+        0]}}})");
     ASSERT_TRUE(m.motion);
     EXPECT_EQ(std::get<Vector>(m.motion->velocities[0].value).y, Exact::ratio(1, 5));
     EXPECT_TRUE(std::holds_alternative<Bearing>(m.motion->velocities[1].value));
@@ -306,8 +322,10 @@ TEST(Reader, ActOfMotionStandsForJoints) {
 
 TEST(Reader, WishesAndScales) {
     const Mechanism m = read(with(
-        R"("find": ["forces", {"relative motion": "B", "observer": 2}, {"relative motion": "B", "observer": {"translating with": "A"}}],
-        "scales": {"forces": "14 mm = 16.28 MN", "mechanism": "1:5", "velocity": "1 mm ≙ 0.01 m/s", "centres": "1 mm=5mm"})"));
+        R"("find": ["forces", {"relative motion": "B", "observer": 2}, {"relative motion": "B",
+        "observer": {"translating with": "A"}}],
+        "scales": {"forces": "14 mm = 16.28 MN", "mechanism": "1:5", "velocity": "1 mm ≙ 0.01 m/s",
+        "centres": "1 mm=5mm"})"));
     EXPECT_TRUE(m.find.forces);
     EXPECT_EQ(m.find.relative_motion[0].observer, BodyIndex(1));
     EXPECT_EQ(m.find.relative_motion[0].translating_with, none);
@@ -329,8 +347,10 @@ TEST(Reader, TextsServeWhereALanguageIsMissing) {
 
 TEST(Reader, FaultsComeInTheFilesOrder) {
     EXPECT_EQ(
-        refusal(R"({"find": ["x"], "points": {"A": [0, true]}, "kinegraph": 1, "bodies": {"1": ["A", "a"]}, "joints": 3})"),
-        "/find/0: \"x\" is nothing to find; what can be found is \"instant centres\", \"velocity\", \"acceleration\", \"forces\", \"curvature\", \"equations\" and \"virtual work\" and "
+        refusal(
+            R"({"find": ["x"], "points": {"A": [0, true]}, "kinegraph": 1, "bodies": {"1": ["A", "a"]}, "joints": 3})"),
+        "/find/0: \"x\" is nothing to find; what can be found is \"instant centres\", \"velocity\", \"acceleration\", "
+        "\"forces\", \"curvature\", \"equations\" and \"virtual work\" and "
         "{\"relative motion\": …}\n"
         "/points/A/1: a length is wanted here, not true\n"
         "/bodies/1/1: no point is named \"a\" (did you mean \"A\"?)\n"
@@ -343,9 +363,10 @@ TEST(Reader, AMisspeltNameIsToldOnce) {
                           .insert(1, R"("drivers": [{"joint": "Z", "speed": 1}], )")),
               "/joints/0/prismatic: no point is named \"Z\" (did you mean \"O\"?)\n");
     // Without a list of points no name of a point is blamed.
-    EXPECT_EQ(
-        refusal(R"({"kinegraph": 1, "points": [], "bodies": {"1": ["A"]}, "joints": [{"revolute": "A", "bodies": [0, 1]}]})"),
-        "/points: an object of points by name is wanted here, not an empty array\n");
+    EXPECT_EQ(refusal(
+                  R"({"kinegraph": 1, "points": [], "bodies": {"1": ["A"]}, "joints": [{"revolute": "A", "bodies": [0,
+            1]}]})"),
+              "/points: an object of points by name is wanted here, not an empty array\n");
 }
 
 TEST(Reader, AByteOrderMarkIsLetPass) { EXPECT_EQ(refusal("\xEF\xBB\xBF" + with("")), "read"); }
@@ -400,11 +421,13 @@ TEST(JsonSource, KeepsOrderLiteralsAndPlaces) {
 
 TEST(JsonSource, KeepsLiteralsThatNoDoubleHolds) {
     const std::string digits(400, '7');
-    const auto source = JsonSource::read("[1, -1e400, \"1e400 \\\" 3\", " + digits + ", -" + digits + ".5e+3, 1e-400, 2E5]");
+    const auto source =
+        JsonSource::read("[1, -1e400, \"1e400 \\\" 3\", " + digits + ", -" + digits + ".5e+3, 1e-400, 2E5]");
     ASSERT_TRUE(source) << lines_of(source.error());
     std::vector<std::string> literals;
     for (const JsonValue value : source->root()) literals.emplace_back(value.text());
-    EXPECT_EQ(literals, (std::vector<std::string>{"1", "-1e400", "1e400 \" 3", digits, "-" + digits + ".5e+3", "1e-400", "2E5"}));
+    EXPECT_EQ(literals,
+              (std::vector<std::string>{"1", "-1e400", "1e400 \" 3", digits, "-" + digits + ".5e+3", "1e-400", "2E5"}));
 }
 
 /// The parser takes it for the end of the text; what stands behind it would be read by no one.
@@ -414,7 +437,8 @@ TEST(JsonSource, RefusesANulWhereverItStands) {
         const auto source = JsonSource::read(text);
         ASSERT_FALSE(source);
         const Words& said = source.error()[0].message;
-        EXPECT_TRUE(said.en.starts_with("line 2, column ") && said.en.ends_with(": this is not JSON: a NUL byte")) << said.en;
+        EXPECT_TRUE(said.en.starts_with("line 2, column ") && said.en.ends_with(": this is not JSON: a NUL byte"))
+            << said.en;
         EXPECT_TRUE(said.it.ends_with(": non è JSON: un byte NUL")) << said.it;
     }
     EXPECT_FALSE(JsonSource::read("[1,\0 2]"s));

@@ -1,4 +1,5 @@
-// The results file: its keys and shapes literally as docs/format.md has them, numbers that come back, nothing that is no JSON.
+// The results file: its keys and shapes literally as docs/format.md has them, numbers that come back, nothing that is
+// no JSON.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,7 +64,8 @@ TEST(Results, AreWrittenAsTheFormatSays) {
   "mobility": {"gruebler": 1, "effective": 2, "verdict": "mechanism"},
   "points": {
     "O": {"at": [0, 0], "velocity": [0, 0], "acceleration": [0, 0]},
-    "A": {"at": [0.1, -0.7], "on": {"2": {"velocity": [0.55, 0]}, "4": {"velocity": [0, 0.3333333333333333], "acceleration": [1, 2]}}},
+    "A": {"at": [0.1, -0.7], "on": {"2": {"velocity": [0.55, 0]}, "4": {"velocity": [0, 0.3333333333333333],
+    "acceleration": [1, 2]}}},
     "Q": {"at": [1, 2]}
   },
   "bodies": {
@@ -128,8 +130,10 @@ TEST(Results, APointAtInfinityHasNoSense) {
 TEST(Results, NoNumberIsNoJson) {
     Solution solution = sample();
     solution.bodies[1].omega = decimal("1e400");
-    solution.checks = {
-        {{.kind = Quantity::Kind::omega, .body = BodyIndex(1)}, std::numeric_limits<double>::infinity(), std::nan(""), -0.0}};
+    solution.checks = {{{.kind = Quantity::Kind::omega, .body = BodyIndex(1)},
+                        std::numeric_limits<double>::infinity(),
+                        std::nan(""),
+                        -0.0}};
     const Json json = Json::parse(results_json(solution, false, english));
     EXPECT_TRUE(json["bodies"]["2"]["omega"].is_null());
     EXPECT_TRUE(json["checks"][0]["numeric"].is_null());
@@ -166,7 +170,8 @@ TEST(Results, RelativeMotionNamesItsObserver) {
     solution.relative_motion = {seen, translating};
     const Json json = Json::parse(results_json(solution, false, english))["relative motion"];
     EXPECT_EQ(json[0], Json::parse(R"({"point": "A", "observer": "2", "coriolis": [0, 2]})"));
-    EXPECT_EQ(json[1], Json::parse(R"({"point": "A", "observer": {"translating with": "O"}, "relative velocity": [1, 0]})"));
+    EXPECT_EQ(json[1],
+              Json::parse(R"({"point": "A", "observer": {"translating with": "O"}, "relative velocity": [1, 0]})"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Rounded data: every example turned and written in decimals, as a program would write it: of 16 digits, of 5 with the precision
-// stated, and of 5 without.
+// Rounded data: every example turned and written in decimals, as a program would write it: of 16 digits, of 5 with the
+// precision stated, and of 5 without.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,9 +75,10 @@ public:
     /// A coupler on three equal parallel cranks: one constraint too many, and yet it moves.
     std::string three_cranks() {
         const Place arm = away(), second = turned_from(arm), third = turned_from(arm, second);
-        return file({{"P", {0, 0}}, {"A", arm}, {"Q", second}, {"B", sum(second, arm)}, {"R", third}, {"C", sum(third, arm)}},
-                    R"({"2": ["P", "A"], "3": ["A", "B", "C"], "4": ["Q", "B"], "5": ["R", "C"]})",
-                    hinges({{"P", "1, 2"}, {"Q", "1, 4"}, {"R", "1, 5"}, {"A", "2, 3"}, {"B", "3, 4"}, {"C", "3, 5"}}));
+        return file(
+            {{"P", {0, 0}}, {"A", arm}, {"Q", second}, {"B", sum(second, arm)}, {"R", third}, {"C", sum(third, arm)}},
+            R"({"2": ["P", "A"], "3": ["A", "B", "C"], "4": ["Q", "B"], "5": ["R", "C"]})",
+            hinges({{"P", "1, 2"}, {"Q", "1, 4"}, {"R", "1, 5"}, {"A", "2, 3"}, {"B", "3, 4"}, {"C", "3, 5"}}));
     }
     /// The same with two cranks.
     std::string parallelogram() {
@@ -97,8 +98,9 @@ public:
     /// A rod on two hinges, loaded along its line through a pin; the other links carry nothing.
     std::string load_through_pin() {
         const Place arm = away(), second = times(3, turned_from(arm));
-        const std::string load = R"(, "loads": [{"force": "W", "body": 2, "at": "A", "value": [)" + std::to_string(arm.x) + ", " +
-                                 std::to_string(arm.y) + R"(]}], "effort": {"couple": "M", "body": 2})";
+        const std::string load = R"(, "loads": [{"force": "W", "body": 2, "at": "A", "value": [)" +
+                                 std::to_string(arm.x) + ", " + std::to_string(arm.y) +
+                                 R"(]}], "effort": {"couple": "M", "body": 2})";
         return four_bar(arm, second, sum(second, turned_from(second)), load);
     }
 
@@ -137,10 +139,11 @@ private:
                             const std::string& joints, const std::string& more = "") {
         std::string places;
         for (const auto& [name, at] : points)
-            places +=
-                (places.empty() ? "\"" : ", \"") + name + "\": [" + std::to_string(at.x) + ", " + std::to_string(at.y) + "]";
-        return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {)" + places + R"(}, "bodies": )" + bodies +
-               R"(, "joints": )" + joints + R"(, "drivers": [{"body": 2, "omega": 3, "alpha": 2}])" + more + "}";
+            places += (places.empty() ? "\"" : ", \"") + name + "\": [" + std::to_string(at.x) + ", " +
+                      std::to_string(at.y) + "]";
+        return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {)" + places + R"(}, "bodies": )" +
+               bodies + R"(, "joints": )" + joints + R"(, "drivers": [{"body": 2, "omega": 3, "alpha": 2}])" + more +
+               "}";
     }
 
     Random random_;
@@ -154,8 +157,8 @@ TEST(RoundedDegenerateMechanisms, AreTheSame) {
                                                           {"limit", &DegenerateDraw::limit},
                                                           {"load through a pin", &DegenerateDraw::load_through_pin}};
     for (const auto& [name, draw] : draws)
-        for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(unless_sanitized(50, 4)) && !testing::Test::HasFailure();
-             ++seed) {
+        for (std::uint64_t seed = 0;
+             seed < static_cast<std::uint64_t>(unless_sanitized(50, 4)) && !testing::Test::HasFailure(); ++seed) {
             SCOPED_TRACE(std::string(name) + ", seed " + std::to_string(seed));
             hold((DegenerateDraw(seed).*draw)());
         }
@@ -187,13 +190,17 @@ TEST(Rounded, FiveDigitsWithoutPrecisionAreRemarkedUponWhereTheyDecide) {
     }
 }
 
-// --- one by one --------------------------------------------------------------------------------------------------------------
+// --- one by one
+// --------------------------------------------------------------------------------------------------------------
 
-std::string four_bar(const std::string& a, const std::string& b, const std::string& ground, const std::string& more = "") {
-    return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"P": [0, 0], "A": )" + a + R"(, "B": )" + b +
-           R"(, "Q": )" + ground + R"(}, "bodies": {"2": ["P", "A"], "3": ["A", "B"], "4": ["Q", "B"]},
+std::string four_bar(const std::string& a, const std::string& b, const std::string& ground,
+                     const std::string& more = "") {
+    return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"P": [0, 0], "A": )" + a +
+           R"(, "B": )" + b + R"(, "Q": )" + ground +
+           R"(}, "bodies": {"2": ["P", "A"], "3": ["A", "B"], "4": ["Q", "B"]},
         "joints": [{"revolute": "P", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
-        {"revolute": "B", "bodies": [3, 4]}, {"revolute": "Q", "bodies": [1, 4]}], "drivers": [{"body": 2, "omega": 3}])" +
+        {"revolute": "B", "bodies": [3, 4]}, {"revolute": "Q", "bodies": [1, 4]}], "drivers": [{"body": 2,
+        "omega": 3}])" +
            more + "}";
 }
 /// A, B and Q on a line, turned and rounded.
@@ -233,9 +240,12 @@ TEST(Rounded, ANearMissIsMeasured) {
     EXPECT_TRUE(far.remarks.empty()) << english(far.remarks.front());
 }
 
-/// ω₄ is B's speed over QB, and B's speed in proportion to 1 : sin(ABQ): a move of B across the line changes it by its share.
+/// ω₄ is B's speed over QB, and B's speed in proportion to 1 : sin(ABQ): a move of B across the line changes it by its
+/// share.
 TEST(Rounded, WhatTheLastDigitDoesIsTold) {
-    const auto omega_of = [](const char* b) { return *tests::solved(four_bar("[30, 40]", b, "[190, 40]")).bodies.at(3).omega; };
+    const auto omega_of = [](const char* b) {
+        return *tests::solved(four_bar("[30, 40]", b, "[190, 40]")).bodies.at(3).omega;
+    };
     const Solution solution = tests::solved(four_bar("[30, 40]", "[110, 40.05]", "[190, 40]"));
     ASSERT_TRUE(says(solution.remarks, Sentence::hangs_on_a_hair));
     const double now = solution.bodies.at(3).omega->to_double(), moved = omega_of("[110, 40.0501]").to_double();
@@ -266,7 +276,8 @@ TEST(Rounded, ShiftsAreWithinThePrecisionAndLeaveWhatIsExact) {
 
 TEST(Rounded, APrecisionIsALengthAndFine) {
     const auto refused = [](const std::string& value) {
-        auto mechanism = read_mechanism(four_bar("[30, 40]", "[110, 60]", "[190, 40]", R"(, "precision": )" + value), "test");
+        auto mechanism =
+            read_mechanism(four_bar("[30, 40]", "[110, 60]", "[190, 40]", R"(, "precision": )" + value), "test");
         if (!mechanism) return mechanism.error().front().where;
         auto pose = draw_pose(*mechanism);
         return pose ? std::string() : pose.error().front().where;

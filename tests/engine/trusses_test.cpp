@@ -1,5 +1,5 @@
-// Trusses: recognised by their structure, resolved pin by pin and by cuts; every bar force against a linear solve of this file's
-// own, exactly. Published and closed-form numbers of the examples.
+// Trusses: recognised by their structure, resolved pin by pin and by cuts; every bar force against a linear solve of
+// this file's own, exactly. Published and closed-form numbers of the examples.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -95,8 +95,8 @@ void expect_as_linear_solve(const Solution& solution, const std::string& text) {
     ASSERT_FALSE(expected.empty()) << text;
     for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {
         const auto& ends = truss.structure.bars[bar].pins;
-        const Vector along =
-            solution.pose.at(truss.structure.pins[at(ends[1])].point) - solution.pose.at(truss.structure.pins[at(ends[0])].point);
+        const Vector along = solution.pose.at(truss.structure.pins[at(ends[1])].point) -
+                             solution.pose.at(truss.structure.pins[at(ends[0])].point);
         ASSERT_TRUE(truss.bars[bar].force) << text;
         EXPECT_EQ(*truss.bars[bar].force, expected[bar] * along) << truss.structure.bars[bar].name << "\n" << text;
     }
@@ -115,14 +115,17 @@ public:
     }
     std::string text() const {
         std::string points, bodies, joints, loads;
-        const auto add = [](std::string& list, const std::string& member) { list += (list.empty() ? "" : ", ") + member; };
+        const auto add = [](std::string& list, const std::string& member) {
+            list += (list.empty() ? "" : ", ") + member;
+        };
         for (std::size_t p = 0; p < places_.size(); ++p)
-            add(points,
-                quoted(name(p)) + ": [" + std::to_string(places_[p].first) + ", " + std::to_string(places_[p].second) + "]");
+            add(points, quoted(name(p)) + ": [" + std::to_string(places_[p].first) + ", " +
+                            std::to_string(places_[p].second) + "]");
         std::vector<std::string> at_pin(places_.size());
         for (std::size_t b = 0; b < bars_.size(); ++b) {
             const std::string body = std::to_string(b + 2);
-            add(bodies, quoted(body) + ": [" + quoted(name(bars_[b].first)) + ", " + quoted(name(bars_[b].second)) + "]");
+            add(bodies,
+                quoted(body) + ": [" + quoted(name(bars_[b].first)) + ", " + quoted(name(bars_[b].second)) + "]");
             for (const std::size_t end : {bars_[b].first, bars_[b].second}) add(at_pin[end], body);
         }
         at_pin[0] = "1, " + at_pin[0];
@@ -130,8 +133,8 @@ public:
             add(joints, "{\"revolute\": " + quoted(name(p)) + ", \"bodies\": [" + at_pin[p] + "]}");
         add(joints, roller_);
         for (const std::string& each : loads_) add(loads, each);
-        return "{\"kinegraph\": 1, \"frame\": 1, \"points\": {" + points + "}, \"bodies\": {" + bodies + "}, \"joints\": [" +
-               joints + "], \"loads\": [" + loads + "]}";
+        return "{\"kinegraph\": 1, \"frame\": 1, \"points\": {" + points + "}, \"bodies\": {" + bodies +
+               "}, \"joints\": [" + joints + "], \"loads\": [" + loads + "]}";
     }
 
 private:
@@ -146,7 +149,8 @@ private:
         const auto first = static_cast<std::size_t>(random_.whole(0, static_cast<int>(bars_.size()) - 1));
         const auto [a, b] = bars_[first];
         const std::pair<int, int> spot{random_.whole(-12, 12), random_.whole(-12, 12)};
-        if (in_line(places_[a], places_[b], spot) || std::find(places_.begin(), places_.end(), spot) != places_.end()) return;
+        if (in_line(places_[a], places_[b], spot) || std::find(places_.begin(), places_.end(), spot) != places_.end())
+            return;
         places_.push_back(spot);
         bar(a, places_.size() - 1);
         bar(b, places_.size() - 1);
@@ -159,8 +163,9 @@ private:
             if ((x == 0 && y == 0) || places_[pin].first * x + places_[pin].second * y == 0) continue;
             const auto held = std::find_if(bars_.begin(), bars_.end(),
                                            [&](const auto& each) { return each.first == pin || each.second == pin; });
-            roller_ = "{\"pin-slot\": " + quoted(name(pin)) + ", \"bodies\": [" + std::to_string(held - bars_.begin() + 2) +
-                      ", 1], \"along\": [" + std::to_string(x) + ", " + std::to_string(y) + "]}";
+            roller_ = "{\"pin-slot\": " + quoted(name(pin)) + ", \"bodies\": [" +
+                      std::to_string(held - bars_.begin() + 2) + ", 1], \"along\": [" + std::to_string(x) + ", " +
+                      std::to_string(y) + "]}";
             return;
         }
     }
@@ -171,9 +176,9 @@ private:
                 "[" + std::to_string(random_.whole(-9, 9)) + ", " + std::to_string(random_.whole(-9, 9) * 2 + 1) + "]";
             const auto held = std::find_if(bars_.begin(), bars_.end(),
                                            [&](const auto& each) { return each.first == pin || each.second == pin; });
-            const std::string on =
-                random_.chance(30) ? "\"body\": " + std::to_string(held - bars_.begin() + 2) + ", \"at\": " + quoted(name(pin))
-                                   : "\"pin\": " + quoted(name(pin));
+            const std::string on = random_.chance(30) ? "\"body\": " + std::to_string(held - bars_.begin() + 2) +
+                                                            ", \"at\": " + quoted(name(pin))
+                                                      : "\"pin\": " + quoted(name(pin));
             loads_.push_back("{\"force\": \"F" + std::to_string(pin) + "\", " + on + ", \"value\": " + value + "}");
         }
     }
@@ -186,7 +191,8 @@ private:
 };
 
 TEST(Trusses, TheSimpleOneHasItsForces) {
-    // 12 kN and 6 kN at the thirds of 12 m: A = 10 kN, D = 8 kN; panels 4 m wide and 3 m high. Moments about C: EF = −32/3 kN.
+    // 12 kN and 6 kN at the thirds of 12 m: A = 10 kN, D = 8 kN; panels 4 m wide and 3 m high. Moments about C: EF =
+    // −32/3 kN.
     const Solution solution = example("truss_simple");
     ASSERT_TRUE(solution.truss);
     const std::map<std::string, double> expected{{"AB", 40000.0 / 3}, {"AE", -50000.0 / 3}, {"BE", 12000},
@@ -234,7 +240,8 @@ TEST(Trusses, TheRollerMayBeABodyInAGuide) {
     EXPECT_TRUE(roller.free_bodies.empty());
     ASSERT_EQ(roller.truss->bars.size(), contact.truss->bars.size());
     for (std::size_t bar = 0; bar < contact.truss->bars.size(); ++bar)
-        EXPECT_EQ(*roller.truss->bars[bar].force, *contact.truss->bars[bar].force) << contact.truss->structure.bars[bar].name;
+        EXPECT_EQ(*roller.truss->bars[bar].force, *contact.truss->bars[bar].force)
+            << contact.truss->structure.bars[bar].name;
     // Where the guide is not at the hinge, it could bear a couple.
     EXPECT_FALSE(simple_on_roller_body("C").truss);
 }
@@ -254,7 +261,8 @@ TEST(Trusses, ThePlanHasEveryBarOnceAndItsCornersClose) {
             const DrawnVector& side = solution.protocol.vectors[at(v)];
             if (side.quantity.kind == Quantity::Kind::bar) ++sides[side.quantity.body];
         }
-        // Every pin closes in the corners of the spaces round it: its bars' sides and outer forces are differences of corners.
+        // Every pin closes in the corners of the spaces round it: its bars' sides and outer forces are differences of
+        // corners.
         for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {
             EXPECT_EQ(sides[truss.structure.bars[bar].body], truss.bars[bar].force->is_zero() ? 0 : 1);
             EXPECT_NE(truss.bars[bar].left, truss.bars[bar].right);
@@ -269,37 +277,43 @@ TEST(Trusses, ACutGivesItsBarsByMoments) {
     ASSERT_EQ(solution.truss->cuts.size(), 3u);
     for (const Truss::Cut& cut : solution.truss->cuts) {
         const Truss::CutNumbers numbers = solution.truss->numbers_of(cut, solution.pose.points);
-        EXPECT_NEAR(std::abs(numbers.known), numbers.arm * std::abs(solution.truss->tension(at(cut.found), solution.pose.points)),
-                    1e-6);
-        EXPECT_EQ(cut.pivot.has_value(), solution.truss->structure.bars[at(cut.found)].name != "CE") << "BC and EF are parallel";
+        EXPECT_NEAR(std::abs(numbers.known),
+                    numbers.arm * std::abs(solution.truss->tension(at(cut.found), solution.pose.points)), 1e-6);
+        EXPECT_EQ(cut.pivot.has_value(), solution.truss->structure.bars[at(cut.found)].name != "CE")
+            << "BC and EF are parallel";
     }
 }
 
 /// A Polonceau truss: two fans that share the apex, and a tie.
 std::string fan_text() {
     const std::string left =
-        R"("A": [0, 0], "R1": [2, 1.5], "R2": [4, 3], "R3": [6, 4.5], "C": [8, 6], "J": [2.5, 0], "D": [5, 0], "K": [6.5, 3])";
+        R"("A": [0, 0], "R1": [2, 1.5], "R2": [4, 3], "R3": [6, 4.5], "C": [8, 6], "J": [2.5, 0], "D": [5, 0],
+        "K": [6.5, 3])";
     const std::string right =
         R"("B": [16, 0], "S1": [14, 1.5], "S2": [12, 3], "S3": [10, 4.5], "L": [13.5, 0], "E": [11, 0], "M": [9.5, 3])";
-    const char* const bars[][2] = {{"A", "R1"},  {"R1", "R2"}, {"R2", "R3"}, {"R3", "C"}, {"A", "J"},  {"J", "D"},  {"D", "K"},
-                                   {"K", "C"},   {"R1", "J"},  {"J", "R2"},  {"R2", "D"}, {"R2", "K"}, {"R3", "K"}, {"B", "S1"},
-                                   {"S1", "S2"}, {"S2", "S3"}, {"S3", "C"},  {"B", "L"},  {"L", "E"},  {"E", "M"},  {"M", "C"},
-                                   {"S1", "L"},  {"L", "S2"},  {"S2", "E"},  {"S2", "M"}, {"S3", "M"}, {"D", "E"}};
+    const char* const bars[][2] = {{"A", "R1"}, {"R1", "R2"}, {"R2", "R3"}, {"R3", "C"},  {"A", "J"},  {"J", "D"},
+                                   {"D", "K"},  {"K", "C"},   {"R1", "J"},  {"J", "R2"},  {"R2", "D"}, {"R2", "K"},
+                                   {"R3", "K"}, {"B", "S1"},  {"S1", "S2"}, {"S2", "S3"}, {"S3", "C"}, {"B", "L"},
+                                   {"L", "E"},  {"E", "M"},   {"M", "C"},   {"S1", "L"},  {"L", "S2"}, {"S2", "E"},
+                                   {"S2", "M"}, {"S3", "M"},  {"D", "E"}};
     std::string bodies, joints;
     std::map<std::string, std::string> at_pin{{"A", "1"}};
     int body = 2;
     for (const auto& [from, to] : bars) {
         bodies += (body == 2 ? "\"" : ", \"") + std::to_string(body) + "\": [\"" + from + "\", \"" + to + "\"]";
-        for (const char* const end : {from, to}) at_pin[end] += (at_pin[end].empty() ? "" : ", ") + std::to_string(body);
+        for (const char* const end : {from, to})
+            at_pin[end] += (at_pin[end].empty() ? "" : ", ") + std::to_string(body);
         ++body;
     }
     for (const auto& [pin, all] : at_pin) joints += "{\"revolute\": \"" + pin + "\", \"bodies\": [" + all + "]}, ";
     joints += R"({"contact": "B", "bodies": [15, 1], "tangent": 0, "pushes": [0, 1]})";
     return R"({"kinegraph": 1, "frame": 1, "points": {)" + left + ", " + right + R"(}, "bodies": {)" + bodies +
            R"(}, "joints": [)" + joints +
-           R"(], "loads": [{"force": "F1", "pin": "R1", "value": [0, -1000]}, {"force": "F2", "pin": "R2", "value": [0, -3000]},
+           R"(], "loads": [{"force": "F1", "pin": "R1", "value": [0, -1000]}, {"force": "F2", "pin": "R2",
+           "value": [0, -3000]},
                {"force": "F3", "pin": "R3", "value": [0, -1000]}, {"force": "F4", "pin": "S1", "value": [0, -2000]},
-               {"force": "F5", "pin": "S2", "value": [0, -1000]}, {"force": "F6", "pin": "S3", "value": [500, -2000]}]})";
+               {"force": "F5", "pin": "S2", "value": [0, -1000]}, {"force": "F6", "pin": "S3", "value": [500,
+               -2000]}]})";
 }
 
 TEST(Trusses, WherePinsLeadNowhereACutLeadsOn) {
@@ -332,7 +346,8 @@ TEST(Trusses, ACantileverOnTwoHingesIsResolvedFromItsTip) {
     const std::string text =
         R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [0, 3], "C": [4, 0], "D": [4, 3], "E": [8, 0]},
       "bodies": {"2": ["A", "C"], "3": ["B", "C"], "4": ["B", "D"], "5": ["C", "D"], "6": ["C", "E"], "7": ["D", "E"]},
-      "joints": [{"revolute": "A", "bodies": [1, 2]}, {"revolute": "B", "bodies": [1, 3, 4]}, {"revolute": "C", "bodies": [2, 3, 5, 6]},
+      "joints": [{"revolute": "A", "bodies": [1, 2]}, {"revolute": "B", "bodies": [1, 3, 4]}, {"revolute": "C",
+      "bodies": [2, 3, 5, 6]},
                  {"revolute": "D", "bodies": [4, 5, 7]}, {"revolute": "E", "bodies": [6, 7]}],
       "loads": [{"force": "P", "body": 7, "at": "E", "value": [0, -900]}], "find": [{"cut": ["BD", "CB", "AC"]}]})";
     const Solution solution = solved(text);
@@ -352,8 +367,8 @@ std::string fault_of(const std::string& cut) {
 
 TEST(Cuts, ThatCannotBeMadeAreRefusedWithAPlaceAndARemedy) {
     EXPECT_EQ(fault_of(R"(["CB", "EC", "FE"])"), "") << "a bar has one name both ways";
-    EXPECT_TRUE(
-        fault_of(R"(["BC", "CX", "EF"])").starts_with("/find/1/cut/1 there is no bar \"CX\"; the bars are \"AB\", \"BC\""));
+    EXPECT_TRUE(fault_of(R"(["BC", "CX", "EF"])")
+                    .starts_with("/find/1/cut/1 there is no bar \"CX\"; the bars are \"AB\", \"BC\""));
     EXPECT_TRUE(fault_of(R"(["AB", "BC", "BE"])").starts_with("/find/1/cut the bars meet in pin B"));
     EXPECT_TRUE(fault_of(R"(["AB", "CE", "EF"])").starts_with("/find/1/cut these bars do not part the truss"));
     EXPECT_TRUE(fault_of(R"(["AB", "EF"])").starts_with("/find/1/cut a cut crosses three bars"));
@@ -366,7 +381,8 @@ TEST(TheWholeFirst, AFrameOnPinAndRollerIsCutFreeAsOneBeforeItsBodies) {
       "points": {"A": [0, 0], "B": [4, 0], "C": [2, 4], "D": [1, 2], "E": [3, 2], "P": [0.5, 1]},
       "bodies": {"2": ["A", "C", "D", "P"], "3": ["B", "C", "E"], "4": ["D", "E"]},
       "joints": [{"revolute": "A", "bodies": [1, 2]}, {"contact": "B", "bodies": [3, 1], "tangent": 0},
-                 {"revolute": "C", "bodies": [2, 3]}, {"revolute": "D", "bodies": [2, 4]}, {"revolute": "E", "bodies": [3, 4]}],
+                 {"revolute": "C", "bodies": [2, 3]}, {"revolute": "D", "bodies": [2, 4]}, {"revolute": "E",
+                 "bodies": [3, 4]}],
       "loads": [{"force": "W", "body": 2, "at": "P", "value": [0, -800]}]})");
     EXPECT_FALSE(solution.truss);
     EXPECT_TRUE(says(solution, Sentence::structure_whole));
@@ -407,8 +423,10 @@ void expect_strings(const Solution& solution, const std::string& text) {
         ASSERT_TRUE(together.funicular) << text;
         const FreeBody::Funicular& found = *together.funicular;
         for (std::size_t i = 0; i < found.corners.size(); ++i)
-            EXPECT_TRUE(cross(*found.vertices[i + 1] - *found.vertices[i], *found.corners[i] - *found.pole).is_zero()) << text;
-        EXPECT_TRUE(cross(*found.vertices.front() - *found.vertices.back(), *found.dividing - *found.pole).is_zero()) << text;
+            EXPECT_TRUE(cross(*found.vertices[i + 1] - *found.vertices[i], *found.corners[i] - *found.pole).is_zero())
+                << text;
+        EXPECT_TRUE(cross(*found.vertices.front() - *found.vertices.back(), *found.dividing - *found.pole).is_zero())
+            << text;
     }
 }
 

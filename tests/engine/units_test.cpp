@@ -57,7 +57,8 @@ TEST(Units, MassesForcesMoments) {
 TEST(Units, SpellingsAreAlike) {
     for (const char* moment : {"3 N m", "3 N·m", "3 N*m", "3N m", "3 N * m", "3 N · m"})
         EXPECT_EQ(si(moment), Exact(3)) << moment;
-    for (const char* inertia : {"3 kg m²", "3 kg·m^2", "3 kg*m²", "3 kg m^2"}) EXPECT_EQ(si(inertia), Exact(3)) << inertia;
+    for (const char* inertia : {"3 kg m²", "3 kg·m^2", "3 kg*m²", "3 kg m^2"})
+        EXPECT_EQ(si(inertia), Exact(3)) << inertia;
     EXPECT_EQ(si("3 m/s²"), si("3 m/s^2"));
 }
 
@@ -87,7 +88,8 @@ TEST(Units, RefusalsNameTheRemedy) {
 }
 
 TEST(Units, AnExponentNeedsItsDigits) {
-    EXPECT_EQ(refusal("2 e", QuantityKind::mass), "unknown unit \"e\"; the units of mass are kg, g, t, lb, slug, lb s²/in");
+    EXPECT_EQ(refusal("2 e", QuantityKind::mass),
+              "unknown unit \"e\"; the units of mass are kg, g, t, lb, slug, lb s²/in");
 }
 
 TEST(Decimals, AreExactAsWritten) {
@@ -103,7 +105,8 @@ TEST(Decimals, OfAThousandDigitsAreRead) {
     const auto long_fraction = kinegraph::read_decimal("0." + ones);
     ASSERT_TRUE(long_fraction);
     // Nine times 0.111…1 is 1 − 10^-999.
-    EXPECT_EQ(*long_fraction * Exact(9), Exact(1) - Exact(mpq_class(mpz_class(1), mpz_class("1" + std::string(999, '0')))));
+    EXPECT_EQ(*long_fraction * Exact(9),
+              Exact(1) - Exact(mpq_class(mpz_class(1), mpz_class("1" + std::string(999, '0')))));
     // The digits may be shifted by any exponent, as long as the value is within range.
     EXPECT_EQ(*kinegraph::read_decimal("1" + std::string(999, '0') + "e-999"), Exact(1));
     EXPECT_EQ(*kinegraph::read_decimal("0." + std::string(900, '0') + "1e901"), Exact(1));

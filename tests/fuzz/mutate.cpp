@@ -32,7 +32,8 @@ private:
 
     /// All values of a tree that `wanted` picks, with the keys of members.
     template <class Json, class Wanted>
-    static void gather(Json& at, const std::string& key, const Wanted& wanted, std::vector<std::pair<std::string, Json*>>& into) {
+    static void gather(Json& at, const std::string& key, const Wanted& wanted,
+                       std::vector<std::pair<std::string, Json*>>& into) {
         if (wanted(at)) into.emplace_back(key, &at);
         if (at.is_object())
             for (auto& [name, value] : at.items()) gather<Json>(value, name, wanted, into);
@@ -55,24 +56,16 @@ private:
         switch (number(12)) {
             case 0:
             case 1:
-            case 2:
-                return change_number();
+            case 2: return change_number();
             case 3:
-            case 4:
-                return swap_names();
-            case 5:
-                return swap_subtrees();
-            case 6:
-                return take_out();
-            case 7:
-                return repeat();
+            case 4: return swap_names();
+            case 5: return swap_subtrees();
+            case 6: return take_out();
+            case 7: return repeat();
             case 8:
-            case 9:
-                return take_from_donor();
-            case 10:
-                return rename_key();
-            default:
-                return grow();
+            case 9: return take_from_donor();
+            case 10: return rename_key();
+            default: return grow();
         }
     }
 
@@ -83,32 +76,19 @@ private:
         const double value = at.get<double>();
         static constexpr std::array odd{0.0, 1.0, -1.0, 90.0, 45.0, 180.0, 1e-9, 1e59, 1e-59, 1e61, 0.1, 1e9};
         switch (number(8)) {
-            case 0:
-                at = any_of(odd);
-                return;
-            case 1:
-                at = -value;
-                return;
-            case 2:
-                at = value * 10;
-                return;
-            case 3:
-                at = value + (number(2001) - 1000) * 1e-3;
-                return;
-            case 4:
-                at = value * (1 + 1e-12);
-                return;
+            case 0: at = any_of(odd); return;
+            case 1: at = -value; return;
+            case 2: at = value * 10; return;
+            case 3: at = value + (number(2001) - 1000) * 1e-3; return;
+            case 4: at = value * (1 + 1e-12); return;
             case 5: {
                 std::string digits = mark + std::to_string(number(200)) + '.';
                 for (int i = 10 + number(890); i > 0; --i) digits += static_cast<char>('0' + number(10));
                 at = digits;
                 return;
             }
-            case 6:
-                at = std::to_string(value) + any_of(units_);
-                return;
-            default:
-                at = *any_of(numbers).second;
+            case 6: at = std::to_string(value) + any_of(units_); return;
+            default: at = *any_of(numbers).second;
         }
     }
 
@@ -187,7 +167,8 @@ private:
     /// Points and bodies more, as a file may have many.
     void grow() {
         for (const char* list : {"points", "bodies"}) {
-            if (!tree_.is_object() || !tree_.contains(list) || !tree_[list].is_object() || tree_[list].empty()) continue;
+            if (!tree_.is_object() || !tree_.contains(list) || !tree_[list].is_object() || tree_[list].empty())
+                continue;
             auto member = tree_[list].begin();
             std::advance(member, number(tree_[list].size()));
             const Tree value = member.value();

@@ -1,5 +1,5 @@
-// The SVG as others draw it is the picture that we draw: rsvg-convert on first pages of every kind of figure, a browser on a few
-// where there is one. With KINEGRAPH_ALL_EXAMPLES set, rsvg-convert on every page of every example.
+// The SVG as others draw it is the picture that we draw: rsvg-convert on first pages of every kind of figure, a browser
+// on a few where there is one. With KINEGRAPH_ALL_EXAMPLES set, rsvg-convert on every page of every example.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -62,13 +62,14 @@ std::vector<Page> sheet(const fs::path& file) {
 
 fs::path example(const std::string& name) { return fs::path(KINEGRAPH_EXAMPLES_DIR) / (name + ".json"); }
 
-/// Each for what it draws: plain polygons, line kinds of many bodies, Coriolis terms and forces, slots, teeth, cams, rolling,
-/// force triangles, free bodies of parallel forces, an act of motion, centres at infinity, hatching and cylinders.
+/// Each for what it draws: plain polygons, line kinds of many bodies, Coriolis terms and forces, slots, teeth, cams,
+/// rolling, force triangles, free bodies of parallel forces, an act of motion, centres at infinity, hatching and
+/// cylinders.
 std::vector<fs::path> chosen_examples() {
     std::vector<fs::path> files;
     for (const char* name :
-         {"four_bar", "jansen_leg", "exam_2001", "whitworth", "planetary_train", "cam_roller_follower", "disc_in_ring", "pliers",
-          "three_parallel_forces", "act_of_motion_general", "oldham_coupling", "tipper"})
+         {"four_bar", "jansen_leg", "exam_2001", "whitworth", "planetary_train", "cam_roller_follower", "disc_in_ring",
+          "pliers", "three_parallel_forces", "act_of_motion_general", "oldham_coupling", "tipper"})
         files.push_back(example(name));
     return files;
 }
@@ -145,9 +146,12 @@ TEST_F(Agreement, WithAWebBrowser) {
     for (const char* name : {"four_bar", "exam_2001", "jansen_leg"}) {
         const Page page = sheet(example(name)).front();
         // A window of the page's size in the browser's units, 96 an inch, each of them 150/96 dots.
-        const auto units = [](double millimetres) { return std::to_string(std::lround(std::ceil(millimetres / 25.4 * 96)) + 1); };
+        const auto units = [](double millimetres) {
+            return std::to_string(std::lround(std::ceil(millimetres / 25.4 * 96)) + 1);
+        };
         compare(page,
-                browser + " --headless --no-sandbox --disable-gpu --hide-scrollbars --force-device-scale-factor=1.5625" +
+                browser +
+                    " --headless --no-sandbox --disable-gpu --hide-scrollbars --force-device-scale-factor=1.5625" +
                     " --user-data-dir=profile --window-size=" + units(page.width) + ',' + units(page.height) +
                     " --screenshot=page.png \"file://$PWD/page.svg\"",
                 name, true);

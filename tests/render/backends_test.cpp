@@ -169,7 +169,8 @@ TEST(Svg, ArcsAreArcs) {
     EXPECT_EQ(path_data(stroke({ArcTo{{50, 20}, 5, 0, 2 * pi}, Close{}})), "M55 20A5 5 0 0 1 45 20A5 5 0 0 1 55 20Z");
     EXPECT_EQ(path_data(stroke({ArcTo{{0, 0}, 1, 0, pi / 2}})), "M1 0A1 1 0 0 1 0 1");
     EXPECT_EQ(path_data(stroke({ArcTo{{0, 0}, 1, 0, -pi / 2}})), "M1 0A1 1 0 0 0 0 -1");
-    EXPECT_EQ(path_data(stroke({MoveTo{{1, 0}}, ArcTo{{0, 0}, 1, 0, pi / 2}, LineTo{{0, 0}}})), "M1 0A1 1 0 0 1 0 1L0 0");
+    EXPECT_EQ(path_data(stroke({MoveTo{{1, 0}}, ArcTo{{0, 0}, 1, 0, pi / 2}, LineTo{{0, 0}}})),
+              "M1 0A1 1 0 0 1 0 1L0 0");
     EXPECT_EQ(path_data(stroke({MoveTo{{3, 0}}, ArcTo{{0, 0}, 1, 0, pi / 2}})), "M3 0L1 0A1 1 0 0 1 0 1");
 }
 
@@ -214,14 +215,16 @@ TEST(Png, HasTheSizeAndTheResolution) {
     EXPECT_TRUE(picture.is_coloured);
     const auto resolution = bytes.find("pHYs");
     ASSERT_NE(resolution, std::string::npos);
-    EXPECT_EQ(bytes.substr(resolution + 4, 9), (std::string("\x00\x00\x17\x12\x00\x00\x17\x12\x01", 9)));  // 5906 a metre
+    EXPECT_EQ(bytes.substr(resolution + 4, 9),
+              (std::string("\x00\x00\x17\x12\x00\x00\x17\x12\x01", 9)));  // 5906 a metre
     EXPECT_EQ(bytes.find("tIME"), std::string::npos);
 }
 
 TEST(Png, ShowsTheColoursWhereTheyAre) {
     Page page;
     page.width = page.height = 25.4;
-    page.marks.emplace_back(fill({MoveTo{{10, 5}}, LineTo{{20, 5}}, LineTo{{20, 20}}, LineTo{{10, 20}}, Close{}}, {200, 64, 15}));
+    page.marks.emplace_back(
+        fill({MoveTo{{10, 5}}, LineTo{{20, 5}}, LineTo{{20, 20}}, LineTo{{10, 20}}, Close{}}, {200, 64, 15}));
     const Picture picture(to_png(page, fonts(), 100));
     ASSERT_EQ(picture.header.width, 100U);
     EXPECT_EQ(picture.at(60, 50), (std::array{200, 64, 15}));
@@ -231,7 +234,8 @@ TEST(Png, ShowsTheColoursWhereTheyAre) {
 TEST(Png, IsGreyWhereThePageHasNoColour) {
     Page page;
     page.width = page.height = 25.4;
-    page.marks.emplace_back(fill({MoveTo{{10, 5}}, LineTo{{20, 5}}, LineTo{{20, 20}}, LineTo{{10, 20}}, Close{}}, {90, 90, 90}));
+    page.marks.emplace_back(
+        fill({MoveTo{{10, 5}}, LineTo{{20, 5}}, LineTo{{20, 20}}, LineTo{{10, 20}}, Close{}}, {90, 90, 90}));
     const Picture picture(to_png(page, fonts(), 100));
     EXPECT_FALSE(picture.is_coloured);
     EXPECT_EQ(picture.at(60, 50), (std::array{90, 90, 90}));

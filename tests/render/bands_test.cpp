@@ -1,4 +1,5 @@
-// Bands: pages are made of questions in the order of the solution, none torn apart, each sentence with the figure that it draws.
+// Bands: pages are made of questions in the order of the solution, none torn apart, each sentence with the figure that
+// it draws.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +12,8 @@
 #include "engine/number/index.hpp"
 #include "render/backends/backends.hpp"
 #include "render/backends/picture_difference.hpp"
-#include "render/sheet/sheet.hpp"
 #include "render/content/title_block.hpp"
+#include "render/sheet/sheet.hpp"
 #include "tests/support/four_bars_in_a_row.hpp"
 #include "tests/support/pages.hpp"
 #include "tests/support/random_mechanism.hpp"
@@ -58,7 +59,8 @@ std::vector<Shown> bands_of(const std::vector<Page>& pages) {
                 StatementIndex statement = none;
                 for (const GroupBegin* group : groups)
                     if (group->statement != none) statement = group->statement;
-                if (const auto* path = std::get_if<Path>(&mark); path && path->statement != none) statement = path->statement;
+                if (const auto* path = std::get_if<Path>(&mark); path && path->statement != none)
+                    statement = path->statement;
                 if (statement != none) bands.back().drawn.insert(statement);
             } else if (const auto* text = std::get_if<TextMark>(&mark); text && text->statement != none) {
                 EXPECT_TRUE(within("band")) << text->words;
@@ -72,7 +74,8 @@ std::vector<Shown> bands_of(const std::vector<Page>& pages) {
     return bands;
 }
 
-/// What a text's own band draws it need not be told elsewhere. The arcs of what turns stand on the first figure once more.
+/// What a text's own band draws it need not be told elsewhere. The arcs of what turns stand on the first figure once
+/// more.
 void expect_sentences_beside_their_figures(const std::vector<Shown>& bands, const Solution& solution) {
     const auto finds_turning = [&](StatementIndex statement) {
         const std::vector<Quantity>& finds = solution.protocol.statements[at_index(statement)].finds;
@@ -86,20 +89,22 @@ void expect_sentences_beside_their_figures(const std::vector<Shown>& bands, cons
             const bool drawn_somewhere = std::any_of(bands.begin(), bands.end(), [&](const Shown& other) {
                 return other.drawn.contains(statement) && !(other.question == "given" && finds_turning(statement));
             });
-            if (drawn_somewhere) beside[statement] = beside[statement] || band.drawn.contains(statement) || !band.has_figure;
+            if (drawn_somewhere)
+                beside[statement] = beside[statement] || band.drawn.contains(statement) || !band.has_figure;
         }
     for (const auto& [statement, is] : beside) EXPECT_TRUE(is) << "statement " << statement.number();
 }
 
-/// The share of squares of 10 mm within the frame on which something is drawn: by it the pages before there were bands were 48 %
-/// full, the last ones counted.
+/// The share of squares of 10 mm within the frame on which something is drawn: by it the pages before there were bands
+/// were 48 % full, the last ones counted.
 double fill_of(const Page& page, const SheetFormat& format) {
     constexpr double dpi = 50, square = 10, millimetre = dpi / 25.4, off_frame = 1;
     constexpr int white = 250;
     const Picture picture = decode_png(to_png(page, fonts(), dpi)).value();
     const auto is_inked = [&](double x, double y) {
         for (auto row = static_cast<int>(y * millimetre); row < static_cast<int>((y + square) * millimetre); ++row)
-            for (auto column = static_cast<int>(x * millimetre); column < static_cast<int>((x + square) * millimetre); ++column) {
+            for (auto column = static_cast<int>(x * millimetre); column < static_cast<int>((x + square) * millimetre);
+                 ++column) {
                 const Colour ink = picture.at(column, row);
                 if (std::min({ink.red, ink.green, ink.blue}) < white) return true;
             }
@@ -121,7 +126,8 @@ std::vector<StatementIndex> in_order_of_numbers(const std::vector<Page>& pages) 
     for (const Page& page : pages) {
         int depth = 0, figure = 0;  // numbers in figures are those of lines
         for (const Mark& mark : page.marks) {
-            if (const auto* group = std::get_if<GroupBegin>(&mark); group && (++depth, figure == 0) && group->cls == "figure")
+            if (const auto* group = std::get_if<GroupBegin>(&mark);
+                group && (++depth, figure == 0) && group->cls == "figure")
                 figure = depth;
             const auto* text = std::get_if<TextMark>(&mark);
             if (text && figure == 0 && text->statement != none && is_number(text->words))
@@ -178,7 +184,8 @@ TEST(Bands, UseNoForceBeforeTheSentenceThatFindsIt) {
                     for (const auto& [force, finding] : used_by(solution, statement)) {
                         const bool is_told = std::find(order.begin(), order.end(), finding) != order.end();
                         EXPECT_TRUE(!is_told || told.contains(finding))
-                            << name << ": " << force << " by " << statement.number() << ", found by " << finding.number();
+                            << name << ": " << force << " by " << statement.number() << ", found by "
+                            << finding.number();
                     }
                     told.insert(statement);
                 }
@@ -201,8 +208,9 @@ TEST(Bands, FillTheirPages) {
         }
     }
     ASSERT_GT(count, 0);
-    // 0.62 and seven under a half while polygons grew beyond 80 mm before the page was full, bodies cut free were planned for far
-    // more than their letters take, and a mechanism with its lines of action began a page; 0.67 while one plan was all.
+    // 0.62 and seven under a half while polygons grew beyond 80 mm before the page was full, bodies cut free were
+    // planned for far more than their letters take, and a mechanism with its lines of action began a page; 0.67 while
+    // one plan was all.
     EXPECT_GE(sum / count, 0.70) << count << " pages";
     EXPECT_GE(least, 0.50) << emptiest;
 }
@@ -243,10 +251,10 @@ TEST(Bands, AreReadInTheOrderOfTheSolutionAndNoneIsTorn) {
         expect_sentences_beside_their_figures(bands, solution);
     }
     // 183 before there were bands, 186 with the arithmetic in the sentences; 23 more of examples that came later.
-    // 178 before text stood under and beside its figures, 173 after; 12 more of trusses, virtual work and a moving frame.
-    // 185 before rooms were made for what letters really take and text was set in narrower columns.
-    // 153 before two linkages of Stephenson's, in which tips are found apart, showed the vectors between them.
-    // 148 before other layouts were tried where pages came badly filled.
+    // 178 before text stood under and beside its figures, 173 after; 12 more of trusses, virtual work and a moving
+    // frame. 185 before rooms were made for what letters really take and text was set in narrower columns. 153 before
+    // two linkages of Stephenson's, in which tips are found apart, showed the vectors between them. 148 before other
+    // layouts were tried where pages came badly filled.
     EXPECT_LE(pages_in_all, 142);
 }
 
@@ -277,7 +285,8 @@ TEST(Bands, TellOnlySoManyLikewiseInOneSentence) {
     int sentences = 0;
     for (const Page& page : crowded_pages())
         for (const Mark& mark : page.marks)
-            if (const auto* text = std::get_if<TextMark>(&mark); text && text->words.starts_with("Second way: ")) ++sentences;
+            if (const auto* text = std::get_if<TextMark>(&mark); text && text->words.starts_with("Second way: "))
+                ++sentences;
     EXPECT_EQ(sentences, 2);  // 20 bodies, 17 of them in the first
 }
 

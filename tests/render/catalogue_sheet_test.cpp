@@ -1,4 +1,5 @@
-// The catalogue of pairs drawn: every pair has its figure, what it shows is what the table says, and no page has a fault.
+// The catalogue of pairs drawn: every pair has its figure, what it shows is what the table says, and no page has a
+// fault.
 #include "engine/file/units.hpp"  // before signal.h, which makes a macro of si_value
 
 #include <gtest/gtest.h>
@@ -28,7 +29,8 @@ std::set<std::string> figure_ids(const std::vector<Page>& sheets) {
     std::set<std::string> ids;
     for (const Page& page : sheets)
         for (const Mark& mark : page.marks)
-            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure") ids.insert(group->id);
+            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure")
+                ids.insert(group->id);
     return ids;
 }
 
@@ -44,12 +46,14 @@ TEST_P(CatalogueSheets, AreCleanInBothLanguagesAndHaveEveryFigure) {
         expect_clean(sheets);
         for (const Page& page : sheets) expect_sound_groups(page);
         const std::set<std::string> ids = figure_ids(sheets);
-        for (const PlanePair& pair : plane_pairs) EXPECT_TRUE(ids.contains("pair-" + std::string(pair.key))) << pair.key;
-        for (const SpacePair& pair : space_pairs) EXPECT_TRUE(ids.contains("space-" + std::string(pair.key))) << pair.key;
+        for (const PlanePair& pair : plane_pairs)
+            EXPECT_TRUE(ids.contains("pair-" + std::string(pair.key))) << pair.key;
+        for (const SpacePair& pair : space_pairs)
+            EXPECT_TRUE(ids.contains("space-" + std::string(pair.key))) << pair.key;
         // Two closures, three links, three chains, a hinge of three bodies with three schemes, sixteen of four.
         EXPECT_EQ(ids.size(), plane_pairs.size() + space_pairs.size() + 2 + 3 + 3 + 4 + 16);
-        EXPECT_TRUE(
-            says(sheets, language == Language::en ? "Form closure and force closure" : "Accoppiamento di forma e di forza"));
+        EXPECT_TRUE(says(
+            sheets, language == Language::en ? "Form closure and force closure" : "Accoppiamento di forma e di forza"));
         EXPECT_EQ(says(sheets, "closure"), language == Language::en) << "nothing is left in the other language";
     }
 }

@@ -97,10 +97,12 @@ TEST(Crew, DrawsTheSameSheets) {
 TEST(Crew, FindsTheSameMissingCharacters) {
     std::string text = tests::four_bars_in_a_row(1);
     for (const auto& [name, other] : {std::pair{"\"C0\"", "\"中\""}, {"\"B1\"", "\"語\""}, {"\"O1\"", "\"文😀\""}})
-        for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) text.replace(at, 4, other);
+        for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))
+            text.replace(at, 4, other);
     const Solution solution = tests::solved(text);
     const std::vector<std::string> alone = drawn(solution, nullptr);
-    EXPECT_EQ(std::vector(alone.end() - 4, alone.end()), (std::vector<std::string>{"U+4E2D", "U+6587", "U+8A9E", "U+1F600"}));
+    EXPECT_EQ(std::vector(alone.end() - 4, alone.end()),
+              (std::vector<std::string>{"U+4E2D", "U+6587", "U+8A9E", "U+1F600"}));
     Crew crew(3);
     for (int times = 0; times < 5; ++times) EXPECT_EQ(drawn(solution, &crew), alone);
 }

@@ -19,7 +19,8 @@ using namespace kinegraph;
 using namespace kinegraph::render;
 using namespace kinegraph::pages;
 
-/// An element of an SVG with the statement that it belongs to: its own, or that of the nearest group that has one; −1: none.
+/// An element of an SVG with the statement that it belongs to: its own, or that of the nearest group that has one; −1:
+/// none.
 struct Element {
     pugi::xml_node node;
     std::string figure;  // id
@@ -103,7 +104,8 @@ TEST_P(DataStatement, StandsOnEveryVectorAndLineOfThePolygonsOfMotion) {
             if (std::string(each.node.name()) == "path" && each.statement != none) lines.insert(each.statement);
         }
         std::set<StatementIndex> drawn;
-        for (const int v : polygon.vectors) drawn.insert(solution.protocol.vectors[static_cast<std::size_t>(v)].statement);
+        for (const int v : polygon.vectors)
+            drawn.insert(solution.protocol.vectors[static_cast<std::size_t>(v)].statement);
         EXPECT_TRUE(std::includes(drawn.begin(), drawn.end(), vectors.begin(), vectors.end())) << polygon.id;
         for (const DrawnLine& line : solution.protocol.lines) {
             if (line.polygon != static_cast<int>(p) || solution.protocol.line(line.line).at_infinity()) continue;
@@ -162,7 +164,8 @@ TEST(DataStatement, NamesTheStatementsOfTheForcesOfTheGate) {
     for (const char* name : {"F_21", "F_01"}) {
         const Element& force = body.vector("body-1", name);
         ASSERT_TRUE(force.own) << name;
-        EXPECT_NE(plain(say(message_of(solution, force.statement), Language::en)).find("On body 1"), std::string::npos) << name;
+        EXPECT_NE(plain(say(message_of(solution, force.statement), Language::en)).find("On body 1"), std::string::npos)
+            << name;
     }
     const Svg lines = figure(solution, "lines-of-action");
     std::set<std::string> said;

@@ -1,5 +1,5 @@
-// How polygons are drawn: vectors of one line side by side, lines of the construction numbered as the sentences name them,
-// leaders that are no vectors, readings with their arithmetic.
+// How polygons are drawn: vectors of one line side by side, lines of the construction numbered as the sentences name
+// them, leaders that are no vectors, readings with their arithmetic.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,8 @@ bool fall_together(const DrawnAxis& a, const DrawnAxis& b) {
 }
 
 const DrawnAxis& axis_of(const Figure& figure, const std::string& name) {
-    const auto found = std::find_if(figure.axes.begin(), figure.axes.end(), [&](const DrawnAxis& a) { return a.name == name; });
+    const auto found =
+        std::find_if(figure.axes.begin(), figure.axes.end(), [&](const DrawnAxis& a) { return a.name == name; });
     if (found == figure.axes.end()) throw std::runtime_error(figure.id + " has no " + name);
     return *found;
 }
@@ -104,7 +105,8 @@ TEST(DrawnAsInBooks, SentencesNameTheLinesByTheirNumbers) {
             int on_lines = 0, in_sentences = 0;
             for (const Page& page : pages)
                 for (const TextMark* text : texts_of(page))
-                    if (text->words.find(number) != std::string::npos) ++(text->cls == "label" ? on_lines : in_sentences);
+                    if (text->words.find(number) != std::string::npos)
+                        ++(text->cls == "label" ? on_lines : in_sentences);
             // In the polygons of velocities and of accelerations.
             EXPECT_EQ(on_lines, 2) << number;
             EXPECT_GE(in_sentences, 2) << number;
@@ -124,20 +126,27 @@ const char* const planet_between_two = R"({"kinegraph": 1, "frame": 1, "units": 
 
 /// A vector of motion that a sentence argues with is drawn by then, unless the sentence says itself what it is.
 void expect_vectors_drawn(const Solution& solution) {
-    constexpr std::array introducing{
-        Sentence::slide_velocity,         Sentence::slide_acceleration,         Sentence::slide_acceleration_without_coriolis,
-        Sentence::slide_velocity_on_rest, Sentence::slide_acceleration_on_rest, Sentence::rolling_point_at_rest,
-        Sentence::observer_velocity,      Sentence::observer_acceleration};
+    constexpr std::array introducing{Sentence::slide_velocity,
+                                     Sentence::slide_acceleration,
+                                     Sentence::slide_acceleration_without_coriolis,
+                                     Sentence::slide_velocity_on_rest,
+                                     Sentence::slide_acceleration_on_rest,
+                                     Sentence::rolling_point_at_rest,
+                                     Sentence::observer_velocity,
+                                     Sentence::observer_acceleration};
     for (const StatementIndex index : indices_of(solution.protocol.statements)) {
         const Statement& statement = solution.protocol.statements[at_index(index)];
         const bool of_motion = statement.section == Topic::velocity || statement.section == Topic::acceleration;
         const Message& said = statement.message;
-        if (!of_motion || std::find(introducing.begin(), introducing.end(), said.sentence) != introducing.end()) continue;
+        if (!of_motion || std::find(introducing.begin(), introducing.end(), said.sentence) != introducing.end())
+            continue;
         for (const Argument& argument : said.arguments) {
             const auto* symbol = std::get_if<Symbol>(&argument);
-            if (symbol == nullptr || (symbol->letter != Symbol::Letter::v && symbol->letter != Symbol::Letter::a)) continue;
+            if (symbol == nullptr || (symbol->letter != Symbol::Letter::v && symbol->letter != Symbol::Letter::a))
+                continue;
             const std::string words = plain(say(said, Language::en));
-            if (words.find(plain(typeset(*symbol, Language::en))) == std::string::npos) continue;  // what it is instead is said
+            if (words.find(plain(typeset(*symbol, Language::en))) == std::string::npos)
+                continue;  // what it is instead is said
             const auto& vectors = solution.protocol.vectors;
             EXPECT_TRUE(std::any_of(vectors.begin(), vectors.end(), [&](const DrawnVector& vector) {
                 return vector.symbol == *symbol && vector.statement <= index;
@@ -153,7 +162,8 @@ TEST(DrawnAsInBooks, NoSentenceArguesWithAVectorThatIsNotDrawn) {
     const Solution planet = tests::solved(planet_between_two);
     expect_vectors_drawn(planet);
     std::string words;
-    for (const Statement& statement : planet.protocol.statements) words += plain(say(statement.message, Language::en)) + "\n";
+    for (const Statement& statement : planet.protocol.statements)
+        words += plain(say(statement.message, Language::en)) + "\n";
     EXPECT_NE(words.find("v_RS* goes from s* to r. ω_3 is v_RS* divided by S*R"), std::string::npos) << words;
 }
 
@@ -201,15 +211,19 @@ TEST(DrawnAsInBooks, TablesOfReadingsSayWhatAMillimetreIsWorth) {
     EXPECT_TRUE(says(pages, "mm × 0.0"));
 }
 
-/// 34.3 mm at 25 N/mm are 857.5 N: forces that are read alike have one value on the sheet, however their ends were rounded.
+/// 34.3 mm at 25 N/mm are 857.5 N: forces that are read alike have one value on the sheet, however their ends were
+/// rounded.
 TEST(DrawnAsInBooks, OneReadingHasOneProduct) {
-    const Solution solution = tests::solved(R"({"kinegraph": 1, "units": {"length": "mm", "angular velocity": "rpm"}, "frame": 1,
-      "points": {"O": [0, 0], "P": {"from": "O", "distance": 65, "angle": 35}, "C": {"from": "O", "distance": 25, "angle": 35},
+    const Solution solution =
+        tests::solved(R"({"kinegraph": 1, "units": {"length": "mm", "angular velocity": "rpm"}, "frame": 1,
+      "points": {"O": [0, 0], "P": {"from": "O", "distance": 65, "angle": 35}, "C": {"from": "O", "distance": 25,
+      "angle": 35},
         "D": {"from": "O", "distance": 90, "angle": 35}},
       "bodies": {"2": {"points": ["O"], "circle": {"centre": "O", "radius": 25}}, "3": ["O", "P"], "4": ["P"]},
       "joints": [{"revolute": "O", "bodies": [1, 2, 3]}, {"revolute": "P", "bodies": [3, 4]},
         {"gear": "C", "bodies": [2, 4], "arm": 3, "profiles": {"4": {"circle": "P"}}, "pressure angle": 20},
-        {"gear": "D", "bodies": [4, 1], "arm": 3, "profiles": {"4": {"circle": "P"}, "1": {"circle": "O"}}, "pressure angle": 20}],
+        {"gear": "D", "bodies": [4, 1], "arm": 3, "profiles": {"4": {"circle": "P"}, "1": {"circle": "O"}},
+        "pressure angle": 20}],
       "drivers": [{"body": 2, "omega": 1450}], "loads": [{"couple": "u", "body": 3, "value": -85}],
       "effort": {"couple": "m", "body": 2}, "scales": {"forces": "1 mm = 25 N"}})");
     const auto pages = lay_out(solution, {}, fonts());
@@ -224,13 +238,16 @@ TEST(DrawnAsInBooks, TheForceOfTeethHasTheirLineOfAction) {
         "C": {"meet": [{"circle": "A", "radius": 130}, {"line": "O", "angle": 0}], "side": "ahead"},
         "P": {"from": "C", "distance": 25, "angle": -90}, "Q": {"from": "C", "distance": 25, "angle": 90},
         "R": {"from": "Q", "distance": 60, "angle": 0}},
-      "bodies": {"2": ["O", "A"], "3": ["A", "C"], "4": {"points": ["C"], "circle": {"centre": "C", "radius": 25}}, "5": ["R"]},
-      "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "C", "bodies": [3, 4]},
+      "bodies": {"2": ["O", "A"], "3": ["A", "C"], "4": {"points": ["C"], "circle": {"centre": "C", "radius": 25}},
+       "5": ["R"]},
+      "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "C",
+      "bodies": [3, 4]},
         {"rolling": "P", "bodies": [4, 1], "profiles": {"1": {"line": 0}}},
         {"gear": "Q", "bodies": [4, 5], "profiles": {"5": {"line": 0}}, "pressure angle": 20},
         {"prismatic": "R", "bodies": [5, 1], "along": 0}],
       "drivers": [{"body": 2, "omega": 12}],
-      "loads": [{"force": "P", "body": 5, "at": "R", "magnitude": 200, "along": 180}], "effort": {"couple": "m", "body": 2}})");
+      "loads": [{"force": "P", "body": 5, "at": "R", "magnitude": 200, "along": 180}], "effort": {"couple": "m",
+      "body": 2}})");
     const auto has_cell = [](const std::vector<Page>& pages, const std::string& words) {
         return words_of(pages).find("\n" + words + "\n") != std::string::npos;
     };
@@ -251,9 +268,11 @@ TEST(DrawnAsInBooks, AnEffortHasOneNameEverywhere) {
     Column column;
     column.kind = Column::Kind::result;
     column.quantity = {.kind = Quantity::Kind::effort, .given = 0};
-    for (const Language language : {Language::en, Language::it}) EXPECT_EQ(plain(typeset(column, mechanism, language)), "M_m");
+    for (const Language language : {Language::en, Language::it})
+        EXPECT_EQ(plain(typeset(column, mechanism, language)), "M_m");
     column.quantity.given = 1;
-    for (const Language language : {Language::en, Language::it}) EXPECT_EQ(plain(typeset(column, mechanism, language)), "F_H");
+    for (const Language language : {Language::en, Language::it})
+        EXPECT_EQ(plain(typeset(column, mechanism, language)), "F_H");
 }
 
 }  // namespace

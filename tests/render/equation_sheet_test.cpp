@@ -1,10 +1,10 @@
-// Closure equations as they are printed: formulas as text and LaTeX, set within their measure, on sheets with nothing cut or
-// covered; and the program that prints them.
+// Closure equations as they are printed: formulas as text and LaTeX, set within their measure, on sheets with nothing
+// cut or covered; and the program that prints them.
 #include <gtest/gtest.h>
 
+#include "render/equations/equation_text.hpp"
 #include "render/page/set_formula.hpp"
 #include "render/sheet/sheet.hpp"
-#include "render/equations/equation_text.hpp"
 #include "tests/support/command_line.hpp"
 #include "tests/support/pages.hpp"
 
@@ -20,8 +20,10 @@ Solution with_equations(const std::string& name) {
 Formula sample() {
     Formula sum = Formula::letter("b", "1") + Formula::sign("+") +
                   Formula::root(Formula::power(Formula::letter("lambda"), Formula::upright("2")));
-    return Formula::fraction(std::move(sum), Formula::upright("2") + Formula::letter("alpha", "", 1)) + Formula::sign("=") +
-           Formula::matrix({Formula::upright("1"), Formula::upright("−0,5 mm"), Formula::letter("c"), Formula::upright("0")}, 2);
+    return Formula::fraction(std::move(sum), Formula::upright("2") + Formula::letter("alpha", "", 1)) +
+           Formula::sign("=") +
+           Formula::matrix(
+               {Formula::upright("1"), Formula::upright("−0,5 mm"), Formula::letter("c"), Formula::upright("0")}, 2);
 }
 
 TEST(FormulaOfText, PrintsPlainAndAsLatex) {
@@ -115,8 +117,8 @@ TEST_F(EquationsCommand, PrintsTextLatexAndJson) {
 }
 
 TEST_F(EquationsCommand, IsRefusedWithThePlace) {
-    write("open.json",
-          spoilt("{\"revolute\": \"B\",  \"bodies\": [3, 4]}", "{\"rolling\": \"B\", \"bodies\": [3, 4], \"tangent\": 30}"));
+    write("open.json", spoilt("{\"revolute\": \"B\",  \"bodies\": [3, 4]}",
+                              "{\"rolling\": \"B\", \"bodies\": [3, 4], \"tangent\": 30}"));
     const tests::Outcome open = run("equations open.json");
     EXPECT_EQ(open.status, 2);
     EXPECT_NE(open.err.find("joint B: without the \"profiles\""), std::string::npos) << open.err;

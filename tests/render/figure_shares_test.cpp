@@ -15,7 +15,9 @@ using Sizes = std::vector<std::vector<FigureSize>>;
 
 /// Of a few figures at a few scales each; a coarser one may take more, for letters crowd, and some may be left out.
 Sizes random_sizes(std::mt19937& random) {
-    const auto some = [&](int low, int high) { return static_cast<double>(std::uniform_int_distribution(low, high)(random)); };
+    const auto some = [&](int low, int high) {
+        return static_cast<double>(std::uniform_int_distribution(low, high)(random));
+    };
     Sizes sizes(std::uniform_int_distribution<std::size_t>(1, 4)(random));
     for (std::vector<FigureSize>& figure : sizes) {
         double scale = 1, x = some(40, 120), y = some(30, 90), worth = some(1, 5);

@@ -1,5 +1,5 @@
-// Figures: scales, ids, arrows, and what the mechanism figure promises: groups that nest, unique legal ids, vectors whose axes
-// have the length of their values, nothing outside the room.
+// Figures: scales, ids, arrows, and what the mechanism figure promises: groups that nest, unique legal ids, vectors
+// whose axes have the length of their values, nothing outside the room.
 #include "render/figures/figure.hpp"
 
 #include <gtest/gtest.h>
@@ -110,7 +110,8 @@ TEST(MechanismFigure, of_every_example_is_well_grouped_and_within_its_room) {
             EXPECT_LE(figure.box.width(), 185);
             EXPECT_LE(figure.box.height(), 150);
             EXPECT_TRUE(figure.labels.empty());
-            // box_of takes every letter for 0.62 em wide, the figure's box is that of the true ink; a parenthesis has 0.33 em.
+            // box_of takes every letter for 0.62 em wide, the figure's box is that of the true ink; a parenthesis has
+            // 0.33 em.
             const Box ink = box_of(figure.marks);
             const double narrow = 0.3 * theme.label;
             EXPECT_GE(ink.min.x, figure.box.min.x - narrow);
@@ -169,10 +170,11 @@ TEST(MechanismFigure, takes_the_scale_the_file_asks) {
 }
 
 TEST(MechanismFigure, survives_strange_names) {
-    const Solution solution =
-        solved(R"({"kinegraph": 1, "frame": "the frame", "points": {"a b": [0, 0], "a_x20_b": [0.3, 0.4], "<&>": [0.5, 0]},
+    const Solution solution = solved(
+        R"({"kinegraph": 1, "frame": "the frame", "points": {"a b": [0, 0], "a_x20_b": [0.3, 0.4], "<&>": [0.5, 0]},
         "bodies": {"crank & arm": ["a b", "a_x20_b"], "5\"": ["a_x20_b", "<&>"]},
-        "joints": [{"revolute": "a b", "bodies": ["the frame", "crank & arm"]}, {"revolute": "a_x20_b", "bodies": ["crank & arm", "5\""]}],
+        "joints": [{"revolute": "a b", "bodies": ["the frame", "crank & arm"]}, {"revolute": "a_x20_b",
+        "bodies": ["crank & arm", "5\""]}],
         "drivers": [{"body": "crank & arm", "omega": 3}, {"body": "5\"", "omega": 1}]})");
     const Theme theme;
     expect_well_grouped(mechanism_figure({solution, theme, fonts()}, 150, 120, true));
@@ -181,10 +183,11 @@ TEST(MechanismFigure, survives_strange_names) {
 
 TEST(MechanismFigure, is_the_same_drawing_at_any_size) {
     const auto four_bar = [](const std::string& e) {
-        return solved(R"({"kinegraph": 1, "points": {"A": [0, 0], "B": [3e)" + e + R"(, 4e)" + e + R"(], "C": [12e)" + e +
-                      R"(, 7e)" + e + R"(], "D": [11e)" + e +
+        return solved(R"({"kinegraph": 1, "points": {"A": [0, 0], "B": [3e)" + e + R"(, 4e)" + e + R"(], "C": [12e)" +
+                      e + R"(, 7e)" + e + R"(], "D": [11e)" + e +
                       R"(, 0]}, "bodies": {"1": ["A", "B"], "2": ["B", "C"], "3": ["C", "D"]}, "joints": [
-            {"revolute": "A", "bodies": ["0", "1"]}, {"revolute": "B", "bodies": ["1", "2"]}, {"revolute": "C", "bodies": ["2", "3"]},
+            {"revolute": "A", "bodies": ["0", "1"]}, {"revolute": "B", "bodies": ["1", "2"]}, {"revolute": "C",
+            "bodies": ["2", "3"]},
             {"revolute": "D", "bodies": ["0", "3"]}], "drivers": [{"body": "1", "omega": 3}]})");
     };
     const Theme theme;
@@ -193,7 +196,8 @@ TEST(MechanismFigure, is_the_same_drawing_at_any_size) {
     for (const std::string e : {"-42", "38"}) {
         const Solution solution = four_bar(e);
         const Figure figure = mechanism_figure({solution, theme, fonts()}, 150, 120, true);
-        EXPECT_NEAR(figure.scale / expected.scale, std::pow(10, std::stoi(e) + 2), std::pow(10, std::stoi(e) + 2) * 1e-9);
+        EXPECT_NEAR(figure.scale / expected.scale, std::pow(10, std::stoi(e) + 2),
+                    std::pow(10, std::stoi(e) + 2) * 1e-9);
         EXPECT_NEAR(figure.box.width(), expected.box.width(), 12);  // the bar's numbers are longer
         expect_well_grouped(figure);
     }
@@ -203,8 +207,8 @@ TEST(MechanismFigure, is_the_same_drawing_at_any_size) {
 TEST(MechanismFigure, has_the_numbers_of_wheels_on_no_other_wheel) {
     const Theme theme;
     int seen = 0;
-    for (const char* name : {"planetary_train", "joint_contact/spur_gears", "rack_and_pinion", "disc_in_ring", "cam_from_law",
-                             "cam_roller_follower", "variants/planetary_train"})
+    for (const char* name : {"planetary_train", "joint_contact/spur_gears", "rack_and_pinion", "disc_in_ring",
+                             "cam_from_law", "cam_roller_follower", "variants/planetary_train"})
         for (double wide = 50; wide <= 170; wide += 10) {
             const Spot room{wide, 0.8 * wide};
             const Solution solution = example(name);
@@ -339,7 +343,8 @@ TEST(GivenAccelerations, StandOnTheMechanism) {
 std::set<std::string> centres_of(const Figure& figure) {
     std::set<std::string> names;
     for (const Mark& mark : figure.marks)
-        if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "centre") names.insert(group->title);
+        if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "centre")
+            names.insert(group->title);
     return names;
 }
 /// … and those that the solution has.
@@ -347,8 +352,8 @@ std::set<std::string> centres_of(const Solution& solution, Language language) {
     std::set<std::string> names;
     for (const InstantCentre& centre : solution.centres)
         if (centre.at)
-            names.insert(plain(
-                typeset(centre_symbol(solution.mechanism, centre.first, centre.second, centre.at->at_infinity()), language)));
+            names.insert(plain(typeset(
+                centre_symbol(solution.mechanism, centre.first, centre.second, centre.at->at_infinity()), language)));
     return names;
 }
 
@@ -369,7 +374,8 @@ TEST(MechanismFigure, says_which_centres_it_leaves_out) {
                 constexpr std::size_t most_named = 6;
                 if (all.size() > drawn.size() + most_named) continue;
                 for (const std::string& centre : all) {
-                    const bool is_told = from != std::string::npos && caption.find(" " + centre + ",", from) != std::string::npos;
+                    const bool is_told =
+                        from != std::string::npos && caption.find(" " + centre + ",", from) != std::string::npos;
                     EXPECT_EQ(is_told, !drawn.contains(centre)) << name << ", " << centre << ": " << caption;
                     left_out += is_told ? 1 : 0;
                 }

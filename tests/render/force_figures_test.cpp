@@ -1,5 +1,5 @@
-// Force figures: vectors have the length of their value, triangles and closed polygon one scale, every force of a free body is
-// in place, letters cover neither each other nor an arrow.
+// Force figures: vectors have the length of their value, triangles and closed polygon one scale, every force of a free
+// body is in place, letters cover neither each other nor an arrow.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,14 +20,15 @@ using namespace kinegraph;
 using namespace kinegraph::render;
 using namespace kinegraph::tests;
 
-/// The examples whose files name loads or masses, but for trusses, whose bars are not cut free, and where virtual work alone is
-/// sought. Every start of the program asks for them, so none is solved for it.
+/// The examples whose files name loads or masses, but for trusses, whose bars are not cut free, and where virtual work
+/// alone is sought. Every start of the program asks for them, so none is solved for it.
 std::vector<std::string> loaded_examples() {
     std::vector<std::string> names;
     for (const std::string& name : example_names()) {
         const std::string text = contents(example_file(name));
         if (name.starts_with("truss_") || text.find("\"find\": [\"virtual work\"]") != std::string::npos) continue;
-        if (text.find("\"loads\"") != std::string::npos || text.find("\"mass\"") != std::string::npos) names.push_back(name);
+        if (text.find("\"loads\"") != std::string::npos || text.find("\"mass\"") != std::string::npos)
+            names.push_back(name);
     }
     return names;
 }
@@ -149,7 +150,8 @@ TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
             EXPECT_LE(figure.box.height(), 90);
             expect_true_and_clean(figure);
             std::size_t forces = 0;
-            for (const AppliedForce& applied : solution.free_bodies[i].forces) forces += applied.force.is_zero() ? 0 : 1;
+            for (const AppliedForce& applied : solution.free_bodies[i].forces)
+                forces += applied.force.is_zero() ? 0 : 1;
             forces += solution.free_bodies[i].sums.size();
             const auto shown = std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
                 const auto* group = std::get_if<GroupBegin>(&mark);
@@ -160,7 +162,8 @@ TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
     }
 }
 
-// What is carried over to the closed polygon is drawn at its scale, but for polygons that would be small there: finer, if at all.
+// What is carried over to the closed polygon is drawn at its scale, but for polygons that would be small there: finer,
+// if at all.
 TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
     const Solution solution = example(GetParam());
     for (const Paper paper : {Paper::a4, Paper::a3}) {
@@ -169,7 +172,8 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
         std::set<std::string> bodies;
         for (const Page& page : lay_out(solution, {paper, Language::en, {}}, fonts())) {
             for (const Drawn& vector : vectors_of(page.marks))
-                if (vector.figure == "forces") longest[vector.scale] = std::max(longest[vector.scale], std::abs(vector.value));
+                if (vector.figure == "forces")
+                    longest[vector.scale] = std::max(longest[vector.scale], std::abs(vector.value));
             for (const Mark& mark : page.marks)
                 if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure") {
                     const std::string* kind = group->attribute("data-figure");
@@ -202,7 +206,8 @@ TEST_P(LoadedExample, TheTableHasItsNumbersFromTheCheck) {
     const DrawingContext context{solution, theme, fonts(), Language::en};
     std::vector<Figure> figures;
     if (has_force_polygons(solution)) figures.push_back(force_polygons_figure(context, 180, 110));
-    for (const int polygon : closed_polygons(solution)) figures.push_back(closed_polygon_figure(context, polygon, 130, 130));
+    for (const int polygon : closed_polygons(solution))
+        figures.push_back(closed_polygon_figure(context, polygon, 130, 130));
     const auto rows = force_rows(context, figures);
     EXPECT_FALSE(rows.empty());
     for (const ResultRow& row : rows) {
@@ -281,20 +286,24 @@ TEST(ForceSheet, PointsToAConcurrencyOutsideOfTheDrawing) {
         EXPECT_TRUE(says(figure, "H  (AH = 11.5")) << figure.id << words_of(figure);
 }
 
-/// A slider-crank under gas and inertia forces: both are on one line at the slider, oppositely; what is known on rod and slider
-/// has a couple, too, and meets the guide's force some eight cranks' lengths away.
+/// A slider-crank under gas and inertia forces: both are on one line at the slider, oppositely; what is known on rod
+/// and slider has a couple, too, and meets the guide's force some eight cranks' lengths away.
 Solution engine() {
     return solved(R"({"kinegraph": 1,
-        "units": {"length": "mm", "moment": "N m", "force": "N", "inertia": "kg mm²", "angular velocity": "rpm"}, "frame": 1,
+        "units": {"length": "mm", "moment": "N m", "force": "N", "inertia": "kg mm²", "angular velocity": "rpm"},
+        "frame": 1,
         "points": {"O": [0, 0], "A": {"from": "O", "distance": "50 mm", "angle": "60°"},
                    "B": {"meet": [{"circle": "A", "radius": "200 mm"}, {"line": [0, 15], "angle": 0}], "side": "right"},
                    "G": {"from": "A", "to": "B", "ratio": 0.3333}},
         "bodies": {"2": ["O", "A"], "3": ["A", "B", "G"], "4": ["B"]},
         "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
-                   {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "name": "guide", "bodies": [4, 1], "along": 0}],
+                   {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "name": "guide", "bodies": [4, 1],
+                   "along": 0}],
         "drivers": [{"body": 2, "omega": "1500 rpm"}],
-        "masses": {"3": {"mass": "1.2 kg", "centre": "G", "inertia": "4000 kg mm²"}, "4": {"mass": "0.9 kg", "centre": "B"}},
-        "inertia forces": true, "loads": [{"force": "F_gas", "body": 4, "at": "B", "magnitude": "1131 N", "along": 180}],
+        "masses": {"3": {"mass": "1.2 kg", "centre": "G", "inertia": "4000 kg mm²"}, "4": {"mass": "0.9 kg",
+        "centre": "B"}},
+        "inertia forces": true, "loads": [{"force": "F_gas", "body": 4, "at": "B", "magnitude": "1131 N",
+        "along": 180}],
         "effort": {"couple": "M", "body": 2}, "find": ["velocity", "acceleration", "forces"]})");
 }
 
@@ -308,7 +317,8 @@ TEST(ForceSheet, OppositeForcesOnOneLineAreNoDoubleArrow) {
             for (const Drawn& other : vectors) {
                 const Spot along = one.axis.tip - one.axis.tail, against = other.axis.tip - other.axis.tail;
                 const bool opposite = dot(along, against) < 0 && std::abs(cross(along, against)) < 0.05 * length(along);
-                EXPECT_FALSE(opposite && length(one.axis.tail - other.axis.tail) < 1.5) << one.name << ' ' << other.name;
+                EXPECT_FALSE(opposite && length(one.axis.tail - other.axis.tail) < 1.5)
+                    << one.name << ' ' << other.name;
             }
     }
 }

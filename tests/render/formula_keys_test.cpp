@@ -1,5 +1,5 @@
-// What is handed out of problems, of closure equations and of virtual work: keys with their values, results that a file may ask
-// for, laws that a platform is told; and the derivatives of a point's motion on the command line.
+// What is handed out of problems, of closure equations and of virtual work: keys with their values, results that a file
+// may ask for, laws that a platform is told; and the derivatives of a point's motion on the command line.
 #include <gtest/gtest.h>
 
 #include "constructions/positions/named_results.hpp"
@@ -91,7 +91,8 @@ protected:
 TEST_F(MotionOnTheCommandLine, PrintsDerivativesAsTextLatexAndJson) {
     const tests::Outcome text = run("equations " + at("parabola"));
     EXPECT_EQ(text.status, 0) << text.err;
-    for (const char* line : {"Derivatives\n", "s\u0307 = v_0 + a_0 t = 2.0000 m/s\n", "y′ = x/p = 1.2348\n", "a_0 = 0.5 m/s²."})
+    for (const char* line :
+         {"Derivatives\n", "s\u0307 = v_0 + a_0 t = 2.0000 m/s\n", "y′ = x/p = 1.2348\n", "a_0 = 0.5 m/s²."})
         EXPECT_NE(text.out.find(line), std::string::npos) << line << text.out;
     const tests::Outcome latex = run("equations " + at("parabola") + " --format latex --lang it");
     EXPECT_NE(latex.out.find("y'  = \\frac{x }{p } = 1{,}2348"), std::string::npos) << latex.out;
@@ -107,7 +108,8 @@ TEST_F(MotionOnTheCommandLine, PrintsDerivativesAsTextLatexAndJson) {
 
 TEST_F(MotionOnTheCommandLine, TellsAPlatformTheLaws) {
     std::string text =
-        with("motion/projectile", R"("parameters": {"u": "20 m/s"}, "vary": {"u": {"choose": ["18 m/s"]}}, "ask": ["speed"])");
+        with("motion/projectile",
+             R"("parameters": {"u": "20 m/s"}, "vary": {"u": {"choose": ["18 m/s"]}}, "ask": ["speed"])");
     const std::string given = "\"20 m/s\"", by = "\"= u\"";
     text.replace(text.rfind(given), given.size(), by);
     write("p.json", text);

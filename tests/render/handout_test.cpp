@@ -1,4 +1,5 @@
-// Questions, keys and brief solutions: what they say, what they keep to themselves, and that nothing on them covers anything.
+// Questions, keys and brief solutions: what they say, what they keep to themselves, and that nothing on them covers
+// anything.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +49,8 @@ std::map<std::string, Spot> joints_of(const Page& page) {
         const auto* group = std::get_if<GroupBegin>(&page.marks[k]);
         if (!group || group->cls != "joint") continue;
         std::vector<Mark> marks;
-        for (std::size_t i = k + 1; !std::holds_alternative<GroupEnd>(page.marks[i]); ++i) marks.push_back(page.marks[i]);
+        for (std::size_t i = k + 1; !std::holds_alternative<GroupEnd>(page.marks[i]); ++i)
+            marks.push_back(page.marks[i]);
         if (!marks.empty()) joints.emplace(group->id, box_of(marks).middle());
     }
     return joints;
@@ -160,11 +162,15 @@ TEST(Brief, NamesNoPointThatNoFigureShows) {
             const auto is_known = [&](std::string point) {
                 if (solution.truss && is_bar(point)) return true;
                 if (point.ends_with('*')) point.pop_back();  // the same place, of another body
-                const auto set = [&](Symbol::Letter letter) { return plain(typeset(Symbol{letter, point, ""}, language)); };
+                const auto set = [&](Symbol::Letter letter) {
+                    return plain(typeset(Symbol{letter, point, ""}, language));
+                };
                 const auto& joints = solution.mechanism.joints;
                 return point.empty() || solution.mechanism.point_named(point) ||
-                       sheet.letters.contains(set(Symbol::Letter::point)) || sheet.letters.contains(set(Symbol::Letter::image)) ||
-                       std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) { return joint.name == point; });
+                       sheet.letters.contains(set(Symbol::Letter::point)) ||
+                       sheet.letters.contains(set(Symbol::Letter::image)) ||
+                       std::any_of(joints.begin(), joints.end(),
+                                   [&](const Joint& joint) { return joint.name == point; });
             };
             for (const StatementIndex statement : sheet.said)
                 for (const Argument& argument : solution.protocol.statements[at_index(statement)].message.arguments) {
@@ -257,8 +263,8 @@ TEST(Answers, HaveTheTolerancesOfTheirReadings) {
     const DrawingContext context{solution, options.theme, fonts()};
     const std::vector<render::Answer> answers = answers_of(context, sheet.figures);
     const auto named = [&](const std::string& name) {
-        const auto found =
-            std::find_if(answers.begin(), answers.end(), [&](const render::Answer& a) { return name_of(a.symbol) == name; });
+        const auto found = std::find_if(answers.begin(), answers.end(),
+                                        [&](const render::Answer& a) { return name_of(a.symbol) == name; });
         EXPECT_NE(found, answers.end()) << name;
         return found == answers.end() ? render::Answer{} : *found;
     };
@@ -272,8 +278,8 @@ TEST(Answers, HaveTheTolerancesOfTheirReadings) {
     EXPECT_NEAR(v_A.tolerance.value_or(0), 0.5 * scale, 1e-9);
     EXPECT_NEAR(v_A.direction.value_or(0), 330, 1e-9);
     // What is given is no answer.
-    EXPECT_TRUE(
-        std::none_of(answers.begin(), answers.end(), [](const render::Answer& a) { return name_of(a.symbol) == "omega_2"; }));
+    EXPECT_TRUE(std::none_of(answers.begin(), answers.end(),
+                             [](const render::Answer& a) { return name_of(a.symbol) == "omega_2"; }));
     const render::Answer omega_3 = named("omega_3");
     EXPECT_NEAR(omega_3.value, solution.bodies[2].omega->to_double(), 1e-9);
     ASSERT_TRUE(omega_3.tolerance);
@@ -282,16 +288,20 @@ TEST(Answers, HaveTheTolerancesOfTheirReadings) {
     EXPECT_LT(*omega_3.tolerance, std::abs(omega_3.value));
 }
 
-/// The pin of coupler and rocker belongs to both; its tangential acceleration about the rocker's pivot tells nothing of the
-/// coupler.
+/// The pin of coupler and rocker belongs to both; its tangential acceleration about the rocker's pivot tells nothing of
+/// the coupler.
 TEST(Answers, AreReadOffVectorsAcrossTheirOwnBody) {
     for (const int turn : {20, 40, 75, 130, 200}) {
         const Solution solution = tests::solved(
-            R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 40, "angle": )" +
+            R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O2": [0, 0], "A": {"from": "O2",
+            "distance": 40, "angle": )" +
             std::to_string(turn) +
-            R"(}, "O4": [150, 0], "B": {"meet": [{"circle": "A", "radius": 150}, {"circle": "O4", "radius": 80}], "side": "left"}},
-            "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]}, "joints": [{"revolute": "O2", "bodies": [1, 2]},
-            {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [1, 4]}],
+            R"(}, "O4": [150, 0], "B": {"meet": [{"circle": "A", "radius": 150}, {"circle": "O4", "radius": 80}],
+            "side": "left"}},
+            "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]}, "joints": [{"revolute": "O2",
+            "bodies": [1, 2]},
+            {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4",
+            "bodies": [1, 4]}],
             "drivers": [{"body": 2, "omega": -12}], "find": ["velocity", "acceleration"]})");
         const SheetOptions options;
         const DrawnSheet sheet = draw_solution(solution, options, fonts());
@@ -378,7 +388,8 @@ class HandoutLine : public tests::CommandLine {};
 TEST_F(HandoutLine, GoesToEveryFormatAndSaysWhatHasNoMeaning) {
     for (const char* file : {"q.svg", "q.png", "q.pdf"}) {
         const auto run_of =
-            run("solve four_bar.json --sheet question --grid --lang it --theme print --paper letter -o " + std::string(file));
+            run("solve four_bar.json --sheet question --grid --lang it --theme print --paper letter -o " +
+                std::string(file));
         EXPECT_EQ(run_of.status, 0) << run_of.err;
         EXPECT_TRUE(is_there(file));
     }
@@ -388,8 +399,8 @@ TEST_F(HandoutLine, GoesToEveryFormatAndSaysWhatHasNoMeaning) {
     for (const char* arguments :
          {"--grid -o x.svg", "--sheet answers --grid -o x.svg", "--sheet question --detail brief -o x.svg",
           "--sheet question --figure velocity -o x.svg", "--detail brief --figure velocity -o x.svg",
-          "--sheet answers --steps -o x.svg", "--detail brief --steps -o x.svg", "--sheet question --with joukowsky -o x.svg",
-          "--sheet exam -o x.svg", "--detail short -o x.svg"})
+          "--sheet answers --steps -o x.svg", "--detail brief --steps -o x.svg",
+          "--sheet question --with joukowsky -o x.svg", "--sheet exam -o x.svg", "--detail short -o x.svg"})
         for (const char* language : {"", " --lang it"}) {
             const auto wrong = run("solve four_bar.json " + std::string(arguments) + language);
             EXPECT_EQ(wrong.status, 2) << arguments;

@@ -1,5 +1,5 @@
-// Joukowsky's lever: what is drawn balances about the pole, each moment being the power that the table has; and the option that
-// asks for it, from the outside.
+// Joukowsky's lever: what is drawn balances about the pole, each moment being the power that the table has; and the
+// option that asks for it, from the outside.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -51,10 +51,11 @@ TEST_P(Lever, BalancesAboutThePole) {
         ASSERT_FALSE(rays.empty());
         const Spot pole = rays.front().tail;
         for (const Axis& ray : rays) EXPECT_LT(length(ray.tail - pole), 1e-12);
-        const double power_of_square =
-            figure.scale * scale_of_forces(figure) * (units.velocity.si * units.force.si).to_double();  // W for each mm²
+        const double power_of_square = figure.scale * scale_of_forces(figure) *
+                                       (units.velocity.si * units.force.si).to_double();  // W for each mm²
         std::vector<double> moments;
-        for (const Axis& force : forces) moments.push_back(power_of_square * cross(force.tail - pole, force.tip - force.tail));
+        for (const Axis& force : forces)
+            moments.push_back(power_of_square * cross(force.tail - pole, force.tip - force.tail));
 
         double largest = 0, sum = 0;
         for (const VirtualWork::Entry& entry : solution.virtual_work->entries)
@@ -106,8 +107,8 @@ TEST_P(Lever, FitsItsRoomAndItsTableSaysThatTheSumIsZero) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Lever,
-                         testing::Values("exam_2001", "gas_force", "cutting_force", "four_bar_weights", "four_bar_inertia",
-                                         "rotating_body"));
+                         testing::Values("exam_2001", "gas_force", "cutting_force", "four_bar_weights",
+                                         "four_bar_inertia", "rotating_body"));
 
 TEST(NoLever, IsTold) {
     EXPECT_EQ(no_lever(example("four_bar")), NoLever::no_forces);
@@ -142,7 +143,8 @@ Outcome run(const std::string& name, const std::string& options) {
 
 TEST(WithJoukowsky, AddsOneFigure) {
     EXPECT_EQ(run("gas_force", "-o a.svg").levers, 0);
-    for (const char* options : {"-o a.svg --with joukowsky", "--with joukowsky --with joukowsky -o a.svg --lang it --paper A3"}) {
+    for (const char* options :
+         {"-o a.svg --with joukowsky", "--with joukowsky --with joukowsky -o a.svg --lang it --paper A3"}) {
         const Outcome outcome = run("gas_force", options);
         EXPECT_EQ(outcome.status, 0);
         EXPECT_EQ(outcome.levers, 1) << options;

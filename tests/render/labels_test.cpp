@@ -207,7 +207,8 @@ TEST(Labels, of_vectors_stand_beside_them) {
     place_labels(figure, fonts());
     expect_clean(figure, requests, strokes, 0.7);
     const auto labels = labels_of(figure, requests);
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(distance_to_segment(labels[i].centre, strokes[i].first, strokes[i].second), 6);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_LT(distance_to_segment(labels[i].centre, strokes[i].first, strokes[i].second), 6);
 }
 
 TEST(Labels, along_a_line_are_never_upside_down) {
@@ -248,13 +249,15 @@ TEST(Labels, stay_within_the_figures_group_and_box) {
         }
 }
 
-/// A field of strokes with no room in it for a letter, and points all over: what finds no place beside it either is in the key.
+/// A field of strokes with no room in it for a letter, and points all over: what finds no place beside it either is in
+/// the key.
 TEST(Labels, without_a_place_are_listed_below_the_figure) {
     for (const bool strict : {false, true}) {
         Figure figure;
         figure.marks.emplace_back(GroupBegin{"figure", "field", "", {{"data-figure", "mechanism"}}});
         figure.marks.emplace_back(GroupBegin{"links", "", "", {}});
-        for (int i = 0; i <= 80; ++i) figure.marks.emplace_back(line({1.0 * i, 0}, {1.0 * i, 60}, {0.18, {0, 0, 0}, {}, false}));
+        for (int i = 0; i <= 80; ++i)
+            figure.marks.emplace_back(line({1.0 * i, 0}, {1.0 * i, 60}, {0.18, {0, 0, 0}, {}, false}));
         figure.marks.emplace_back(GroupEnd{});
         figure.marks.emplace_back(GroupEnd{});
         std::multiset<std::string> asked;
@@ -266,7 +269,8 @@ TEST(Labels, without_a_place_are_listed_below_the_figure) {
         place_labels(figure, fonts(), room, strict ? Labelling::strict : Labelling::free);
         Page page;
         figure.move(60, 30);
-        page.marks.emplace_back(polyline({{0, 0}, {page.width, 0}, {page.width, page.height}, {0, page.height}}, {}, true));
+        page.marks.emplace_back(
+            polyline({{0, 0}, {page.width, 0}, {page.width, page.height}, {0, page.height}}, {}, true));
         page.marks.insert(page.marks.end(), figure.marks.begin(), figure.marks.end());
         std::multiset<std::string> shown;
         int numbers = 0;
@@ -339,7 +343,8 @@ std::vector<std::string> covered(const Figure& figure) {
         }
         bool holds(Spot spot, double reach) const {
             const Spot at = unturned(spot);
-            return at.x > box.min.x - reach && at.x < box.max.x + reach && at.y > box.min.y - reach && at.y < box.max.y + reach;
+            return at.x > box.min.x - reach && at.x < box.max.x + reach && at.y > box.min.y - reach &&
+                   at.y < box.max.y + reach;
         }
     };
     std::vector<Label> labels;
@@ -382,9 +387,9 @@ std::vector<std::string> covered(const Figure& figure) {
             for (int a = 0; a <= 20; ++a)
                 for (int b = 0; b <= 8; ++b) {
                     const Box& box = labels[j].box;
-                    met = met ||
-                          labels[i].holds(
-                              turned_back.unturned({box.min.x + box.width() * a / 20, box.min.y + box.height() * b / 8}), 0.1);
+                    met = met || labels[i].holds(turned_back.unturned({box.min.x + box.width() * a / 20,
+                                                                       box.min.y + box.height() * b / 8}),
+                                                 0.1);
                 }
             if (met) faults.push_back(labels[i].words + " on " + labels[j].words);
         }
@@ -405,7 +410,8 @@ TEST(Labels, of_every_example_cover_nothing) {
         const DrawingContext context{*solution, theme, fonts()};
         for (const Spot room : {Spot{185, 150}, Spot{125, 90}}) {
             std::vector<Figure> figures{mechanism_figure(context, room.x, room.y, true),
-                                        velocities_on_mechanism(context, room.x, room.y), circle_diagram(context, 60, 60)};
+                                        velocities_on_mechanism(context, room.x, room.y),
+                                        circle_diagram(context, 60, 60)};
             for (std::size_t p = 0; p < solution->protocol.polygons.size(); ++p)
                 figures.push_back(polygon_figure(context, static_cast<int>(p), room.x, room.y));
             for (const Figure& figure : figures)

@@ -25,8 +25,8 @@ TEST(Sha256, OfKnownTexts) {
 }
 
 TEST(Moving, APlanForEveryStretchAndNoneTwice) {
-    auto mechanism =
-        read_mechanism(contents(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / "slider_crank.json"), "slider_crank.json");
+    auto mechanism = read_mechanism(contents(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / "slider_crank.json"),
+                                    "slider_crank.json");
     ASSERT_TRUE(mechanism.has_value());
     const auto solution = solve(*std::move(mechanism));
     ASSERT_TRUE(solution.has_value());
@@ -81,7 +81,8 @@ TEST(Moving, LengthsOfBarsAndOfTheFrameMayBeChanged) {
 
 TEST(Moving, ParametersWhoseNumbersAreMadeComparableAreInPlaceOfTheLengths) {
     const Moving moving = moving_example("variants/slider_crank.json");
-    const std::vector<std::pair<std::string, double>> expected{{"ω 2", 10}, {"r", 50}, {"l", 160}, {"e", 10}, {"w", 10}};
+    const std::vector<std::pair<std::string, double>> expected{
+        {"ω 2", 10}, {"r", 50}, {"l", 160}, {"e", 10}, {"w", 10}};
     EXPECT_EQ(names_and_values(moving), expected);  // not phi: that is where the crank is drawn
     // e moves the guide across, and nothing else; w is the rate.
     std::size_t of_e = 0, of_w = 0;

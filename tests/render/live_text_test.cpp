@@ -1,4 +1,5 @@
-// Live text: what a reader reads of an SVG or a PDF is what the page says, where it says it, in a font that comes along.
+// Live text: what a reader reads of an SVG or a PDF is what the page says, where it says it, in a font that comes
+// along.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -152,13 +153,15 @@ TEST(LiveText, SubsetsSetTheSameLine) {
     fs::remove_all(folder);
     ASSERT_TRUE(opened);
     for (const Face face : {Face::regular, Face::italic, Face::bold, Face::bold_italic}) {
-        const ShapedLine whole = fonts().shape(one_piece(words, face), 10), part = opened->shape(one_piece(words, face), 10);
+        const ShapedLine whole = fonts().shape(one_piece(words, face), 10),
+                         part = opened->shape(one_piece(words, face), 10);
         EXPECT_EQ(whole.width, part.width);
         ASSERT_EQ(whole.parts.at(0).glyphs.size(), part.parts.at(0).glyphs.size());
         for (std::size_t i = 0; i < whole.parts.at(0).glyphs.size(); ++i) {
             const Glyph &a = whole.parts.at(0).glyphs[i], &b = part.parts.at(0).glyphs[i];
             EXPECT_EQ(a.origin, b.origin);
-            EXPECT_EQ(fonts().outline(a.face, a.index).segments.size(), opened->outline(b.face, b.index).segments.size());
+            EXPECT_EQ(fonts().outline(a.face, a.index).segments.size(),
+                      opened->outline(b.face, b.index).segments.size());
         }
     }
     EXPECT_TRUE(opened->missing().empty());

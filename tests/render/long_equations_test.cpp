@@ -1,13 +1,13 @@
-// Closure equations of many bodies: no formula leaves its column, in the widest and the narrowest that sheets have, and none
-// becomes too small to read.
+// Closure equations of many bodies: no formula leaves its column, in the widest and the narrowest that sheets have, and
+// none becomes too small to read.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "constructions/solving/solve.hpp"
 #include "engine/mechanism/mechanism.hpp"
-#include "render/page/shapes.hpp"
 #include "render/equations/equation_block.hpp"
+#include "render/page/shapes.hpp"
 #include "tests/support/chains.hpp"
 #include "tests/support/fonts.hpp"
 #include "tests/support/pages.hpp"
@@ -23,7 +23,8 @@ double smallest_size(const Block& block) {
         const auto* text = std::get_if<TextMark>(&mark);
         if (text == nullptr || text->glyphs.empty()) continue;
         const auto larger = [](const Glyph& a, const Glyph& b) { return a.size < b.size; };
-        least = std::min(least, std::max_element(text->glyphs.begin(), text->glyphs.end(), larger)->size / millimetres(1));
+        least =
+            std::min(least, std::max_element(text->glyphs.begin(), text->glyphs.end(), larger)->size / millimetres(1));
     }
     return least;
 }

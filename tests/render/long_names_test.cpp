@@ -74,7 +74,8 @@ TEST(LongNames, StandApartWhereTheyNameALine) {
 
 TEST(LongNames, AreBrokenOrCutInACell) {
     constexpr double room = 30;
-    const RichText words = one_piece("hinge between the coupler and the rocker"), word = one_piece(std::string(60, 'm'));
+    const RichText words = one_piece("hinge between the coupler and the rocker"),
+                   word = one_piece(std::string(60, 'm'));
     EXPECT_GT(lines_in_cell(words, 9, fonts(), room).size(), 1U);
     for (const RichText& each : {words, word})
         for (const ShapedLine& line : lines_in_cell(each, 9, fonts(), room)) EXPECT_LE(line.width, room);

@@ -1,5 +1,5 @@
-// Markup: the bytes are those that pugixml writes of the same tree, and numbers are the shortest decimals of what they are
-// snapped to.
+// Markup: the bytes are those that pugixml writes of the same tree, and numbers are the shortest decimals of what they
+// are snapped to.
 #include "render/backends/markup.hpp"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,8 @@ TEST(Markup, numbers_are_short) {
 TEST(Markup, numbers_are_read_back) {
     std::mt19937 random(7);
     for (int i = 0; i < 1000; ++i) {
-        const double units = std::floor(static_cast<double>(random()) * 7.3) * (i % 2 == 0 ? 1 : -1), value = units / 1e8;
+        const double units = std::floor(static_cast<double>(random()) * 7.3) * (i % 2 == 0 ? 1 : -1),
+                     value = units / 1e8;
         EXPECT_EQ(std::stod(number(value)), value);
     }
 }

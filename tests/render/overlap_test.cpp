@@ -1,5 +1,6 @@
-// Nothing on a sheet covers anything: counted over all examples, languages, papers and orientations, from the display lists of
-// finished pages and in their pixels. The theme changes from one example to the next; KINEGRAPH_ALL_PAPERS=1 takes all three.
+// Nothing on a sheet covers anything: counted over all examples, languages, papers and orientations, from the display
+// lists of finished pages and in their pixels. The theme changes from one example to the next; KINEGRAPH_ALL_PAPERS=1
+// takes all three.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

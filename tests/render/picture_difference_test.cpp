@@ -18,7 +18,9 @@ constexpr Colour white{255, 255, 255}, black{0, 0, 0};
 Picture blank(int width, int height, Colour colour = white) {
     return {width, height, std::vector<Colour>(static_cast<std::size_t>(width * height), colour), std::nullopt};
 }
-Colour& pixel(Picture& picture, int x, int y) { return picture.pixels[static_cast<std::size_t>(y * picture.width + x)]; }
+Colour& pixel(Picture& picture, int x, int y) {
+    return picture.pixels[static_cast<std::size_t>(y * picture.width + x)];
+}
 
 /// An inch of paper with what is drawn on it, 100 pixels wide.
 Picture drawn(std::vector<Mark> marks) {
@@ -53,7 +55,8 @@ TEST(PictureDifference, SaysWhichPixelsDiffer) {
         const PictureDifference difference = swapped ? compare(actual, expected, 0.1) : compare(expected, actual, 0.1);
         EXPECT_EQ(difference.differing, 2U);
         EXPECT_DOUBLE_EQ(difference.share(), 0.01);
-        EXPECT_EQ((std::array{difference.left, difference.top, difference.right, difference.bottom}), (std::array{4, 2, 9, 7}));
+        EXPECT_EQ((std::array{difference.left, difference.top, difference.right, difference.bottom}),
+                  (std::array{4, 2, 9, 7}));
         EXPECT_EQ(difference.verdicts[7 * 20 + 4], Verdict::differs);
         EXPECT_EQ(difference.verdicts[7 * 20 + 5], Verdict::same);
     }
@@ -155,7 +158,8 @@ TEST(Picture, KnowsItsResolution) {
     static const Fonts fonts = Fonts::open().value();
     Page small;
     small.width = small.height = 10;
-    for (const double dpi : {96.0, 150.0, 300.0, 601.0}) EXPECT_EQ(decode_png(to_png(small, fonts, dpi)).value().dpi, dpi);
+    for (const double dpi : {96.0, 150.0, 300.0, 601.0})
+        EXPECT_EQ(decode_png(to_png(small, fonts, dpi)).value().dpi, dpi);
 }
 
 TEST(Picture, WhatIsTransparentLiesOnWhite) {
@@ -206,7 +210,8 @@ TEST(Picture, CutOrSpoiltFilesAreRefusedOrRead) {
         spoilt[at] = static_cast<char>(spoilt[at] ^ 0x55);
         const auto picture = decode_png(spoilt);
         if (!picture) continue;
-        EXPECT_EQ(picture->pixels.size(), static_cast<std::size_t>(picture->width) * static_cast<std::size_t>(picture->height));
+        EXPECT_EQ(picture->pixels.size(),
+                  static_cast<std::size_t>(picture->width) * static_cast<std::size_t>(picture->height));
     }
 }
 

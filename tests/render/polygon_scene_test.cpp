@@ -16,11 +16,14 @@ using namespace kinegraph::render;
 using tests::example;
 
 const SceneVector& vector_of(const PolygonScene& scene, const std::string& name) {
-    const auto found = std::find_if(scene.vectors.begin(), scene.vectors.end(), [&](const auto& v) { return v.name == name; });
+    const auto found =
+        std::find_if(scene.vectors.begin(), scene.vectors.end(), [&](const auto& v) { return v.name == name; });
     if (found == scene.vectors.end()) throw std::runtime_error(scene.id + " has no " + name);
     return *found;
 }
-double length_of(const SceneVector& vector) { return std::hypot(vector.tip.x - vector.tail.x, vector.tip.y - vector.tail.y); }
+double length_of(const SceneVector& vector) {
+    return std::hypot(vector.tip.x - vector.tail.x, vector.tip.y - vector.tail.y);
+}
 
 TEST(PolygonScene, HasItsVectorsInTheUnitTheyAreToldIn) {
     const Solution solution = example("four_bar");
@@ -46,14 +49,15 @@ TEST(PolygonScene, SaysByWhichStatementAVelocityIsDrawn) {
         ++lines;
         EXPECT_EQ(line.meet.x, b.tip.x);
         EXPECT_EQ(line.meet.y, b.tip.y);
-        const double across = line.along.x * (line.meet.y - line.support.y) - line.along.y * (line.meet.x - line.support.x);
+        const double across =
+            line.along.x * (line.meet.y - line.support.y) - line.along.y * (line.meet.x - line.support.x);
         EXPECT_NEAR(across, 0, 1e-12);
     }
     EXPECT_EQ(lines, 2);
     // The pole and the images a and b stand where the vectors end.
     ASSERT_EQ(scene.images.front().kind, SceneImage::Kind::pole);
-    const auto image =
-        std::find_if(scene.images.begin(), scene.images.end(), [](const SceneImage& each) { return each.symbol.about == "B"; });
+    const auto image = std::find_if(scene.images.begin(), scene.images.end(),
+                                    [](const SceneImage& each) { return each.symbol.about == "B"; });
     ASSERT_NE(image, scene.images.end());
     EXPECT_EQ(image->at.x, b.tip.x);
     EXPECT_EQ(image->statement, b.statement);

@@ -132,7 +132,8 @@ std::map<std::string, int> said_by_labels(const Figure& figure) {
         const auto* text = std::get_if<TextMark>(&mark);
         if (!text || text->cls != "label") continue;
         std::string rest = text->words;
-        for (std::size_t at; (at = rest.find(" = ")) != std::string::npos; rest.erase(0, at + 3)) ++said[rest.substr(0, at)];
+        for (std::size_t at; (at = rest.find(" = ")) != std::string::npos; rest.erase(0, at + 3))
+            ++said[rest.substr(0, at)];
         ++said[rest];
     }
     return said;
@@ -168,7 +169,8 @@ TEST(PolygonDetail, ShowsWhatIsTooShortBesideLongVectors) {
     const Theme theme;
     const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 180, 130);
     std::map<std::string, double> in_polygon, in_detail;
-    for (const VectorGroup& each : vectors_of(figure)) (each.in_detail() ? in_detail : in_polygon)[each.name()] = each.length();
+    for (const VectorGroup& each : vectors_of(figure))
+        (each.in_detail() ? in_detail : in_polygon)[each.name()] = each.length();
     for (const char* name : {"a_D", "a_D_n", "a_CD_n", "a_CS_n"}) {
         ASSERT_TRUE(in_polygon.count(name) && in_detail.count(name)) << name;
         EXPECT_LT(in_polygon[name], 4.6) << name;
@@ -186,10 +188,12 @@ TEST(PolygonDetail, NamesEveryVectorOnceOnEveryExample) {
         const Theme theme;
         for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
             if (solution.protocol.polygons[p].plane == Plane::force) continue;
-            const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, static_cast<int>(p), 150, 130);
+            const Figure figure =
+                polygon_figure({solution, theme, fonts(), Language::en}, static_cast<int>(p), 150, 130);
             const auto said = said_by_labels(figure);
             const auto sketches = polygon_scene(solution, static_cast<int>(p)).coriolis;
-            std::map<std::string, std::set<std::pair<ElementIndex, ElementIndex>>> places;  // a velocity may be drawn in two
+            std::map<std::string, std::set<std::pair<ElementIndex, ElementIndex>>>
+                places;  // a velocity may be drawn in two
             for (const int v : solution.protocol.polygons[p].vectors) {
                 const DrawnVector& vector = solution.protocol.vectors[static_cast<std::size_t>(v)];
                 places[plain(typeset(vector.symbol, Language::en))].emplace(vector.tail, vector.tip);
@@ -197,8 +201,8 @@ TEST(PolygonDetail, NamesEveryVectorOnceOnEveryExample) {
             for (const auto& [vector, where] : places)
                 if (const auto found = said.find(vector); found != said.end()) {
                     // Once more in the sketch that says why the Coriolis term points where it does.
-                    const bool sketched =
-                        std::any_of(sketches.begin(), sketches.end(), [&, vector = vector](const SceneCoriolis& sketch) {
+                    const bool sketched = std::any_of(
+                        sketches.begin(), sketches.end(), [&, vector = vector](const SceneCoriolis& sketch) {
                             return plain(typeset(sketch.coriolis, Language::en)) == vector;
                         });
                     EXPECT_GE(found->second, static_cast<int>(where.size())) << vector;
@@ -277,7 +281,8 @@ TEST(PolygonDetail, OfADetailIsDrawnOnceMore) {
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     PolygonParts parts;
-    parts.vectors = {vector_of("v_A", {0, 0}, {100, 0}), vector_of("v_B", {0, 0}, {0, -4}), vector_of("v_C", {0, -4}, {0.1, -4})};
+    parts.vectors = {vector_of("v_A", {0, 0}, {100, 0}), vector_of("v_B", {0, 0}, {0, -4}),
+                     vector_of("v_C", {0, -4}, {0.1, -4})};
     Figure figure;
     figure.id = "velocity";
     figure.unit = "m/s";
@@ -311,7 +316,8 @@ std::vector<std::pair<Spot, Spot>> thin_lines(const Figure& figure, const Theme&
     std::vector<std::pair<Spot, Spot>> lines;
     for (const Mark& mark : figure.marks) {
         const auto* path = std::get_if<Path>(&mark);
-        if (!path || !path->stroked || path->filled || path->pen.width != theme.thin || path->segments.size() != 2) continue;
+        if (!path || !path->stroked || path->filled || path->pen.width != theme.thin || path->segments.size() != 2)
+            continue;
         if (const auto* to = std::get_if<LineTo>(&path->segments[1]))
             lines.emplace_back(std::get<MoveTo>(path->segments[0]).to, to->to);
     }
@@ -356,7 +362,8 @@ TEST(PolygonConstruction, TheImageOfALinkWithItsPointsOnOneLineIsALine) {
         const Spot a = tips[polygon == 0 ? "v_A" : "a_A"], b = tips[polygon == 0 ? "v_B" : "a_B"];
         int images = 0;
         for (const auto& [from, to] : thin_lines(figure, theme))
-            if ((length(from - a) < 1e-6 && length(to - b) < 1e-6) || (length(from - b) < 1e-6 && length(to - a) < 1e-6))
+            if ((length(from - a) < 1e-6 && length(to - b) < 1e-6) ||
+                (length(from - b) < 1e-6 && length(to - a) < 1e-6))
                 ++images;
         EXPECT_EQ(images, lines) << "v_BA lies there already, a_BA does not";
     }
@@ -367,7 +374,8 @@ std::vector<std::vector<Spot>> corners_of(const Figure& figure, const Theme& the
     std::vector<std::vector<Spot>> corners;
     for (const Mark& mark : figure.marks) {
         const auto* path = std::get_if<Path>(&mark);
-        if (!path || !path->stroked || path->filled || path->pen.width != theme.thin || path->segments.size() != 3) continue;
+        if (!path || !path->stroked || path->filled || path->pen.width != theme.thin || path->segments.size() != 3)
+            continue;
         std::vector<Spot> spots;
         for (const render::Segment& segment : path->segments) {
             if (const auto* m = std::get_if<MoveTo>(&segment)) spots.push_back(m->to);
@@ -394,7 +402,8 @@ TEST(PolygonConstruction, TheRightAngleOfNormalAndTangentialTermIsMarked) {
     const auto corners = corners_of(figure, theme);
     ASSERT_EQ(corners.size(), 1u);
     for (const VectorGroup& each : vectors_of(figure))
-        if (each.name() == "a_BA_n") expect_corner(corners[0], each.axes[0].tip, unit(each.axes[0].tail - each.axes[0].tip));
+        if (each.name() == "a_BA_n")
+            expect_corner(corners[0], each.axes[0].tip, unit(each.axes[0].tail - each.axes[0].tip));
 }
 
 TEST(PolygonConstruction, TheRightAngleToTheCoriolisTermIsMarkedWhereTheRelativeOneEnds) {

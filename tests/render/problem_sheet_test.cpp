@@ -1,5 +1,5 @@
-// The sheets of contact, wear and impact: clean pages in both languages on every paper, steps, figures alone, results; what other
-// commands say of such files.
+// The sheets of contact, wear and impact: clean pages in both languages on every paper, steps, figures alone, results;
+// what other commands say of such files.
 #include "engine/file/units.hpp"  // before signal.h, which makes a macro of si_value
 
 #include <gtest/gtest.h>
@@ -22,7 +22,8 @@ using namespace pages;
 std::vector<std::string> problem_names() {
     std::vector<std::string> names;
     for (const char* folder : {"contact", "motion"})
-        for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / folder))
+        for (const auto& entry :
+             std::filesystem::directory_iterator(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / folder))
             names.push_back(std::string(folder) + "/" + entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;
@@ -40,7 +41,8 @@ TEST_P(ProblemSheets, AreCleanInBothLanguages) {
         EXPECT_LE(sheets.size(), GetParam().starts_with("motion/") ? 4u : 2u);
         expect_clean(sheets);
         for (const Page& page : sheets) expect_sound_groups(page);
-        EXPECT_TRUE(says(sheets, language == Language::en ? "Results and numeric check" : "Risultati e verifica numerica"));
+        EXPECT_TRUE(
+            says(sheets, language == Language::en ? "Results and numeric check" : "Risultati e verifica numerica"));
     }
 }
 
@@ -56,7 +58,8 @@ TEST_P(ProblemSheets, HaveStepsAndFiguresOfTheirOwn) {
 
 TEST_P(ProblemSheets, HaveResultsThatAgreeWithTheChecks) {
     const Solution solution = example(GetParam());
-    const auto results = nlohmann::json::parse(results_json(solution, false, [](const Message&) { return std::string(); }));
+    const auto results =
+        nlohmann::json::parse(results_json(solution, false, [](const Message&) { return std::string(); }));
     EXPECT_EQ(results.size(), solution.problem->remarks.empty() ? 3u : 4u);
     const auto& checks = results.at("checks");
     EXPECT_EQ(checks.size(), solution.problem->values.size());
@@ -64,8 +67,9 @@ TEST_P(ProblemSheets, HaveResultsThatAgreeWithTheChecks) {
         EXPECT_NEAR(row.at("graphical"), row.at("numeric"), 1e-5 + 1e-5 * std::abs(row.at("graphical").get<double>()));
     for (const Language language : {Language::en, Language::it})
         for (const ProblemValue& each : solution.problem->values)
-            EXPECT_NE(results_table(solution, language).find(in(each.spoken.empty() ? each.name : each.spoken, language)),
-                      std::string::npos);
+            EXPECT_NE(
+                results_table(solution, language).find(in(each.spoken.empty() ? each.name : each.spoken, language)),
+                std::string::npos);
 }
 
 TEST_P(ProblemSheets, ComeThroughAll) {
@@ -73,7 +77,9 @@ TEST_P(ProblemSheets, ComeThroughAll) {
     EXPECT_TRUE(far.drawn);
 }
 
-std::string name_of_file(const testing::TestParamInfo<std::string>& info) { return info.param.substr(info.param.find('/') + 1); }
+std::string name_of_file(const testing::TestParamInfo<std::string>& info) {
+    return info.param.substr(info.param.find('/') + 1);
+}
 INSTANTIATE_TEST_SUITE_P(Examples, ProblemSheets, testing::ValuesIn(problem_names()), name_of_file);
 
 class ProblemCommands : public tests::CommandLine {};

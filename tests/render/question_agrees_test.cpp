@@ -1,4 +1,5 @@
-// What question, quiz and key say of one quantity: enough to find it, one name for it, one sense in which it is positive.
+// What question, quiz and key say of one quantity: enough to find it, one name for it, one sense in which it is
+// positive.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,13 +10,13 @@
 
 #include "constructions/positions/cycle.hpp"
 #include "constructions/positions/named_results.hpp"
-#include "engine/solution/problem_solution.hpp"
 #include "engine/results/result_names.hpp"
-#include "render/layout/drawn_sheet.hpp"
+#include "engine/solution/problem_solution.hpp"
 #include "render/content/exercise_text.hpp"
+#include "render/layout/drawn_sheet.hpp"
+#include "render/problems/problem_sections.hpp"
 #include "render/sheet/handout.hpp"
 #include "render/sheet/key_sheet.hpp"
-#include "render/problems/problem_sections.hpp"
 #include "render/tables/answers.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"
@@ -49,7 +50,8 @@ std::vector<AskedValue> values_asked(const Solution& solution) {
     const std::vector<NamedResult> results = *asked_results(solution);
     for (const NamedResult& each : results) {
         const Unit unit = unit_of(each.column.unit, solution.mechanism.units);
-        asked.push_back({each.column, each.value, unit.symbol, unit.si.to_double(), asked_text(context, each.column).symbol});
+        asked.push_back(
+            {each.column, each.value, unit.symbol, unit.si.to_double(), asked_text(context, each.column).symbol});
     }
     return asked;
 }
@@ -109,7 +111,8 @@ TEST(ReyeQuestion, StatesTheHypothesisAndWhatItsResultsAre) {
 
 /// Two links, the second driven from the first.
 const std::string arm = R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
-    "points": {"O": [0, 0], "A": {"from": "O", "distance": 300, "angle": 40}, "B": {"from": "A", "distance": 200, "angle": -30}},
+    "points": {"O": [0, 0], "A": {"from": "O", "distance": 300, "angle": 40}, "B": {"from": "A", "distance": 200,
+    "angle": -30}},
     "bodies": {"2": ["O", "A"], "3": ["A", "B"]},
     "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}],
     "loads": [{"force": "W", "body": 3, "at": "B", "value": [0, -30]}],
@@ -130,9 +133,11 @@ TEST(Effort, SaysFromWhichBodyItActs) {
 /// A boom on a cylinder.
 std::string boom(const std::string& weight, const std::string& ask) {
     return R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
-    "points": {"O": [0, 0], "B": {"from": "O", "distance": 1200, "angle": 35}, "D": {"from": "O", "to": "B", "distance": 500}, "C": [300, -200]},
+    "points": {"O": [0, 0], "B": {"from": "O", "distance": 1200, "angle": 35}, "D": {"from": "O", "to": "B",
+    "distance": 500}, "C": [300, -200]},
     "bodies": {"2": ["O", "D", "B"], "3": ["C"], "4": ["D"]},
-    "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "C", "bodies": [1, 3]}, {"revolute": "D", "bodies": [2, 4]},
+    "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "C", "bodies": [1, 3]}, {"revolute": "D",
+    "bodies": [2, 4]},
                {"prismatic": "D", "bodies": [4, 3], "along": ["C", "D"], "name": "cyl"}],
     "drivers": [{"joint": "cyl", "speed": "0.1 m/s"}],
     "loads": [{"force": "W", "body": 2, "at": "B", "magnitude": ")" +
@@ -146,13 +151,15 @@ TEST(Effort, IsToldInTheSenseThatTheQuestionNames) {
         ASSERT_EQ(key.size(), 1U);
         EXPECT_NEAR(key[0].value, values_asked(solution)[0].value, 1e-9) << "the key as the quiz";
         const Vector along = solution.pose.at(PointIndex(2)) - solution.pose.at(PointIndex(3));
-        EXPECT_NEAR(*key[0].direction, std::atan2(along.y.to_double(), along.x.to_double()) * 180 / std::numbers::pi, 1e-9);
+        EXPECT_NEAR(*key[0].direction, std::atan2(along.y.to_double(), along.x.to_double()) * 180 / std::numbers::pi,
+                    1e-9);
         EXPECT_TRUE(has(sought_in(solution, Language::en),
                         "F_c of the actuator at D that balances, on body 4 from body 3, positive from C to D"))
             << sought_in(solution, Language::en);
         EXPECT_TRUE(has(sought_in(solution, Language::it), "sul corpo 4 dal corpo 3, positiva da C verso D"));
         const Theme theme;
-        EXPECT_TRUE(has(plainly(signs_of({solution, theme, fonts()})), "F_c acts on body 4 and is positive from C to D"));
+        EXPECT_TRUE(
+            has(plainly(signs_of({solution, theme, fonts()})), "F_c acts on body 4 and is positive from C to D"));
     }
 }
 
@@ -171,7 +178,8 @@ const std::string driven_point = R"({"kinegraph": 1, "frame": 1, "units": {"leng
                "B": {"meet": [{"circle": "A", "radius": 120}, {"circle": "O4", "radius": 100}], "near": [180, 140]},
                "P": {"from": "A", "to": "B", "ratio": 0.4}},
     "bodies": {"2": ["O2", "A"], "3": ["A", "B", "P"], "4": ["O4", "B"]},
-    "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+    "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+    "bodies": [3, 4]},
                {"revolute": "O4", "bodies": [1, 4]}],
     "drivers": [{"body": 3, "at": "P", "along": [-3, 1], "speed": "250 mm/s", "acceleration": "-1.5 m/s²"}],
     "ask": ["v P", "alpha 4"]})";
@@ -186,25 +194,30 @@ TEST(Driver, OfAPointGivesAComponentAndNoVelocity) {
 
 TEST(Key, HasATolerance) {
     const Solution slot = tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
-        "points": {"O": [0, 0], "A": [40, 30], "C": [100, -10], "D": [150, -60]}, "bodies": {"2": ["O", "A"], "3": ["D"]},
+        "points": {"O": [0, 0], "A": [40, 30], "C": [100, -10], "D": [150, -60]}, "bodies": {"2": ["O", "A"],
+        "3": ["D"]},
         "joints": [{"revolute": "O", "bodies": [1, 2]}, {"pin-slot": "A", "bodies": [2, 3], "arc": "C", "name": "g"},
                    {"revolute": "D", "bodies": [1, 3]}],
         "drivers": [{"body": 2, "omega": 3, "alpha": 2}], "ask": ["omega 3", "alpha 3", "v g"]})");
     for (const render::Answer& each : key_in(slot)) EXPECT_TRUE(each.tolerance) << name_of(each.symbol);
-    for (const render::Answer& each : key_in(tests::solved(driven_point))) EXPECT_TRUE(each.tolerance) << name_of(each.symbol);
+    for (const render::Answer& each : key_in(tests::solved(driven_point)))
+        EXPECT_TRUE(each.tolerance) << name_of(each.symbol);
 }
 
 /// In inches: the scales of polygons are in the file's units.
 TEST(Key, ReadsWhatHasNoVectorOnItsFigureInTheFilesUnits) {
     const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1,
         "units": {"length": "in", "velocity": "in/s", "acceleration": "in/s²"},
-        "points": {"O2": [0, 0], "A": [1.7, 1], "O4": [6, 0], "B": {"meet": [{"circle": "A", "radius": 7}, {"circle": "O4", "radius": 9}], "side": "left"}},
+        "points": {"O2": [0, 0], "A": [1.7, 1], "O4": [6, 0], "B": {"meet": [{"circle": "A", "radius": 7},
+        {"circle": "O4", "radius": 9}], "side": "left"}},
         "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]},
-        "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+        "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+        "bodies": [3, 4]},
                    {"revolute": "O4", "bodies": [1, 4]}], "drivers": [{"body": 2, "omega": 10}], "ask": ["v B"]})");
     const SheetOptions options;
     const std::vector<Figure> drawn = draw_solution(solution, options, fonts()).figures;
-    const auto polygon = std::find_if(drawn.begin(), drawn.end(), [](const Figure& figure) { return figure.kind == "velocity"; });
+    const auto polygon =
+        std::find_if(drawn.begin(), drawn.end(), [](const Figure& figure) { return figure.kind == "velocity"; });
     ASSERT_NE(polygon, drawn.end());
     const Column column = asked_columns(solution.mechanism).front();
     EXPECT_NEAR(reading_tolerance({}, drawn, column, 1, solution.mechanism), 0.5 * polygon->scale * 0.0254, 1e-12);
@@ -217,8 +230,10 @@ const std::string six_bar = R"({"kinegraph": 1, "units": {"length": "mm"}, "fram
                "C": {"from": "A", "distance": 110, "angle": 35, "relative to": ["A", "B"]}, "O6": [-40, 190],
                "D": {"meet": [{"circle": "C", "radius": 130}, {"circle": "O6", "radius": 90}], "side": "left"}},
     "bodies": {"2": ["O2", "A"], "3": ["A", "B", "C"], "4": ["O4", "B"], "5": ["C", "D"], "6": ["O6", "D"]},
-    "joints": [{"revolute": "O2", "bodies": ["telaio", 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
-               {"revolute": "O4", "bodies": ["telaio", 4]}, {"revolute": "C", "bodies": [3, 5]}, {"revolute": "D", "bodies": [5, 6]},
+    "joints": [{"revolute": "O2", "bodies": ["telaio", 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+    "bodies": [3, 4]},
+               {"revolute": "O4", "bodies": ["telaio", 4]}, {"revolute": "C", "bodies": [3, 5]}, {"revolute": "D",
+               "bodies": [5, 6]},
                {"revolute": "O6", "bodies": ["telaio", 6]}],
     "drivers": [{"body": 2, "omega": 12}], "loads": [{"couple": "Mr", "body": 6, "value": "-5 N m"}],
     "effort": {"couple": "Mm", "body": 2}, "ask": ["transmission angle"]})";
@@ -250,7 +265,8 @@ TEST(Question, SaysWhichTurningIsPositive) {
     SheetOptions options;
     options.kind = SheetKind::question;
     EXPECT_TRUE(has(words_of(lay_out(turns, options, fonts())), "counter-clockwise"));
-    EXPECT_FALSE(has(words_of(lay_out(slides, options, fonts())), "counter-clockwise")) << "nothing that turns is asked for";
+    EXPECT_FALSE(has(words_of(lay_out(slides, options, fonts())), "counter-clockwise"))
+        << "nothing that turns is asked for";
     options.language = Language::it;
     EXPECT_TRUE(has(words_of(lay_out(turns, options, fonts())), "antiorario"));
 }
@@ -279,7 +295,8 @@ TEST(TitleBlock, OfAMovingPointCountsPoints) {
 
 TEST(TitleBlock, KeepsTheEndOfALongName) {
     SheetOptions options;
-    options.author = "Maria Ludovica Costanza della Rovere-Montefeltro di Castelvecchio Pascoli e Borgo a Mozzano  s0123456";
+    options.author =
+        "Maria Ludovica Costanza della Rovere-Montefeltro di Castelvecchio Pascoli e Borgo a Mozzano  s0123456";
     const std::vector<Page> pages = lay_out(example("four_bar"), options, fonts());
     EXPECT_TRUE(says(pages, "s0123456"));
 }
@@ -289,7 +306,8 @@ class KeyFile : public tests::CommandLine {};
 TEST_F(KeyFile, IsHeadedBySymbols) {
     std::string text = arm;
     const std::string first = "\"kinegraph\": 1,";
-    text.replace(text.find(first), first.size(), R"("kinegraph": 1, "parameters": {"W": 30}, "vary": {"W": {"choose": [30]}},)");
+    text.replace(text.find(first), first.size(),
+                 R"("kinegraph": 1, "parameters": {"W": 30}, "vary": {"W": {"choose": [30]}},)");
     text.replace(text.find("-30]"), 4, "\"= -W\"]");
     write("arm.json", text);
     const auto made = run("variants arm.json --count 1 --format svg -o out");

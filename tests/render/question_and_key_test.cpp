@@ -1,5 +1,5 @@
-// What an exercise is handed out with: that its question can be solved from its words, that its key has what is asked and no
-// more, and that figure 1 stands in one place on all sheets.
+// What an exercise is handed out with: that its question can be solved from its words, that its key has what is asked
+// and no more, and that figure 1 stands in one place on all sheets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 #include "constructions/positions/named_results.hpp"
 #include "engine/mechanism/compound_units.hpp"
 #include "engine/results/result_names.hpp"
-#include "render/layout/drawn_sheet.hpp"
 #include "render/content/exercise_text.hpp"
+#include "render/layout/drawn_sheet.hpp"
 #include "render/sheet/handout.hpp"
 #include "render/tables/answers.hpp"
 #include "render/tables/force_tables.hpp"
@@ -65,7 +65,8 @@ const std::string overhanging_beam = R"({
 const std::string dead_point = R"({
   "kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0], "A": [50, 0], "B": [200, 0]},
   "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
-  "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+  "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+  "bodies": [3, 4]},
              {"prismatic": "B", "bodies": [4, 1], "along": 0}],
   "drivers": [{"body": 2, "omega": 10}], "loads": [{"force": "P", "body": 4, "at": "B", "value": [-1000, 0]}],
   "effort": {"couple": "m", "body": 2}
@@ -92,7 +93,8 @@ std::string scales_in(const Solution& solution, Language language) {
     const SheetOptions options = of_kind(SheetKind::solution, language);
     const DrawingContext context{solution, options.theme, fonts(), language};
     const DrawnSheet sheet = draw_solution(solution, options, fonts());
-    return plainly(scales_of(context, sheet.figures, answers_sought(solution.mechanism, answers_of(context, sheet.figures))));
+    return plainly(
+        scales_of(context, sheet.figures, answers_sought(solution.mechanism, answers_of(context, sheet.figures))));
 }
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -102,7 +104,8 @@ std::map<std::string, Spot> joints_of(const Page& page) {
         const auto* group = std::get_if<GroupBegin>(&page.marks[k]);
         if (!group || group->cls != "joint") continue;
         std::vector<Mark> marks;
-        for (std::size_t i = k + 1; !std::holds_alternative<GroupEnd>(page.marks[i]); ++i) marks.push_back(page.marks[i]);
+        for (std::size_t i = k + 1; !std::holds_alternative<GroupEnd>(page.marks[i]); ++i)
+            marks.push_back(page.marks[i]);
         if (!marks.empty()) joints.emplace(group->id, box_of(marks).middle());
     }
     return joints;
@@ -130,8 +133,8 @@ const char* const toggle_press =
 TEST(Data, SaysHowASupportRuns) {
     const Solution beam = tests::solved(overhanging_beam), roof = example("truss_roof_wind");
     EXPECT_TRUE(has(data_in(beam, Language::en), "At B body 1 rests on the frame by a roller that runs along 20°."));
-    EXPECT_TRUE(
-        has(data_in(beam, Language::it), "In B il corpo 1 poggia sul telaio con un carrello che scorre in direzione 20°."));
+    EXPECT_TRUE(has(data_in(beam, Language::it),
+                    "In B il corpo 1 poggia sul telaio con un carrello che scorre in direzione 20°."));
     EXPECT_TRUE(has(data_in(roof, Language::en), "by a roller that runs along the direction of (4, −3)"));
     EXPECT_TRUE(has(data_in(roof, Language::en), "can only push bar EG, along the direction of (3, 4)"));
     EXPECT_TRUE(has(data_in(roof, Language::it), "con un carrello che scorre lungo la direzione di (4; −3)"));
@@ -231,9 +234,11 @@ std::string loaded_slider(const std::string& ask) {
       "points": {"O": [0, 0], "A": {"from": "O", "distance": 50, "angle": 60},
                  "B": {"meet": [{"circle": "A", "radius": 200}, {"line": [0, 15], "angle": 0}], "side": "right"}},
       "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
-      "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+      "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+      "bodies": [3, 4]},
                  {"prismatic": "B", "name": "guide", "bodies": [4, 1], "along": 0}],
-      "drivers": [{"body": 2, "omega": 20}], "loads": [{"force": "P", "body": 4, "at": "B", "value": [-800, 100]}, {"couple": "T", "body": 4, "value": 5}],
+      "drivers": [{"body": 2, "omega": 20}], "loads": [{"force": "P", "body": 4, "at": "B", "value": [-800, 100]},
+      {"couple": "T", "body": 4, "value": 5}],
       "effort": {"couple": "M", "body": 2}, "find": ["velocity", "acceleration", "forces"], "ask": )" +
            ask + "}";
 }
@@ -245,7 +250,8 @@ std::string inverted_slider(const std::string& ask) {
                  "C": {"from": "O4", "to": "A", "distance": 260}, "D": {"from": "C", "distance": 90, "angle": 10}},
       "bodies": {"2": ["O2", "A"], "3": ["A"], "4": ["O4", "C", "D"]},
       "joints": [{"revolute": "O2", "bodies": [0, 2]}, {"revolute": "A", "bodies": [2, 3]},
-                 {"prismatic": "A", "name": "S", "bodies": [3, 4], "along": ["O4", "C"]}, {"revolute": "O4", "bodies": [0, 4]}],
+                 {"prismatic": "A", "name": "S", "bodies": [3, 4], "along": ["O4", "C"]}, {"revolute": "O4",
+                 "bodies": [0, 4]}],
       "drivers": [{"body": 2, "omega": -24, "alpha": 4}], "find": ["velocity", "acceleration"], "ask": )" +
            ask + "}";
 }
@@ -264,7 +270,8 @@ std::vector<AskedValue> values_asked(const Solution& solution) {
     const std::vector<NamedResult> results = *asked_results(solution);
     for (const NamedResult& each : results) {
         const Unit unit = unit_of(each.column.unit, solution.mechanism.units);
-        asked.push_back({each.column, each.value, unit.symbol, unit.si.to_double(), asked_text(context, each.column).symbol});
+        asked.push_back(
+            {each.column, each.value, unit.symbol, unit.si.to_double(), asked_text(context, each.column).symbol});
     }
     return asked;
 }
@@ -277,7 +284,8 @@ std::vector<render::Answer> key_in(const Solution& solution) {
 /// Each direction by the components of the force on that body.
 TEST(Key, HasTheForceThatIsAskedForAndNotItsReaction) {
     const Solution solution = tests::solved(loaded_slider(
-        R"(["F A 3 on 2", "F A 2 on 3", "F O 1 on 2", "F O 2 on 1", "F guide 4 on 1", "C guide 1 on 4", "C guide 4 on 1"])"));
+        R"(["F A 3 on 2", "F A 2 on 3", "F O 1 on 2", "F O 2 on 1", "F guide 4 on 1", "C guide 1 on 4",
+        "C guide 4 on 1"])"));
     const std::vector<render::Answer> key = key_in(solution);
     ASSERT_EQ(key.size(), 7U);
     std::map<std::string, render::Answer> by_name;
@@ -285,11 +293,15 @@ TEST(Key, HasTheForceThatIsAskedForAndNotItsReaction) {
     ASSERT_EQ(by_name.size(), 7U) << "no row twice";
     const std::vector<NamedResult> results = named_results(solution);
     const auto value = [&](const std::string& name) {
-        return std::find_if(results.begin(), results.end(), [&](const NamedResult& each) { return each.column.name == name; })
+        return std::find_if(results.begin(), results.end(),
+                            [&](const NamedResult& each) { return each.column.name == name; })
             ->value;
     };
-    for (const auto& [symbol, action] : std::map<std::string, std::string>{
-             {"F_32", "A 3 on 2"}, {"F_23", "A 2 on 3"}, {"F_12", "O 1 on 2"}, {"F_21", "O 2 on 1"}, {"F_41", "guide 4 on 1"}}) {
+    for (const auto& [symbol, action] : std::map<std::string, std::string>{{"F_32", "A 3 on 2"},
+                                                                           {"F_23", "A 2 on 3"},
+                                                                           {"F_12", "O 1 on 2"},
+                                                                           {"F_21", "O 2 on 1"},
+                                                                           {"F_41", "guide 4 on 1"}}) {
         ASSERT_TRUE(by_name.contains(symbol) && by_name.at(symbol).direction) << symbol;
         const double angle = *by_name.at(symbol).direction * std::numbers::pi / 180, size = by_name.at(symbol).value;
         EXPECT_NEAR(size * std::cos(angle), value("Fx " + action), 1e-6) << symbol;
@@ -299,7 +311,8 @@ TEST(Key, HasTheForceThatIsAskedForAndNotItsReaction) {
     EXPECT_EQ(by_name.at("M_41").value, value("C guide 4 on 1"));
 }
 
-/// A scalar with a sign needs its positive sense, in question and key alike, and the name that the solution gives the vector.
+/// A scalar with a sign needs its positive sense, in question and key alike, and the name that the solution gives the
+/// vector.
 TEST(Sliding, IsAskedForWithBodiesAndPositiveSense) {
     const Solution inverted = tests::solved(inverted_slider(R"(["v S", "a S"])"));
     const Solution slider = tests::solved(loaded_slider(R"(["v guide"])"));
@@ -308,7 +321,8 @@ TEST(Sliding, IsAskedForWithBodiesAndPositiveSense) {
         return plainly(sought_of({solution, theme, fonts(), language}));
     };
     EXPECT_TRUE(has(asks(inverted, Language::en), "v_AA* of body 3 relative to body 4 at A, positive from O_4 to C"));
-    EXPECT_TRUE(has(asks(inverted, Language::it), "v_AA* del corpo 3 rispetto al corpo 4 in A, positiva da O_4 verso C"));
+    EXPECT_TRUE(
+        has(asks(inverted, Language::it), "v_AA* del corpo 3 rispetto al corpo 4 in A, positiva da O_4 verso C"));
     EXPECT_TRUE(has(asks(slider, Language::en), "v_B of body 4 relative to the frame at B, positive along 0°"));
     EXPECT_TRUE(has(asks(slider, Language::it), "v_B del corpo 4 rispetto al telaio in B, positiva lungo 0°"));
     for (const Solution* solution : {&inverted, &slider}) {
@@ -320,11 +334,11 @@ TEST(Sliding, IsAskedForWithBodiesAndPositiveSense) {
         ASSERT_TRUE(key[0].direction);
     }
     const Vector guide = inverted.pose.at(PointIndex(3)) - inverted.pose.at(PointIndex(2));
-    EXPECT_NEAR(*key_in(inverted)[0].direction, std::atan2(guide.y.to_double(), guide.x.to_double()) * 180 / std::numbers::pi,
-                1e-9);
+    EXPECT_NEAR(*key_in(inverted)[0].direction,
+                std::atan2(guide.y.to_double(), guide.x.to_double()) * 180 / std::numbers::pi, 1e-9);
     EXPECT_EQ(*key_in(slider)[0].direction, 0);
-    EXPECT_TRUE(
-        has(plainly(signs_of({inverted, theme, fonts(), Language::en})), "relative to body 4 at A is positive from O_4 to C"));
+    EXPECT_TRUE(has(plainly(signs_of({inverted, theme, fonts(), Language::en})),
+                    "relative to body 4 at A is positive from O_4 to C"));
 }
 
 TEST(Key, HasEachHeadingOnceInTheOrderOfTheSolution) {
@@ -337,23 +351,27 @@ TEST(Key, HasEachHeadingOnceInTheOrderOfTheSolution) {
 
 /// By the names of the solution, tension positive.
 TEST(Bars, AreAskedForAsTheSolutionNamesThem) {
-    const Solution truss = tests::solved(tests::contents(tests::fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "truss.json"));
+    const Solution truss =
+        tests::solved(tests::contents(tests::fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "truss.json"));
     const Theme theme;
     for (const Language language : {Language::en, Language::it}) {
         const std::string sought = plainly(sought_of({truss, theme, fonts(), language}));
         EXPECT_TRUE(has(sought, language == Language::it ? "lo sforzo F_AD nell’asta AD, positivo di trazione"
                                                          : "the force F_AD in the bar AD, tension positive"))
             << sought;
-        EXPECT_TRUE(has(plainly(signs_of({truss, theme, fonts(), language})), language == Language::it ? "trazione" : "tension"));
+        EXPECT_TRUE(has(plainly(signs_of({truss, theme, fonts(), language})),
+                        language == Language::it ? "trazione" : "tension"));
     }
     const std::vector<render::Answer> key = key_in(truss);
     const std::vector<NamedResult> asked = *asked_results(truss);
     ASSERT_EQ(key.size(), 3U);
     for (const NamedResult& each : asked) {
-        const auto row = std::find_if(key.begin(), key.end(),
-                                      [&](const render::Answer& answer) { return answer.quantity == each.column.quantity; });
+        const auto row = std::find_if(key.begin(), key.end(), [&](const render::Answer& answer) {
+            return answer.quantity == each.column.quantity;
+        });
         ASSERT_NE(row, key.end()) << each.column.name;
-        EXPECT_NEAR(row->value, each.value / truss.mechanism.units.force.si.to_double(), 1e-9) << "the quiz asks for the same";
+        EXPECT_NEAR(row->value, each.value / truss.mechanism.units.force.si.to_double(), 1e-9)
+            << "the quiz asks for the same";
     }
     EXPECT_LT(asked[0].value, 0) << "the rafter is compressed";
 }
@@ -364,14 +382,16 @@ TEST(Scales, AreThoseOfWhatIsSought) {
     EXPECT_TRUE(has(scales, "Velocity polygon: "));
     EXPECT_FALSE(has(scales, "Acceleration")) << scales;
     EXPECT_TRUE(has(scales, "Forces: "));
-    EXPECT_TRUE(has(scales_in(example("four_bar"), Language::en), "Acceleration")) << "where nothing is asked for by name";
+    EXPECT_TRUE(has(scales_in(example("four_bar"), Language::en), "Acceleration"))
+        << "where nothing is asked for by name";
 }
 
 /// The tolerance of what is read in a detail is half a millimetre at its scale, which the question names.
 TEST(Scales, NameTheDetailsThatAnswersAreReadIn) {
     const Solution solution = tests::solved(drag_link);
     for (const Language language : {Language::en, Language::it}) {
-        const std::string words = language == Language::it ? ", particolare per v_D: 1 mm ≙ " : ", detail for v_D: 1 mm ≙ ";
+        const std::string words =
+            language == Language::it ? ", particolare per v_D: 1 mm ≙ " : ", detail for v_D: 1 mm ≙ ";
         const std::string scales = scales_in(solution, language);
         const std::size_t at = scales.find(words);
         ASSERT_NE(at, std::string::npos) << scales;
@@ -381,7 +401,8 @@ TEST(Scales, NameTheDetailsThatAnswersAreReadIn) {
         for (const render::Answer& each : key_of(context, sheet.figures, {}))
             if (name_of(each.symbol) == "v_D") {
                 ASSERT_TRUE(each.tolerance);
-                EXPECT_EQ(scales.substr(at + words.size()).find(number(2 * *each.tolerance, 1, language)), 0U) << scales;
+                EXPECT_EQ(scales.substr(at + words.size()).find(number(2 * *each.tolerance, 1, language)), 0U)
+                    << scales;
             }
     }
 }
@@ -409,7 +430,8 @@ TEST(Question, HasItsDataAsDimensions) {
             }
         }
     };
-    expect(tests::solved(inverted_slider(R"(["omega 4"])")), {"60 mm", "90 mm", "260 mm", "35 mm", "120 mm", "10°", "40°"});
+    expect(tests::solved(inverted_slider(R"(["omega 4"])")),
+           {"60 mm", "90 mm", "260 mm", "35 mm", "120 mm", "10°", "40°"});
     // Its scale is stated: the discs lie in each other, and drawn smaller there is no way out for the innermost one's.
     expect(tests::solved(R"({
       "kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "scales": {"mechanism": "1:2"},
@@ -440,7 +462,8 @@ TEST(Question, DrawsWhatItsDataNames) {
     EXPECT_EQ(std::count(names.begin(), names.end(), "far"), 0) << "it would make the mechanism a dot";
 }
 
-/// Far centres make the solution's mechanism small; they are no part of a question, which then has it as large as it may be.
+/// Far centres make the solution's mechanism small; they are no part of a question, which then has it as large as it
+/// may be.
 TEST(Question, ShowsAMechanismThatItsSolutionHasTooSmall) {
     const auto first_page = [](const Solution& solution, SheetKind kind, Language language) {
         SheetOptions options = of_kind(kind);
@@ -460,11 +483,13 @@ TEST(Question, ShowsAMechanismThatItsSolutionHasTooSmall) {
 
 /// A short offset has its arrows and its text outside.
 TEST(Question, HasAShortOffsetAsADimension) {
-    const Page page = lay_out(tests::solved(loaded_slider(R"(["omega 3"])")), of_kind(SheetKind::question), fonts()).front();
+    const Page page =
+        lay_out(tests::solved(loaded_slider(R"(["omega 3"])")), of_kind(SheetKind::question), fonts()).front();
     const auto texts = texts_of(page);
     for (const std::string each : {"15 mm", "50 mm", "200 mm", "60°"})
-        EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [&](const TextMark* text) { return plain_of(text->words) == each; }))
-            << each;
+        EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [&](const TextMark* text) {
+            return plain_of(text->words) == each;
+        })) << each;
 }
 
 TEST(Question, KeepsItsListsWhole) {
@@ -491,7 +516,8 @@ TEST(Question, NamesEachRoomByWhatIsDrawnInIt) {
         std::multiset<std::string> rooms;
         for (const Page& page : lay_out(solution, options, fonts()))
             for (const Mark& mark : page.marks)
-                if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "room") rooms.insert(group->title);
+                if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "room")
+                    rooms.insert(group->title);
         EXPECT_GT(rooms.size(), 1U);
         for (const std::string& each : rooms) EXPECT_EQ(rooms.count(each), 1U) << each;
     }
@@ -509,8 +535,8 @@ TEST(Data, TellsAShortFractionAsSuch) {
     EXPECT_TRUE(has(data, "AH = 0.5 AB")) << data;
 }
 
-/// Bars have the names of their pins, so nothing on the sheet calls them by the file's numbers, unless a reaction is asked for
-/// that is one body's on another.
+/// Bars have the names of their pins, so nothing on the sheet calls them by the file's numbers, unless a reaction is
+/// asked for that is one body's on another.
 TEST(Question, OfATrussHasNoNumbersOfBars) {
     const auto numbers = [](const Solution& truss) {
         std::set<std::string> found;
@@ -585,9 +611,9 @@ TEST(Effort, ThatIsNothingIsToldAndHasItsRow) {
         EXPECT_TRUE(says(lay_out(solution, options, fonts()), "M_m\u00A0=\u00A00"));
         const DrawingContext context{solution, options.theme, fonts(), language};
         const std::vector<ResultRow> rows = force_rows(context, {});
-        EXPECT_EQ(
-            std::count_if(rows.begin(), rows.end(), [](const ResultRow& row) { return row.name == "M_m" && row.drawing == 0; }),
-            1);
+        EXPECT_EQ(std::count_if(rows.begin(), rows.end(),
+                                [](const ResultRow& row) { return row.name == "M_m" && row.drawing == 0; }),
+                  1);
     }
 }
 
@@ -631,8 +657,8 @@ TEST_F(AnswersLine, SaysOfVariantsWhichAnswersNoReadingTells) {
                  R"("kinegraph": 1, "parameters": {"phi": "50°"}, "vary": {"phi": {"choose": ["50°"]}},)");
     write("pump.json", text);
     for (const char* language : {"en", "it"}) {
-        const auto made =
-            run("variants pump.json --count 1 --for csv --format svg --lang " + std::string(language) + " -o out-" + language);
+        const auto made = run("variants pump.json --count 1 --for csv --format svg --lang " + std::string(language) +
+                              " -o out-" + language);
         EXPECT_EQ(made.status, 0) << made.err;
         EXPECT_TRUE(has(made.err, language == std::string("en") ? "a reading says nothing of effort m"
                                                                 : "una lettura non dice nulla di effort m"))

@@ -1,10 +1,10 @@
-// Five hundred random mechanisms on paper: nothing covers anything, counted from the display list and in pixels. From one to the
-// next language, theme, paper and orientation change, so that all combinations are met.
+// Five hundred random mechanisms on paper: nothing covers anything, counted from the display list and in pixels. From
+// one to the next language, theme, paper and orientation change, so that all combinations are met.
 //
-// Each is named by its seed. KINEGRAPH_SEED=n lays that one out alone, prints its file, and writes its pages as PNG into the
-// directory KINEGRAPH_PAGES where that is set; KINEGRAPH_RANDOM_MECHANISMS=n takes so many; KINEGRAPH_ALL_PAPERS=n lays each out
-// in all languages, papers and orientations, the themes in turn: 1, 2 and 3 together are all combinations (some twenty minutes of
-// one core each, for the five hundred).
+// Each is named by its seed. KINEGRAPH_SEED=n lays that one out alone, prints its file, and writes its pages as PNG
+// into the directory KINEGRAPH_PAGES where that is set; KINEGRAPH_RANDOM_MECHANISMS=n takes so many;
+// KINEGRAPH_ALL_PAPERS=n lays each out in all languages, papers and orientations, the themes in turn: 1, 2 and 3
+// together are all combinations (some twenty minutes of one core each, for the five hundred).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -60,25 +60,22 @@ RandomFile random_file(std::uint64_t seed) {
         const RandomMechanism mechanism = dyads_of(seed, most_bodies);
         return {forces ? loaded(mechanism.text, seed, mechanism.freedoms) : mechanism.text, mechanism.recipe};
     };
-    // Of all inversions the four-bars come first, then the six-bars, then the eight-bars; further rounds are drawn otherwise.
+    // Of all inversions the four-bars come first, then the six-bars, then the eight-bars; further rounds are drawn
+    // otherwise.
     const auto chain = [&](std::uint64_t first, std::uint64_t count, bool forces) -> RandomFile {
-        const ChainMechanism mechanism = random_chain_mechanism(first + (7 * nth + seed) % count + all_inversions().size() * nth);
+        const ChainMechanism mechanism =
+            random_chain_mechanism(first + (7 * nth + seed) % count + all_inversions().size() * nth);
         return {forces ? loaded(mechanism.text, seed, 0) : mechanism.text, mechanism.recipe};
     };
     switch (seed % 10) {
-        case 0:
-            return dyads(false, seldom ? 12 : 8);
-        case 1:
-            return dyads(true, 8);
+        case 0: return dyads(false, seldom ? 12 : 8);
+        case 1: return dyads(true, 8);
         case 2:
-        case 3:
-            return chain(0, 12, true);
+        case 3: return chain(0, 12, true);
         case 4:
         case 5:
-        case 6:
-            return chain(12, 60, seed % 10 == 6);
-        default:
-            return chain(72, 896, seldom && seed % 10 == 9);
+        case 6: return chain(12, 60, seed % 10 == 6);
+        default: return chain(72, 896, seldom && seed % 10 == 9);
     }
 }
 
@@ -157,7 +154,8 @@ void look_at_quarter(int quarter) {
     hold_quarter(quarter, unless_sanitized(500, 40), lay_out, [] { return false; });
     EXPECT_EQ(count.faults, (std::map<Fault::Kind, int>{})) << count.first;
     EXPECT_EQ(count.pixels, 0U) << count.first;
-    std::cout << count.sheets << " sheets, " << count.pages << " pages, " << count.clean << " sheets clean\n" << count.first;
+    std::cout << count.sheets << " sheets, " << count.pages << " pages, " << count.clean << " sheets clean\n"
+              << count.first;
 }
 
 TEST(RandomPages1, CoverNothing) { look_at_quarter(0); }

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "render/page/shapes.hpp"
 #include "render/layout/sheet_choice.hpp"
+#include "render/page/shapes.hpp"
 
 namespace {
 
@@ -19,7 +19,8 @@ const Box frame = rectangle(0, 0, 102.5, 102.5);  // with what is off its line t
 Page page_filled_to(double share) {
     Page page;
     const double low = 1 + share * 100;
-    if (share > 0) page.marks.emplace_back(tinted(filled({{1, 1}, {101, 1}, {101, low - 0.5}, {1, low - 0.5}}, {200, 220, 240})));
+    if (share > 0)
+        page.marks.emplace_back(tinted(filled({{1, 1}, {101, 1}, {101, low - 0.5}, {1, low - 0.5}}, {200, 220, 240})));
     return page;
 }
 
@@ -77,7 +78,8 @@ TEST(SheetChoice, TakesNoPageMoreAndNoFiguresThatAreMuchSmaller) {
     EXPECT_EQ(better(sheet({0.5, 0.3}, 60, 60), sheet({0.9, 0.9, 0.3}, 80, 80)).first, 2U);
     EXPECT_EQ(better(sheet({0.4, 0.3}, 80, 80), sheet({0.9}, 44, 44)).first, 2U) << "both";
     EXPECT_EQ(better(sheet({0.4, 0.3}, 80, 80), sheet({0.9}, 100, 30)).first, 2U) << "a polygon";
-    EXPECT_EQ(better(sheet({0.4, 0.3}, 80, 80), sheet({0.9}, 30, 100)).first, 1U) << "a mechanism, and the polygon is larger";
+    EXPECT_EQ(better(sheet({0.4, 0.3}, 80, 80), sheet({0.9}, 30, 100)).first, 1U)
+        << "a mechanism, and the polygon is larger";
 }
 
 TEST(SheetChoice, TakesNoneWhoseFiguresLeaveTheirRooms) {
@@ -96,9 +98,10 @@ TEST(SheetChoice, LooksAtBothFiguresOfOneName) {
                              {figure("mechanism", "mechanism", mechanism), figure("velocity", "velocity", polygon)});
         return sheet;
     };
-    EXPECT_EQ(
-        better(with_lines_of_action(sheet({0.4, 0.3}, 80, 80), 80, 80), with_lines_of_action(sheet({0.9}, 80, 80), 80, 30)).first,
-        2U);
+    EXPECT_EQ(better(with_lines_of_action(sheet({0.4, 0.3}, 80, 80), 80, 80),
+                     with_lines_of_action(sheet({0.9}, 80, 80), 80, 30))
+                  .first,
+              2U);
 }
 
 }  // namespace

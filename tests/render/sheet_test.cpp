@@ -44,7 +44,8 @@ void expect_nested_groups_and_measured_axes(const std::vector<Page>& pages) {
             EXPECT_GE(depth, 0);
             if (const auto* axis = std::get_if<Axis>(&mark)) {
                 ASSERT_FALSE(scales.empty());
-                EXPECT_NEAR(std::hypot(axis->tip.x - axis->tail.x, axis->tip.y - axis->tail.y), value / scales.back(), 1e-6);
+                EXPECT_NEAR(std::hypot(axis->tip.x - axis->tail.x, axis->tip.y - axis->tail.y), value / scales.back(),
+                            1e-6);
             }
         }
         EXPECT_EQ(depth, 0);
@@ -88,13 +89,16 @@ TEST(Sheet, SaysWhichPointsCoincide) {
     EXPECT_TRUE(says(example_pages("quick_return"), "A*\u00A0at\u00A0A"));
     // Stars of the file's own are names.
     std::string text = tests::contents(tests::example_file("quick_return"));
-    for (std::size_t at = text.find("\"A\""); at != std::string::npos; at = text.find("\"A\"", at + 1)) text.insert(at + 2, "*");
+    for (std::size_t at = text.find("\"A\""); at != std::string::npos; at = text.find("\"A\"", at + 1))
+        text.insert(at + 2, "*");
     const std::vector<Page> pages = lay_out(tests::solved(text), {}, fonts());
     EXPECT_TRUE(says(pages, "A**\u00A0at\u00A0A*"));
     EXPECT_FALSE(says(pages, " A*\u00A0at\u00A0"));
 }
 
-TEST(Sheet, TheFourBarFitsOneA3) { EXPECT_EQ(lay_out(example("four_bar"), {Paper::a3, Language::en, {}}, fonts()).size(), 1u); }
+TEST(Sheet, TheFourBarFitsOneA3) {
+    EXPECT_EQ(lay_out(example("four_bar"), {Paper::a3, Language::en, {}}, fonts()).size(), 1u);
+}
 
 TEST(Sheet, WithoutMotionThereIsStillADrawing) {
     auto mechanism = read_mechanism(
@@ -187,9 +191,11 @@ TEST(Sheet, LongNamesPushNothingAside) {
     auto mechanism = read_mechanism(
         R"({"kinegraph": 1, "frame": "the foundation", "units": {"length": "mm"},
             "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 40, "angle": 60}, "O4": [150, 0],
-                       "the upper pin": {"meet": [{"circle": "A", "radius": 150}, {"circle": "O4", "radius": 80}], "side": "left"}},
+                       "the upper pin": {"meet": [{"circle": "A", "radius": 150}, {"circle": "O4", "radius": 80}],
+                       "side": "left"}},
             "bodies": {"driving crank": ["O2", "A"],
-                       "connecting rod": {"points": ["A", "the upper pin"], "label": "a rod of which more is said than has room on one line <&>"},
+                       "connecting rod": {"points": ["A", "the upper pin"],
+                       "label": "a rod of which more is said than has room on one line <&>"},
                        "rocking lever": ["O4", "the upper pin"]},
             "joints": [{"revolute": "O2", "bodies": ["the foundation", "driving crank"]},
                        {"revolute": "A", "bodies": ["driving crank", "connecting rod"]},
@@ -200,27 +206,29 @@ TEST(Sheet, LongNamesPushNothingAside) {
     ASSERT_TRUE(mechanism) << mechanism.error().front().message.en;
     auto solution = solve(std::move(*mechanism));
     ASSERT_TRUE(solution);
-    for (const Paper paper : {Paper::a4, Paper::a3}) expect_clean(lay_out(*solution, {paper, Language::en, {}}, fonts()));
+    for (const Paper paper : {Paper::a4, Paper::a3})
+        expect_clean(lay_out(*solution, {paper, Language::en, {}}, fonts()));
 }
 
 /// A crank and dyads one after the other, each on a pivot of its own.
 std::string chain_of(int dyads) {
-    std::string points = R"("O": [0, 0], "A0": {"from": "O", "distance": 40, "angle": 60})", bodies = R"("crank": ["O", "A0"])",
-                joints = R"({"revolute": "O", "bodies": ["0", "crank"]})", before = "crank";
+    std::string points = R"("O": [0, 0], "A0": {"from": "O", "distance": 40, "angle": 60})",
+                bodies = R"("crank": ["O", "A0"])", joints = R"({"revolute": "O", "bodies": ["0", "crank"]})",
+                before = "crank";
     for (int k = 1; k <= dyads; ++k) {
         const std::string n = std::to_string(k), pin = "A" + std::to_string(k - 1);
-        points += ", \"Q" + n + "\": [" + std::to_string(150 * k) + ", " + std::to_string(k % 2 == 0 ? 5 : -5) + "], \"A" + n +
-                  "\": {\"meet\": [{\"circle\": \"" + pin + "\", \"radius\": 150}, {\"circle\": \"Q" + n +
-                  "\", \"radius\": 60}], \"side\": \"left\"}";
-        bodies +=
-            ", \"coupler" + n + "\": [\"" + pin + "\", \"A" + n + "\"], \"rocker" + n + "\": [\"Q" + n + "\", \"A" + n + "\"]";
+        points += ", \"Q" + n + "\": [" + std::to_string(150 * k) + ", " + std::to_string(k % 2 == 0 ? 5 : -5) +
+                  "], \"A" + n + "\": {\"meet\": [{\"circle\": \"" + pin + "\", \"radius\": 150}, {\"circle\": \"Q" +
+                  n + "\", \"radius\": 60}], \"side\": \"left\"}";
+        bodies += ", \"coupler" + n + "\": [\"" + pin + "\", \"A" + n + "\"], \"rocker" + n + "\": [\"Q" + n +
+                  "\", \"A" + n + "\"]";
         joints += ", {\"revolute\": \"" + pin + "\", \"bodies\": [\"" + before + "\", \"coupler" + n +
                   "\"]}, {\"revolute\": \"A" + n + "\", \"bodies\": [\"coupler" + n + "\", \"rocker" + n +
                   "\"]}, {\"revolute\": \"Q" + n + "\", \"bodies\": [\"0\", \"rocker" + n + "\"]}";
         before = "rocker" + n;
     }
-    return R"({"kinegraph": 1, "frame": "0", "units": {"length": "mm"}, "points": {)" + points + R"(}, "bodies": {)" + bodies +
-           R"(}, "joints": [)" + joints + R"(], "drivers": [{"body": "crank", "omega": 5}]})";
+    return R"({"kinegraph": 1, "frame": "0", "units": {"length": "mm"}, "points": {)" + points + R"(}, "bodies": {)" +
+           bodies + R"(}, "joints": [)" + joints + R"(], "drivers": [{"body": "crank", "omega": 5}]})";
 }
 
 TEST(Sheet, ALongChainGoesOnOverItsPages) {
@@ -255,14 +263,15 @@ TEST(Results, AreMeasuredOnTheDrawing) {
         if (!row.millimetres) continue;
         ++vectors;
         const Figure& figure = row.symbol.letter == Symbol::Letter::v ? figures[0] : figures[1];
-        const double scale = row.detail.empty() ? figure.scale : scale_of_group(figure, figure.id + "-detail-" + row.detail);
+        const double scale =
+            row.detail.empty() ? figure.scale : scale_of_group(figure, figure.id + "-detail-" + row.detail);
         EXPECT_NEAR(*row.millimetres * scale, row.drawing, 1e-6 * scale) << row.name;
     }
     EXPECT_GE(vectors, 10);
 }
 
-/// Whatever is drawn of a motion that the check determines has its own number beside it: of two slidings at one point, of an
-/// auxiliary point, of a place on a guide, of an equivalent link too. A component along a line alone has none.
+/// Whatever is drawn of a motion that the check determines has its own number beside it: of two slidings at one point,
+/// of an auxiliary point, of a place on a guide, of an equivalent link too. A component along a line alone has none.
 TEST(Results, AreBesideTheirOwnNumbers) {
     int compared = 0;
     for (const std::string& name : example_names()) {
@@ -321,7 +330,8 @@ TEST(Results, WhatIsNothingBesideTheLargestOfItsKindIsZeroInAllColumns) {
         "points": {"O": [0, 0], "A": {"from": "O", "distance": "5e-20 mm", "angle": 60},
                    "B": {"meet": [{"circle": "A", "radius": "150 mm"}, {"line": [0, 0], "angle": 0}], "side": "ahead"}},
         "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
-        "joints": [{"revolute": "O", "bodies": [0, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+        "joints": [{"revolute": "O", "bodies": [0, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+        "bodies": [3, 4]},
                    {"prismatic": "B", "bodies": [4, 0], "along": 0}],
         "drivers": [{"body": 2, "omega": 10}]})"),
                                            Language::en);
@@ -344,10 +354,14 @@ TEST(Tables, AnEquationKeepsToItsWidthAsFarAsItCan) {
     const DrawingContext context{solution, theme, fonts(), Language::en};
     Equation equation;
     const auto term = [](const char* about, const char* up) {
-        return Term{
-            {Symbol::Letter::a, about, up}, true, true, {LineReason::Kind::perpendicular_to_segment, "O4", "B"}, BodyIndex(1)};
+        return Term{{Symbol::Letter::a, about, up},
+                    true,
+                    true,
+                    {LineReason::Kind::perpendicular_to_segment, "O4", "B"},
+                    BodyIndex(1)};
     };
-    equation.sides = {{term("B", "n"), term("B", "t")}, {term("A", "n"), term("A", "t"), term("BA", "n"), term("BA", "t")}};
+    equation.sides = {{term("B", "n"), term("B", "t")},
+                      {term("A", "n"), term("A", "t"), term("BA", "n"), term("BA", "t")}};
     EXPECT_LE(equation_block(context, equation, 80).width, 80);
     EXPECT_GT(equation_block(context, equation, 200).width, 80);
 }

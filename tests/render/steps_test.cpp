@@ -39,7 +39,8 @@ std::string forces_of(const std::string& id) {
 }
 Shown shown_on(const Page& page) {
     Shown shown;
-    bool large = true;  // the first figure of the page with its details, or several of one kind: the polygons of the bodies
+    bool large =
+        true;  // the first figure of the page with its details, or several of one kind: the polygons of the bodies
     std::string kind;
     for (const Mark& mark : page.marks) {
         if (const auto* group = std::get_if<GroupBegin>(&mark)) {
@@ -56,7 +57,8 @@ Shown shown_on(const Page& page) {
         }
         const auto* text = std::get_if<TextMark>(&mark);
         if (large && text && text->cls == "label")
-            shown.labels.insert(text->words + " at " + std::to_string(text->pivot.x) + ", " + std::to_string(text->pivot.y));
+            shown.labels.insert(text->words + " at " + std::to_string(text->pivot.x) + ", " +
+                                std::to_string(text->pivot.y));
     }
     return shown;
 }
@@ -73,7 +75,9 @@ void expect_nothing_moves_nor_goes(const std::vector<Page>& pages) {
     for (const Page& page : pages) {
         Shown now = shown_on(page);
         const Shown& then = before[now.figure];
-        const auto within = [](const auto& a, const auto& b) { return std::includes(b.begin(), b.end(), a.begin(), a.end()); };
+        const auto within = [](const auto& a, const auto& b) {
+            return std::includes(b.begin(), b.end(), a.begin(), a.end());
+        };
         EXPECT_TRUE(within(then.labels, now.labels)) << now.figure;
         EXPECT_TRUE(within(then.vectors, now.vectors)) << now.figure;
         EXPECT_TRUE(within(then.centres, now.centres)) << now.figure;
@@ -95,7 +99,8 @@ void expect_the_finished_figures_at_last(const Solution& solution, const std::ve
         const Figure figure = polygon_figure(context, static_cast<int>(p), 171, 140);
         std::set<std::string> vectors;
         for (const Mark& mark : figure.marks)
-            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "vector") vectors.insert(group->id);
+            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "vector")
+                vectors.insert(group->id);
         // Which details there are depends on the room.
         const auto in_detail = [](const std::string& id) { return id.find("-detail-") != std::string::npos; };
         std::set<std::string>& drawn = last.at(legal_id(polygon.id)).vectors;

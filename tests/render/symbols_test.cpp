@@ -1,5 +1,5 @@
-// Symbols: each kind of joint and profile has its symbol, in its place: wheels touch, teeth mesh, links that cross are parted
-// once, every stroke says its role.
+// Symbols: each kind of joint and profile has its symbol, in its place: wheels touch, teeth mesh, links that cross are
+// parted once, every stroke says its role.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,10 @@ struct Drawn {
     Figure figure;
     std::vector<Spot> points;
 
-    explicit Drawn(const std::string& points_bodies_joints, double room = 150, Dimensions dimensions = Dimensions::automatic) {
-        auto mechanism = read_mechanism(R"({"kinegraph": 1, "frame": 1, "find": [], )" + points_bodies_joints + "}", "test");
+    explicit Drawn(const std::string& points_bodies_joints, double room = 150,
+                   Dimensions dimensions = Dimensions::automatic) {
+        auto mechanism =
+            read_mechanism(R"({"kinegraph": 1, "frame": 1, "find": [], )" + points_bodies_joints + "}", "test");
         EXPECT_TRUE(mechanism.has_value());
         auto solution = solve(*mechanism);
         EXPECT_TRUE(solution.has_value());
@@ -70,7 +72,8 @@ struct Drawn {
         for (const Mark& mark : figure.marks) {
             if (const auto* begin = std::get_if<GroupBegin>(&mark)) open.push_back(begin->cls);
             if (std::holds_alternative<GroupEnd>(mark)) open.pop_back();
-            if (const auto* path = std::get_if<Path>(&mark); path && std::find(open.begin(), open.end(), cls) != open.end())
+            if (const auto* path = std::get_if<Path>(&mark);
+                path && std::find(open.begin(), open.end(), cls) != open.end())
                 paths.push_back(*path);
         }
         return paths;
@@ -119,7 +122,8 @@ double depth_inside(const std::vector<Spot>& polygon, Spot spot) {
 Path contour(const std::vector<Mark>& marks) {
     Path most;
     for (const Mark& mark : marks)
-        if (const auto* path = std::get_if<Path>(&mark); path && path->segments.size() > most.segments.size()) most = *path;
+        if (const auto* path = std::get_if<Path>(&mark); path && path->segments.size() > most.segments.size())
+            most = *path;
     return most;
 }
 
@@ -128,7 +132,8 @@ ArcTo largest_circle(const std::vector<Mark>& marks) {
     ArcTo largest;
     for (const Mark& mark : marks)
         if (const auto* path = std::get_if<Path>(&mark); path && path->segments.size() == 3)
-            if (const auto* arc = std::get_if<ArcTo>(&path->segments[1]); arc && arc->radius > largest.radius) largest = *arc;
+            if (const auto* arc = std::get_if<ArcTo>(&path->segments[1]); arc && arc->radius > largest.radius)
+                largest = *arc;
     return largest;
 }
 
@@ -137,33 +142,40 @@ const std::string disc_on_line =
        "joints": [{"rolling": "P", "bodies": [2, 1], "profiles": {"1": {"line": 0}}}])";
 const std::string planetary =
     R"("points": {"O": [0, 0], "C": [0.3, 0], "P": [0.2, 0], "Q": [0.4, 0]},
-       "bodies": {"2": {"circle": {"centre": "O", "radius": 0.2}}, "3": {"circle": {"centre": "C", "radius": 0.1}}, "4": ["O", "C"],
+       "bodies": {"2": {"circle": {"centre": "O", "radius": 0.2}}, "3": {"circle": {"centre": "C", "radius": 0.1}},
+       "4": ["O", "C"],
                   "5": {"circle": {"centre": "O", "radius": 0.4}}},
-       "joints": [{"revolute": "O", "bodies": [1, 2], "name": "sun"}, {"revolute": "O", "bodies": [1, 4], "name": "arm"},
+       "joints": [{"revolute": "O", "bodies": [1, 2], "name": "sun"}, {"revolute": "O", "bodies": [1, 4],
+       "name": "arm"},
                   {"revolute": "O", "bodies": [1, 5], "name": "ring"}, {"revolute": "C", "bodies": [4, 3]},
                   {"gear": "P", "bodies": [2, 3], "arm": 4}, {"gear": "Q", "bodies": [3, 5], "arm": 4}])";
 const std::string rack_and_pinion =
-    R"("points": {"O": [0, 0], "P": [0, -0.1], "D": [0.05, -0.2]}, "bodies": {"2": {"circle": {"centre": "O", "radius": 0.1}}, "3": ["D"]},
+    R"("points": {"O": [0, 0], "P": [0, -0.1], "D": [0.05, -0.2]}, "bodies": {"2": {"circle": {"centre": "O",
+    "radius": 0.1}}, "3": ["D"]},
        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"gear": "P", "bodies": [2, 3], "profiles": {"3": {"line": 0}}},
                   {"prismatic": "D", "bodies": [3, 1], "along": 0}])";
 const std::string crossing_links =
     R"("points": {"O2": [0, 0], "O4": [0.2, 0], "A": [0.18, 0.15], "B": [0.02, 0.2]},
        "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]},
-       "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+       "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+       "bodies": [3, 4]},
                   {"revolute": "O4", "bodies": [1, 4]}])";
 const std::string knife_edge =
     R"("points": {"O": [0, 0], "C": [0.03, 0.01], "P": [0.03, 0.07], "D": [0.03, 0.2]},
        "bodies": {"2": {"points": ["O"], "circle": {"centre": "C", "radius": 0.06}}, "3": ["P", "D"]},
-       "joints": [{"revolute": "O", "bodies": [1, 2]}, {"contact": "P", "bodies": [3, 2], "profiles": {"3": {"tip": true}}},
+       "joints": [{"revolute": "O", "bodies": [1, 2]}, {"contact": "P", "bodies": [3, 2],
+       "profiles": {"3": {"tip": true}}},
                   {"prismatic": "D", "bodies": [3, 1], "along": 90}])";
 const std::string flat_follower =
     R"("points": {"O": [0, 0], "C": [0.03, 0.02], "P": [0.03, 0.08], "D": [0, 0.14]},
        "bodies": {"2": {"points": ["O"], "circle": {"centre": "C", "radius": 0.06}}, "3": ["D"]},
-       "joints": [{"revolute": "O", "bodies": [1, 2]}, {"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": 0}}},
+       "joints": [{"revolute": "O", "bodies": [1, 2]}, {"contact": "P", "bodies": [3, 2],
+       "profiles": {"3": {"line": 0}}},
                   {"prismatic": "D", "bodies": [3, 1], "along": 90}])";
 const std::string hydraulic =
     R"("points": {"O": [0, 0], "B": [0.4, 0.1], "A": [0.25, 0.35]}, "bodies": {"2": ["O", "A"], "3": ["B"], "4": ["A"]},
-       "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "B", "bodies": [1, 3]}, {"revolute": "A", "bodies": [2, 4]},
+       "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "B", "bodies": [1, 3]}, {"revolute": "A",
+       "bodies": [2, 4]},
                   {"prismatic": "B", "bodies": [4, 3], "along": ["B", "A"], "name": "ram"}],
        "drivers": [{"joint": "ram", "speed": 0.1}])";
 const std::string sprung =
@@ -180,8 +192,9 @@ TEST(Symbols, a_wheel_stands_on_the_ground_it_rolls_on) {
     bool on_ground = false;
     for (const Path& path : drawn.role("ground"))
         if (const std::vector<Spot> ends = outline(path); ends.size() == 2)
-            on_ground = on_ground || (std::abs(ends[0].y - contact.y) < 1e-6 && std::abs(ends[1].y - contact.y) < 1e-6 &&
-                                      (ends[0].x - contact.x) * (ends[1].x - contact.x) < 0);
+            on_ground =
+                on_ground || (std::abs(ends[0].y - contact.y) < 1e-6 && std::abs(ends[1].y - contact.y) < 1e-6 &&
+                              (ends[0].x - contact.x) * (ends[1].x - contact.x) < 0);
     EXPECT_TRUE(on_ground);
     // The spoke runs from the hub to the rim.
     bool spoke = false;
@@ -207,12 +220,14 @@ void expect_mesh(const std::vector<Spot>& teeth, const std::vector<Spot>& others
 
 TEST(Symbols, teeth_of_a_pair_stand_in_each_others_spaces) {
     const Drawn train(planetary);
-    const std::vector<Spot> sun = outline(contour(train.group("link-2"))), planet = outline(contour(train.group("link-3")));
+    const std::vector<Spot> sun = outline(contour(train.group("link-2"))),
+                            planet = outline(contour(train.group("link-3")));
     ASSERT_GT(sun.size(), 50U);
     expect_mesh(sun, planet, train.points[2]);
     expect_mesh(planet, sun, train.points[2]);
     const Drawn rack(rack_and_pinion);
-    const std::vector<Spot> pinion = outline(contour(rack.group("link-2"))), bar = outline(contour(rack.group("link-3")));
+    const std::vector<Spot> pinion = outline(contour(rack.group("link-2"))),
+                            bar = outline(contour(rack.group("link-3")));
     ASSERT_GT(bar.size(), 20U);
     expect_mesh(pinion, bar, rack.points[1]);
     expect_mesh(bar, pinion, rack.points[1]);
@@ -220,11 +235,12 @@ TEST(Symbols, teeth_of_a_pair_stand_in_each_others_spaces) {
 
 TEST(Symbols, an_internal_gear_lies_about_its_planet) {
     const Drawn train(planetary);
-    const std::vector<Spot> planet = outline(contour(train.group("link-3"))), ring = outline(contour(train.group("link-5")));
+    const std::vector<Spot> planet = outline(contour(train.group("link-3"))),
+                            ring = outline(contour(train.group("link-5")));
     ASSERT_GT(ring.size(), 50U);
     for (const Spot spot : planet) {
-        // Within the ring's hollow, or in one of its spaces: not deeper in its teeth than a line is wide. Away from the mesh
-        // straight flanks are not involutes.
+        // Within the ring's hollow, or in one of its spaces: not deeper in its teeth than a line is wide. Away from the
+        // mesh straight flanks are not involutes.
         if (length(spot - train.points[3]) > 6 || inside(ring, spot)) continue;
         EXPECT_LT(distance_to(ring, spot), 0.35);
     }
@@ -261,7 +277,8 @@ TEST(Symbols, links_that_cross_are_parted_exactly_once) {
 TEST(Symbols, links_that_only_share_a_pin_are_not_parted) {
     const Drawn drawn(R"("points": {"O2": [0, 0], "O4": [0.3, 0], "A": [0, 0.2], "B": [0.3, 0.2]},
         "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]},
-        "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+        "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+        "bodies": [3, 4]},
                    {"revolute": "O4", "bodies": [1, 4]}])");
     EXPECT_TRUE(drawn.role("crossing").empty());
 }
@@ -283,8 +300,8 @@ TEST(Symbols, a_flat_follower_touches_with_its_edge) {
     for (const Mark& mark : drawn.group("link-3"))
         if (const auto* path = std::get_if<Path>(&mark); path && path->segments.size() == 2) {
             const std::vector<Spot> ends = outline(*path);
-            touches = touches ||
-                      (std::abs(ends[0].y - ends[1].y) < 1e-9 && std::abs(ends[0].y + path->pen.width / 2 - contact.y) < 1e-6);
+            touches = touches || (std::abs(ends[0].y - ends[1].y) < 1e-9 &&
+                                  std::abs(ends[0].y + path->pen.width / 2 - contact.y) < 1e-6);
         }
     EXPECT_TRUE(touches);
 }
@@ -298,7 +315,8 @@ TEST(Symbols, a_driven_slide_between_pins_is_a_cylinder) {
     for (const Mark& mark : drawn.group("link-3"))
         if (const auto* path = std::get_if<Path>(&mark); path && path->filled && path->stroked) barrel = outline(*path);
     for (const Mark& mark : drawn.group("link-4"))
-        if (const auto* path = std::get_if<Path>(&mark); path && path->filled && !path->stroked) piston = outline(*path);
+        if (const auto* path = std::get_if<Path>(&mark); path && path->filled && !path->stroked)
+            piston = outline(*path);
     ASSERT_EQ(barrel.size(), 4U);
     ASSERT_EQ(piston.size(), 4U);
     double sum = 0;
@@ -324,7 +342,8 @@ TEST(Symbols, a_spring_ends_at_its_two_points) {
 TEST(Symbols, a_pin_under_a_block_that_it_does_not_hold_is_drawn_hidden) {
     const Drawn drawn(R"("points": {"O2": [0, 0], "O4": [0.15, 0]}, "bodies": {"2": ["O2"], "3": [], "4": ["O4"]},
         "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "O4", "bodies": [1, 4]},
-                   {"prismatic": "O2", "bodies": [3, 2], "along": 30, "name": "p"}, {"prismatic": "O4", "bodies": [3, 4], "along": 120, "name": "q"}])");
+                   {"prismatic": "O2", "bodies": [3, 2], "along": 30, "name": "p"}, {"prismatic": "O4",
+                   "bodies": [3, 4], "along": 120, "name": "q"}])");
     const std::vector<Mark> joint = drawn.group("joint-O2");
     const auto& pin = std::get<Path>(joint.at(0));
     EXPECT_FALSE(pin.filled);
@@ -332,10 +351,12 @@ TEST(Symbols, a_pin_under_a_block_that_it_does_not_hold_is_drawn_hidden) {
 }
 
 const std::string given_four_bar =
-    R"("units": {"length": "mm"}, "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 40, "angle": 60}, "O4": [150, 0],
+    R"("units": {"length": "mm"}, "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 40, "angle": 60},
+    "O4": [150, 0],
        "B": {"meet": [{"circle": "A", "radius": 130}, {"circle": "O4", "radius": 80}], "side": "left"}},
        "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]},
-       "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+       "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B",
+       "bodies": [3, 4]},
                   {"revolute": "O4", "bodies": [1, 4]}])";
 
 TEST(Dimensions, say_what_the_file_gives_where_it_is_measured) {
@@ -391,7 +412,8 @@ TEST(Dimensions, none_lies_on_what_a_name_got_later) {
 }
 
 TEST(Symbols, every_mark_has_a_role_and_stays_in_the_room) {
-    const std::set<std::string> roles{"tint", "construction", "ground", "links", "joints", "arrows", "centres", "dimensions"};
+    const std::set<std::string> roles{"tint",   "construction", "ground",  "links",
+                                      "joints", "arrows",       "centres", "dimensions"};
     for (const std::string& text :
          {disc_on_line, planetary, rack_and_pinion, crossing_links, knife_edge, flat_follower, hydraulic, sprung}) {
         SCOPED_TRACE(text);
@@ -400,7 +422,8 @@ TEST(Symbols, every_mark_has_a_role_and_stays_in_the_room) {
         EXPECT_LE(drawn.figure.box.height(), 90);
         const Box ink = box_of(drawn.figure.marks);
         EXPECT_TRUE(std::isfinite(ink.min.x) && std::isfinite(ink.max.y));
-        // Within the figure's group: paths lie in a role's group; labels, their leaders and the scale bar stand by themselves.
+        // Within the figure's group: paths lie in a role's group; labels, their leaders and the scale bar stand by
+        // themselves.
         std::vector<std::string> open;
         int in_roles = 0;
         bool labels_began = false;
@@ -410,7 +433,8 @@ TEST(Symbols, every_mark_has_a_role_and_stays_in_the_room) {
             if (open.size() >= 2 && roles.count(open[1]) != 0) {
                 EXPECT_FALSE(labels_began) << "strokes after labels";
                 ++in_roles;
-            } else if (open.size() == 1 && !std::holds_alternative<GroupEnd>(mark) && !std::holds_alternative<GroupBegin>(mark)) {
+            } else if (open.size() == 1 && !std::holds_alternative<GroupEnd>(mark) &&
+                       !std::holds_alternative<GroupBegin>(mark)) {
                 labels_began = true;
             }
         }

@@ -87,7 +87,8 @@ TEST(TexWords, BlanksOutsideOfBracesPartWords) {
 }
 
 TEST(TexWords, NamesOfAnyFileAreEscaped) {
-    EXPECT_EQ(tex("\\input{x}%$&#_^~"), "\\textbackslash{}input\\{x\\}\\%\\$\\&\\#\\_\\textasciicircum{}\\textasciitilde{}");
+    EXPECT_EQ(tex("\\input{x}%$&#_^~"),
+              "\\textbackslash{}input\\{x\\}\\%\\$\\&\\#\\_\\textasciicircum{}\\textasciitilde{}");
     EXPECT_EQ(tex("<|>"), "$<$$|$$>$");
     EXPECT_EQ(tex("--``"), "-{}-{}`{}`{}");
     EXPECT_EQ(tex("a\nb\x01"), "a b");
@@ -185,7 +186,8 @@ TEST(Tex, LinksRunBetweenNamedPoints) {
     const std::string text = to_tex({*page}, fonts());
     for (const char* point : {"joint-O2", "joint-A", "joint-B", "joint-O4"})
         EXPECT_NE(text.find(std::string("\\coordinate (") + point + ") at ("), std::string::npos) << point;
-    EXPECT_TRUE(std::regex_search(text, std::regex("\\\\path\\[draw=kg[A-Z], kg full [A-Z]\\] \\(joint-A\\) -- \\(joint-B\\);")));
+    EXPECT_TRUE(std::regex_search(
+        text, std::regex("\\\\path\\[draw=kg[A-Z], kg full [A-Z]\\] \\(joint-A\\) -- \\(joint-B\\);")));
     EXPECT_TRUE(std::regex_search(text, std::regex("\\(joint-A\\) circle\\[radius=1\\.5\\]")));
     EXPECT_NE(text.find("{$A$}"), std::string::npos);
 }
@@ -198,8 +200,8 @@ protected:
     }
     void typeset(const std::string& name) const {
         const tests::Outcome done =
-            run("--version", "pdflatex -interaction=nonstopmode -halt-on-error " + name + ".tex >log && pdftoppm -r 150 -png " +
-                                 name + ".pdf " + name + "-tex &&");
+            run("--version", "pdflatex -interaction=nonstopmode -halt-on-error " + name +
+                                 ".tex >log && pdftoppm -r 150 -png " + name + ".pdf " + name + "-tex &&");
         ASSERT_EQ(done.status, 0) << tests::contents(folder_ / "log");
     }
 };
@@ -216,7 +218,8 @@ TEST_F(TexFiles, PdflatexDrawsTheSamePicture) {
                                        {"four_bar", "", {"0.45%"}},
                                        {"jansen_leg", "", {"0.75%", "0.55%"}},
                                        {"scissor_lift", " --lang it --theme dark", {"0.3%", "0.6%", "0.75%"}}};
-    if (!typesets()) GTEST_SKIP() << "no pdflatex (texlive-latex-base, texlive-pictures) or no pdftoppm (poppler-utils)";
+    if (!typesets())
+        GTEST_SKIP() << "no pdflatex (texlive-latex-base, texlive-pictures) or no pdftoppm (poppler-utils)";
     for (std::size_t i = 0; i < sheets.size(); ++i) {
         const auto& [example, options, shares] = sheets[i];
         const std::string name = "sheet" + std::to_string(i);
@@ -226,28 +229,30 @@ TEST_F(TexFiles, PdflatexDrawsTheSamePicture) {
         for (std::size_t page = 0; page < shares.size(); ++page) {
             const std::string number = std::to_string(page + 1);
             const std::string ours = name + (page == 0 ? "" : "-" + number) + ".png";
-            const tests::Outcome same = run("diff " + ours + " " + name + "-tex-" + number + ".png --threshold " + shares[page]);
+            const tests::Outcome same =
+                run("diff " + ours + " " + name + "-tex-" + number + ".png --threshold " + shares[page]);
             EXPECT_EQ(same.status, 0) << example << options << ": " << same.out;
         }
     }
 }
 
 TEST_F(TexFiles, PdflatexTakesWhateverAFileNames) {
-    RichText all = one_piece("\\input{x}%$&#_^~<|>\"'`--?`!`perch\u00E9 \u2026 \u2192 \u00BD \u221A2 30\u00B0 m/s\u00B2 ");
+    RichText all =
+        one_piece("\\input{x}%$&#_^~<|>\"'`--?`!`perch\u00E9 \u2026 \u2192 \u00BD \u221A2 30\u00B0 m/s\u00B2 ");
     all.push_back(symbol("\\a%", "{$", "^\u00E9"));
     all.push_back(symbol("\u03C9", "3", "2", 3));
     all.push_back(symbol("v\u00E9", "B", "", 0, Face::bold_italic));
     all.push_back(symbol("w", "B\u03C6", "t", 0, Face::bold));
     const std::string text = document(all);
     EXPECT_NE(text.find("\\node"), std::string::npos);
-    if (!typesets()) GTEST_SKIP() << "no pdflatex (texlive-latex-base, texlive-pictures) or no pdftoppm (poppler-utils)";
+    if (!typesets())
+        GTEST_SKIP() << "no pdflatex (texlive-latex-base, texlive-pictures) or no pdftoppm (poppler-utils)";
     write("names.tex", text);
     typeset("names");
     write("part.tex", text);
     // Twice, with a sign that languages of babel make a command.
-    write(
-        "whole.tex",
-        R"(\documentclass{article}\usepackage{tikz}\begin{document}\catcode`\"=13 \def"{!}Text \input{part} and \input{part}.\end{document})");
+    write("whole.tex", R"(\documentclass{article}\usepackage{tikz}\begin{document}\catcode`\"=13 )"
+                       R"(\def"{!}Text \input{part} and \input{part}.\end{document})");
     typeset("whole");
 }
 
@@ -255,7 +260,8 @@ TEST_F(TexFiles, PdflatexTakesWhateverAFileNames) {
 TEST_F(TexFiles, NamesLongerThanTexsLengthsAreDrawnAsFarAsThePageGoes) {
     Page page;
     set_text(page.marks, fonts().shape(one_piece(std::string(4000, 'A')), 12), {10, 20}, {0, 0, 0}, "text");
-    set_text(page.marks, fonts().shape(RichText{symbol("v", std::string(4000, 'B'))}, 12), {-5000, 60}, {0, 0, 0}, "text");
+    set_text(page.marks, fonts().shape(RichText{symbol("v", std::string(4000, 'B'))}, 12), {-5000, 60}, {0, 0, 0},
+             "text");
     set_text(page.marks, fonts().shape(one_piece("short"), 12), {10, 90}, {0, 0, 0}, "text");
     const std::string text = to_tex({page}, fonts());
     EXPECT_NE(text.find("{short}"), std::string::npos);
@@ -264,7 +270,8 @@ TEST_F(TexFiles, NamesLongerThanTexsLengthsAreDrawnAsFarAsThePageGoes) {
     EXPECT_NE(text.substr(pictures).find(".. controls"), std::string::npos) << "what is on the page";
     EXPECT_LT(text.size(), 400'000U) << "and no more";
     write("long.tex", text);
-    if (!typesets()) GTEST_SKIP() << "no pdflatex (texlive-latex-base, texlive-pictures) or no pdftoppm (poppler-utils)";
+    if (!typesets())
+        GTEST_SKIP() << "no pdflatex (texlive-latex-base, texlive-pictures) or no pdftoppm (poppler-utils)";
     typeset("long");
 }
 

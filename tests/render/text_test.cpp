@@ -16,7 +16,8 @@ namespace {
 using namespace kinegraph::render;
 using kinegraph::tests::fonts;
 
-Piece piece(const std::string& text, Face face = Face::regular, const std::string& sub = "", const std::string& sup = "") {
+Piece piece(const std::string& text, Face face = Face::regular, const std::string& sub = "",
+            const std::string& sup = "") {
     Piece made;
     made.text = text;
     made.face = face;
@@ -67,7 +68,8 @@ TEST(Type, MeasuresItsInk) {
 
 TEST(Type, IsTheSameTwiceAndFromAnotherOpening) {
     const Fonts other = std::move(*Fonts::open());
-    const RichText text = {piece("velocity of ", Face::italic), piece("a", Face::bold_italic, "BA", "t"), piece(" ≙ 中")};
+    const RichText text = {piece("velocity of ", Face::italic), piece("a", Face::bold_italic, "BA", "t"),
+                           piece(" ≙ 中")};
     const ShapedLine first = fonts().shape(text, 9);
     for (const ShapedLine& again : {fonts().shape(text, 9), other.shape(text, 9)}) {
         EXPECT_EQ(first.width, again.width);
@@ -215,9 +217,10 @@ TEST(Colours, OnePartForEach) {
 }
 
 TEST(Wrap, KeepsTheMeasureAndTheWords) {
-    const RichText text = {piece("The velocity of the pin is normal to the rocker; it ends where it meets the line of "),
-                           piece("v", Face::bold_italic, "BA"), piece(", which closes the polygon at "), piece("b", Face::italic),
-                           piece(".")};
+    const RichText text = {
+        piece("The velocity of the pin is normal to the rocker; it ends where it meets the line of "),
+        piece("v", Face::bold_italic, "BA"), piece(", which closes the polygon at "), piece("b", Face::italic),
+        piece(".")};
     for (const double measure : {20.0, 35.0, 66.0, 500.0}) {
         std::string words;
         for (const ShapedLine& line : fonts().wrap(text, 9, measure)) {

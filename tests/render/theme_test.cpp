@@ -1,5 +1,5 @@
-// Themes: colours that colour-blind eyes and a grey printer tell apart, letters that can be read, line kinds where there is no
-// colour, and files of the user's.
+// Themes: colours that colour-blind eyes and a grey printer tell apart, letters that can be read, line kinds where
+// there is no colour, and files of the user's.
 #include "render/page/theme.hpp"
 
 #include <gtest/gtest.h>
@@ -63,12 +63,15 @@ double contrast(Colour a, Colour b) {
     return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
-/// What a dichromat sees of linear sRGB (Machado, Oliveira & Fernandes, "A physiologically-based model for simulation of color
-/// vision deficiency", 2009, severity 1).
+/// What a dichromat sees of linear sRGB (Machado, Oliveira & Fernandes, "A physiologically-based model for simulation
+/// of color vision deficiency", 2009, severity 1).
 constexpr Matrix usual{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-constexpr Matrix protanope{{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
-constexpr Matrix deuteranope{{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
-constexpr Matrix tritanope{{{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}};
+constexpr Matrix protanope{
+    {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
+constexpr Matrix deuteranope{
+    {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
+constexpr Matrix tritanope{
+    {{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}};
 
 double apart(Colour a, Colour b, const Matrix& eye) {
     const auto seen = [&](Colour c) {
@@ -95,7 +98,8 @@ TEST(Theme, BodiesAreApartForAllEyesAndInGrey) {
             }
     }
     EXPECT_NEAR(apart({255, 255, 255}, {0, 0, 0}, usual), 100, 0.1);
-    EXPECT_LT(apart({0x9C, 0x5A, 0x00}, {0x5E, 0x6E, 0x00}, deuteranope), 27) << "brown and olive: the measure sees confusion";
+    EXPECT_LT(apart({0x9C, 0x5A, 0x00}, {0x5E, 0x6E, 0x00}, deuteranope), 27)
+        << "brown and olive: the measure sees confusion";
 }
 
 TEST(Theme, TenBodiesHaveLooksOfTheirOwn) {
@@ -158,7 +162,8 @@ std::vector<Page> sheet(const std::string& example, const Theme& look) {
     return lay_out(solution.value(), options, fonts);
 }
 
-constexpr std::array examples{"four_bar.json", "exam_2001.json", "sluice_gate.json", "watt_six_bar.json", "whitworth.json"};
+constexpr std::array examples{"four_bar.json", "exam_2001.json", "sluice_gate.json", "watt_six_bar.json",
+                              "whitworth.json"};
 
 TEST(Theme, PrintIsBlackOneGreyAndThePaper) {
     for (const char* example : examples) {
@@ -175,7 +180,8 @@ TEST(Theme, AllTypeOfASheetCanBeRead) {
         for (const char* example : examples) {
             const Theme look = theme(name);
             for (const Colour c : Colours(sheet(example, look)).type)
-                EXPECT_GE(contrast(c, look.paper), 4.5) << name << ' ' << example << ": " << int{c.red} << ' ' << int{c.green};
+                EXPECT_GE(contrast(c, look.paper), 4.5)
+                    << name << ' ' << example << ": " << int{c.red} << ' ' << int{c.green};
         }
 }
 
@@ -184,7 +190,8 @@ TEST(Theme, EveryColourOfASheetIsTheThemes) {
     Theme odd;
     std::uint8_t next = 1;
     const auto fresh = [&next] { return Colour{next++, 3, 5}; };
-    for (Colour* colour : {&odd.paper, &odd.text, &odd.secondary, &odd.skeleton, &odd.faint, &odd.accent}) *colour = fresh();
+    for (Colour* colour : {&odd.paper, &odd.text, &odd.secondary, &odd.skeleton, &odd.faint, &odd.accent})
+        *colour = fresh();
     for (BodyColour& body : odd.bodies) body = {fresh(), fresh(), fresh(), {}};
     for (const char* example : examples)
         for (const Colour c : Colours(sheet(example, odd)).all)
@@ -192,7 +199,8 @@ TEST(Theme, EveryColourOfASheetIsTheThemes) {
                 << example << ": " << int{c.red} << ' ' << int{c.green} << ' ' << int{c.blue};
 }
 
-/// No letter of any example is elsewhere: a dark tint is no more ink than a light one, a dashed line no less than a full one.
+/// No letter of any example is elsewhere: a dark tint is no more ink than a light one, a dashed line no less than a
+/// full one.
 TEST(Theme, ChangesTheLookAndNothingElse) {
     using Letters = std::tuple<std::string, double, double>;
     std::size_t turn = 0;
@@ -206,20 +214,23 @@ TEST(Theme, ChangesTheLookAndNothingElse) {
             for (const Page& page : lay_out(solution, options, fonts()))
                 for (const Mark& mark : page.marks)
                     if (const auto* text = std::get_if<TextMark>(&mark))
-                        for (const Glyph& glyph : text->glyphs) letters.emplace_back(text->words, glyph.origin.x, glyph.origin.y);
+                        for (const Glyph& glyph : text->glyphs)
+                            letters.emplace_back(text->words, glyph.origin.x, glyph.origin.y);
             return letters;
         };
         const std::vector<Letters> usual_letters = letters_in("colour");
         EXPECT_FALSE(usual_letters.empty()) << name;
         // Not EXPECT_EQ: it would print all letters.
-        for (const char* look : {"dark", "print"}) EXPECT_TRUE(letters_in(look) == usual_letters) << name << ' ' << look;
+        for (const char* look : {"dark", "print"})
+            EXPECT_TRUE(letters_in(look) == usual_letters) << name << ' ' << look;
     }
 }
 
 TEST(Theme, ALinkOfALineKindIsOutlinedWithItsDashesInside) {
     Theme look;
     const BodyColour body{{10, 20, 30}, {200, 210, 220}, {10, 20, 30}, {3, 1}};
-    std::vector<Mark> marks{line({0, 0}, {9, 0}, {0.18, body.line, {}, false}), line({0, 0}, {20, 0}, {2, body.line, {}, true})};
+    std::vector<Mark> marks{line({0, 0}, {9, 0}, {0.18, body.line, {}, false}),
+                            line({0, 0}, {20, 0}, {2, body.line, {}, true})};
     draw_line_kind(marks, 0, 1, body, look);
     ASSERT_EQ(marks.size(), 4U);
     const Pen ground = std::get<Path>(marks[2]).pen, inside = std::get<Path>(marks[3]).pen;
@@ -254,22 +265,28 @@ TEST(ThemeFile, TellsEveryFaultWithItsPlace) {
         {R"([])", {": a theme is a JSON object"}},
         {R"({"papr": "#FFFFFF"})", {"/papr: unknown key \"papr\" (did you mean \"paper\"?)"}},
         {R"({"wallpaper!": 1})",
-         {"/wallpaper!: unknown key \"wallpaper!\"; the keys of a theme are \"based on\", \"paper\", \"text\", \"secondary\", "
+         {"/wallpaper!: unknown key \"wallpaper!\"; the keys of a theme are \"based on\", \"paper\", \"text\", "
+          "\"secondary\", "
           "\"skeleton\", \"faint\", \"accent\", \"bodies\" and \"lines\""}},
         {R"({"based on": "drak"})", {"/based on: no theme is named \"drak\" (did you mean \"dark\"?)"}},
-        {R"({"based on": 3})", {"/based on: the name of a built-in theme is wanted here: \"colour\", \"print\" and \"dark\""}},
+        {R"({"based on": 3})",
+         {"/based on: the name of a built-in theme is wanted here: \"colour\", \"print\" and \"dark\""}},
         {R"({"text": "red", "paper": "#12345", "faint": "#12345G", "secondary": "#-12345", "skeleton": 5})",
          {"/paper: a colour is wanted here, as \"#RRGGBB\"", "/text: a colour is wanted here, as \"#RRGGBB\"",
           "/secondary: a colour is wanted here, as \"#RRGGBB\"", "/skeleton: a colour is wanted here, as \"#RRGGBB\"",
           "/faint: a colour is wanted here, as \"#RRGGBB\""}},
         {R"({"bodies": []})", {"/bodies: 1 to 24 bodies are wanted here, as an array"}},
         {R"({"bodies": [{"dashes": [1]}, {"dashes": [1, 1e400]}, {"colour": 1}]})",
-         {"/bodies/0/dashes: an even number of lengths is wanted here, 8 at most: dash, gap, dash, gap (mm); none for a full line",
+         {"/bodies/0/dashes: an even number of lengths is wanted here, 8 at most: dash, gap, dash, gap (mm); none for "
+          "a full line",
           "/bodies/1/dashes/1: a length from 0.2 to 20 mm is wanted here",
-          "/bodies/2/colour: unknown key \"colour\"; the keys of a body's look are \"line\", \"tint\", \"letter\" and \"dashes\""}},
+          "/bodies/2/colour: unknown key \"colour\"; the keys of a body's look are \"line\", \"tint\", \"letter\" and "
+          "\"dashes\""}},
         {R"({"lines": {"link": -1, "thn": 0.2}})",
-         {"/lines/thn: unknown key \"thn\" (did you mean \"thin\"?)", "/lines/link: a length from 0.3 to 4 mm is wanted here"}},
-        {R"({"text": "#000000", "text": "#000000"})", {"/text: \"text\" stands twice in this object; take one of them out"}},
+         {"/lines/thn: unknown key \"thn\" (did you mean \"thin\"?)",
+          "/lines/link: a length from 0.3 to 4 mm is wanted here"}},
+        {R"({"text": "#000000", "text": "#000000"})",
+         {"/text: \"text\" stands twice in this object; take one of them out"}},
     };
     for (const auto& [text, said] : rows) {
         const auto read = read_theme(text);
@@ -295,9 +312,9 @@ TEST_F(CommandLine, TheThemeIsBuiltInOrAFile) {
     EXPECT_EQ(bad.err, "bad.json: /papr: unknown key \"papr\" (did you mean \"paper\"?)\n");
     const Outcome absent = run("solve four_bar.json -o b.svg --theme drak");
     EXPECT_EQ(absent.status, 2);
-    EXPECT_EQ(
-        absent.err,
-        "drak: cannot be read: No such file or directory (--theme is one of colour, print, dark, or the path of a theme file)\n");
+    EXPECT_EQ(absent.err,
+              "drak: cannot be read: No such file or directory (--theme is one of colour, print, dark, or the path of "
+              "a theme file)\n");
     EXPECT_EQ(run("solve - --theme - -o b.svg <four_bar.json").status, 2);
     EXPECT_FALSE(is_there("b.svg"));
 }

@@ -48,12 +48,13 @@ const std::set<std::string>& said_in_sources() {
         std::set<std::string> found;
         static const std::regex use("Sentence::([a-z_]+)");
         for (const char* room : {"engine", "constructions", "app"})
-            for (const auto& file :
-                 std::filesystem::recursive_directory_iterator(std::filesystem::path(KINEGRAPH_TESTS_DIR).parent_path() / room)) {
+            for (const auto& file : std::filesystem::recursive_directory_iterator(
+                     std::filesystem::path(KINEGRAPH_TESTS_DIR).parent_path() / room)) {
                 if (file.path().extension() != ".cpp") continue;
                 std::ifstream source(file.path());
                 const std::string text{std::istreambuf_iterator<char>(source), {}};
-                for (std::sregex_iterator at(text.begin(), text.end(), use), end; at != end; ++at) found.insert((*at)[1]);
+                for (std::sregex_iterator at(text.begin(), text.end(), use), end; at != end; ++at)
+                    found.insert((*at)[1]);
             }
         return found;
     }();
@@ -92,7 +93,9 @@ TEST_P(EverySentence, IsSaidSomewhere) {
 }
 
 TEST(Words, SpeakOfOneOtherwiseThanOfSeveral) {
-    const auto repeated = [](int rows) { return Message{Sentence::repeated_constraints, {PointName{"O2"}, Count{rows}}}; };
+    const auto repeated = [](int rows) {
+        return Message{Sentence::repeated_constraints, {PointName{"O2"}, Count{rows}}};
+    };
     EXPECT_EQ(tell(repeated(1), Language::it),
               "La coppia O2 ripete 1 vincolo che le altre impongono già in questa configurazione.");
     EXPECT_EQ(tell(repeated(2), Language::it),
@@ -123,8 +126,9 @@ TEST(Words, OfRollingSayTheTermOfTheirCase) {
 }
 
 TEST(Words, HoldAnEquationTogether) {
-    const Message message{Sentence::omega_by_sleeve,
-                          {Symbol{Symbol::Letter::omega, "3", ""}, Symbol{Symbol::Letter::omega, "4", ""}, PointName{"D"}}};
+    const Message message{
+        Sentence::omega_by_sleeve,
+        {Symbol{Symbol::Letter::omega, "3", ""}, Symbol{Symbol::Letter::omega, "4", ""}, PointName{"D"}}};
     EXPECT_NE(plain(say(message, Language::en)).find("\u00A0=\u00A0"), std::string::npos);
     EXPECT_EQ(tell(message, Language::en).find("\u00A0"), std::string::npos) << "files have plain blanks";
 }
@@ -214,8 +218,10 @@ TEST(Words, ALoadsNumberIsLowered) {
 }
 
 TEST(Words, DirectionsOfLines) {
-    EXPECT_EQ(plain(typeset(LineReason{LineReason::Kind::perpendicular_to_segment, "O2", "A"}, Language::en)), "⟂\u00a0O_2A");
-    EXPECT_EQ(plain(typeset(LineReason{LineReason::Kind::parallel_to_guide, "B", ""}, Language::it)), "∥\u00a0guida\u00a0B");
+    EXPECT_EQ(plain(typeset(LineReason{LineReason::Kind::perpendicular_to_segment, "O2", "A"}, Language::en)),
+              "⟂\u00a0O_2A");
+    EXPECT_EQ(plain(typeset(LineReason{LineReason::Kind::parallel_to_guide, "B", ""}, Language::it)),
+              "∥\u00a0guida\u00a0B");
 }
 
 TEST(Numbers, HaveATrueMinusAndTheCommaOfTheirLanguage) {

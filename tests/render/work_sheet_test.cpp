@@ -1,5 +1,5 @@
-// Sheets of virtual work and of relative motions taken apart: figures and tables are there in both languages, nothing is cut or
-// covered; what a question says of them.
+// Sheets of virtual work and of relative motions taken apart: figures and tables are there in both languages, nothing
+// is cut or covered; what a question says of them.
 #include <gtest/gtest.h>
 
 #include <set>

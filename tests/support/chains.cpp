@@ -23,7 +23,8 @@ std::vector<int> Chain::neighbours(int link) const {
     return found;
 }
 
-// --- enumeration -------------------------------------------------------------------------------------------------------------
+// --- enumeration
+// -------------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -133,7 +134,8 @@ const std::vector<Inversion>& all_inversions() {
     return inversions;
 }
 
-// --- mechanisms --------------------------------------------------------------------------------------------------------------
+// --- mechanisms
+// --------------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -147,8 +149,8 @@ public:
         for (int attempt = 0; attempt < 100; ++attempt) {
             Drawing drawing(random_, random_.chance(15));
             drawing_ = &drawing;
-            recipe_ = "chain " + std::to_string(inversion_.chain) + ", frame " + std::to_string(inversion_.frame) + ", driven " +
-                      std::to_string(inversion_.driven);
+            recipe_ = "chain " + std::to_string(inversion_.chain) + ", frame " + std::to_string(inversion_.frame) +
+                      ", driven " + std::to_string(inversion_.driven);
             bodies_.assign(at(chain_.links), -1);
             slides_.clear();
             choose_dissolved();
@@ -172,15 +174,17 @@ private:
     static std::string between(int a, int b) { return std::to_string(a) + "-" + std::to_string(b); }
     bool dissolved(int link) const { return std::find(dissolved_.begin(), dissolved_.end(), link) != dissolved_.end(); }
 
-    /// A link with two joints only may give way to one pair of two freedoms between its neighbours: six freedoms of two pairs
-    /// with a body less come to the same count.
+    /// A link with two joints only may give way to one pair of two freedoms between its neighbours: six freedoms of two
+    /// pairs with a body less come to the same count.
     void choose_dissolved() {
         dissolved_.clear();
         for (int link = 0; link < chain_.links; ++link) {
-            if (link == inversion_.frame || link == inversion_.driven || chain_.degree(link) != 2 || !random_.chance(12))
+            if (link == inversion_.frame || link == inversion_.driven || chain_.degree(link) != 2 ||
+                !random_.chance(12))
                 continue;
             const std::vector<int> ends = chain_.neighbours(link);
-            if (std::none_of(ends.begin(), ends.end(), [&](int end) { return dissolved(end); })) dissolved_.push_back(link);
+            if (std::none_of(ends.begin(), ends.end(), [&](int end) { return dissolved(end); }))
+                dissolved_.push_back(link);
         }
     }
 
@@ -191,7 +195,8 @@ private:
             const std::vector<int> ends = chain_.neighbours(link);
             for (const int arm : chain_.neighbours(ends[0])) {
                 const std::vector<int> held = chain_.neighbours(arm);
-                if (arm == link || dissolved(arm) || std::find(held.begin(), held.end(), ends[1]) == held.end()) continue;
+                if (arm == link || dissolved(arm) || std::find(held.begin(), held.end(), ends[1]) == held.end())
+                    continue;
                 if (joins(arm, ends[0]) || joins(arm, ends[1]) || !gears_.chance(60)) continue;
                 meshes_.push_back({link, arm, ends[0], ends[1]});
                 break;
@@ -342,7 +347,8 @@ private:
             const auto pitch = draw().given_anywhere();
             if (!pitch) return false;
             carry(mesh.mate, *other);
-            slides_.push_back({mesh.mate, mesh.arm, draw().prismatic(*other, mate, arm, draw().tangent(*pitch, *centre))});
+            slides_.push_back(
+                {mesh.mate, mesh.arm, draw().prismatic(*other, mate, arm, draw().tangent(*pitch, *centre))});
             draw().gear(*pitch, wheel, mate, *centre, std::nullopt, arm);
             note(between(mesh.wheel, mesh.mate) + " rack and pinion");
             return true;

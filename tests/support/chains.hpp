@@ -1,6 +1,6 @@
-// Kinematic chains with one freedom and hinges only: the four-bar, the two six-bars (Watt, Stephenson), the sixteen eight-bars,
-// found by enumeration; and random mechanisms built on them: any link as frame, any body driven, some pairs replaced by others.
-// Any placing of the pins is a pose: the links are whatever joins them.
+// Kinematic chains with one freedom and hinges only: the four-bar, the two six-bars (Watt, Stephenson), the sixteen
+// eight-bars, found by enumeration; and random mechanisms built on them: any link as frame, any body driven, some pairs
+// replaced by others. Any placing of the pins is a pose: the links are whatever joins them.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,9 @@ struct Chain {
     int degree(int link) const { return static_cast<int>(neighbours(link).size()); }
 };
 
-/// All chains of so many links (even, up to 8) with 3(n−1) − 2j = 1, links of two joints or more, and no part of them rigid
-/// (every set of k links holds at most (3k−4)/2 joints), each once up to the naming of its links, in a fixed order.
+/// All chains of so many links (even, up to 8) with 3(n−1) − 2j = 1, links of two joints or more, and no part of them
+/// rigid (every set of k links holds at most (3k−4)/2 joints), each once up to the naming of its links, in a fixed
+/// order.
 std::vector<Chain> chains_of(int links);
 
 /// The chains of four, six and eight links.
@@ -40,7 +41,8 @@ struct ChainMechanism {
     Inversion inversion;
 };
 
-/// The mechanism of a seed: seeds one after the other go through all inversions, again and again, each time drawn otherwise.
+/// The mechanism of a seed: seeds one after the other go through all inversions, again and again, each time drawn
+/// otherwise.
 ChainMechanism random_chain_mechanism(std::uint64_t seed);
 
 }  // namespace kinegraph

@@ -34,8 +34,8 @@ Outcome CommandLine::run(const std::string& arguments, const std::string& before
     const std::string err = (streams_ / "err").string();
     const std::string redirected = arguments.find('>') == std::string::npos ? " >'" + out + "'" : "";
     fs::remove(out);
-    const std::string command =
-        "cd '" + folder_.string() + "' && { " + before + " '" + program_ + "' " + arguments + redirected + "; } 2>'" + err + "'";
+    const std::string command = "cd '" + folder_.string() + "' && { " + before + " '" + program_ + "' " + arguments +
+                                redirected + "; } 2>'" + err + "'";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out), contents(err)};
 }

@@ -14,9 +14,9 @@ namespace {
 
 std::size_t at(auto index) { return at_index(index); }
 
-/// Of the largest force. The construction is exact, the check a system in doubles: a mechanism that a draw brings near a dead
-/// point loses what its condition number takes (generation keeps dyads 5° away), and 1e-9 leaves three orders for several in a
-/// row; a wrong term is of the order of the largest force.
+/// Of the largest force. The construction is exact, the check a system in doubles: a mechanism that a draw brings near
+/// a dead point loses what its condition number takes (generation keeps dyads 5° away), and 1e-9 leaves three orders
+/// for several in a row; a wrong term is of the order of the largest force.
 constexpr double tolerance = 1e-9;
 
 /// A pose with a leftover misses by 2⁻¹⁰⁰ (1e-30) of its size; a meet of lines at 5° enlarges that sixteenfold.
@@ -93,8 +93,10 @@ private:
     void agrees_with_equilibrium() const {
         double largest = 0;
         for (const NumericForces::Action& action : numeric_.actions)
-            largest = std::max({largest, std::abs(action.force[0]), std::abs(action.force[1]), std::abs(action.couple) / size_});
-        // Loads that balance one another leave no forces, and the check what is left of them in doubles: their own size counts.
+            largest = std::max(
+                {largest, std::abs(action.force[0]), std::abs(action.force[1]), std::abs(action.couple) / size_});
+        // Loads that balance one another leave no forces, and the check what is left of them in doubles: their own size
+        // counts.
         const double scale = largest < tolerance * largest_load_ ? largest_load_ : largest;
         for (const NumericForces::Action& action : numeric_.actions) {
             const std::string what = "at " + mechanism_.joints[at(action.joint)].name + " on " + name(action.on);
@@ -102,7 +104,8 @@ private:
             ASSERT_TRUE(force && force->force && force->couple) << "nothing " << what;
             EXPECT_NEAR(force->force->x.to_double(), action.force[0], tolerance * scale) << what;
             EXPECT_NEAR(force->force->y.to_double(), action.force[1], tolerance * scale) << what;
-            EXPECT_NEAR(force->couple->to_double(), action.couple, tolerance * std::max(scale * size_, std::abs(action.couple)))
+            EXPECT_NEAR(force->couple->to_double(), action.couple,
+                        tolerance * std::max(scale * size_, std::abs(action.couple)))
                 << what;
         }
         ASSERT_EQ(solution_.efforts.size(), numeric_.efforts.size());
@@ -132,7 +135,8 @@ private:
                 ASSERT_TRUE(action) << name_of(applied.symbol) << " on the free body " << name(body.body);
                 EXPECT_EQ(applied.force, *action->force) << name_of(applied.symbol);
                 const Vector joint = solution_.pose.at(mechanism_.joints[at(applied.joint)].point);
-                EXPECT_EQ(cross(applied.at - joint, applied.force) + applied.couple, *action->couple) << name_of(applied.symbol);
+                EXPECT_EQ(cross(applied.at - joint, applied.force) + applied.couple, *action->couple)
+                    << name_of(applied.symbol);
             }
         }
     }
@@ -177,9 +181,11 @@ private:
                 << who << ": " << name_of(side.symbol) << ", " << name_of(next.symbol);
             drawn_names.insert(name_of(side.symbol));
             const auto applied = std::find_if(body.forces.begin(), body.forces.end(), [&](const AppliedForce& each) {
-                return each.symbol == side.symbol && length(each.force - protocol.value_of(side)) <= leftover * largest_;
+                return each.symbol == side.symbol &&
+                       length(each.force - protocol.value_of(side)) <= leftover * largest_;
             });
-            EXPECT_NE(applied, body.forces.end()) << who << ": " << name_of(side.symbol) << " is drawn as another force";
+            EXPECT_NE(applied, body.forces.end())
+                << who << ": " << name_of(side.symbol) << " is drawn as another force";
             if (applied != body.forces.end() && solution_.pose.exact) {
                 EXPECT_EQ(applied->force, protocol.value_of(side)) << who;
             }
@@ -215,7 +221,8 @@ private:
         }));
     }
 
-    // --- the file's own loads ----------------------------------------------------------------------------------------------
+    // --- the file's own loads
+    // ----------------------------------------------------------------------------------------------
     /// A body on which every action is given is in equilibrium with them.
     void balances_if_known(BodyIndex body, double scale) const {
         Vector sum;
@@ -246,7 +253,8 @@ private:
                 const Joint& slide = mechanism_.joints[at(joint)];
                 if (slide.bodies[0] != body && slide.bodies[1] != body) continue;
                 if (!value) return;
-                force((slide.bodies[0] == body ? *value : -*value) * solution_.pose.guide_units[at(joint)], slide.point);
+                force((slide.bodies[0] == body ? *value : -*value) * solution_.pose.guide_units[at(joint)],
+                      slide.point);
             }
         }
         for (const Load& load : mechanism_.loads) {
@@ -262,7 +270,8 @@ private:
                 }
             } else if (const auto* torsion = std::get_if<TorsionLoad>(&load)) {
                 for (const std::size_t side : {0U, 1U})
-                    if (torsion->bodies[side] == body) moment += (side == 0 ? -1 : 1) * torsion->stiffness * torsion->turned;
+                    if (torsion->bodies[side] == body)
+                        moment += (side == 0 ? -1 : 1) * torsion->stiffness * torsion->turned;
             } else {
                 const auto& spring = std::get<SpringLoad>(load);
                 if (spring.bodies[0] == body) force(pull(spring), spring.between[0]);
@@ -309,7 +318,8 @@ private:
         return {};
     }
 
-    // --- power -----------------------------------------------------------------------------------------------------------------
+    // --- power
+    // -----------------------------------------------------------------------------------------------------------------
     Exact omega(BodyIndex body) const { return body == frame ? Exact() : solution_.bodies[at(body)].omega.value(); }
     Vector velocity(BodyIndex body, const Vector& place) const {
         if (body == frame) return {};
@@ -336,11 +346,13 @@ private:
         };
         for (const Load& load : mechanism_.loads) {
             if (const auto* push = std::get_if<ForceLoad>(&load)) {
-                force(push->pin == none ? push->body : mechanism_.joint(push->pin).bodies.back(), push->at, given(*push));
+                force(push->pin == none ? push->body : mechanism_.joint(push->pin).bodies.back(), push->at,
+                      given(*push));
             } else if (const auto* couple = std::get_if<CoupleLoad>(&load)) {
                 add(couple->value * omega(couple->body));
             } else if (const auto* distributed = std::get_if<DistributedLoad>(&load)) {
-                for (const auto& [place, part] : parts_of(*distributed)) add(dot(part, velocity(distributed->body, place)));
+                for (const auto& [place, part] : parts_of(*distributed))
+                    add(dot(part, velocity(distributed->body, place)));
             } else if (const auto* torsion = std::get_if<TorsionLoad>(&load)) {
                 add(-torsion->stiffness * torsion->turned * (omega(torsion->bodies[0]) - omega(torsion->bodies[1])));
             } else {
@@ -372,7 +384,8 @@ private:
         }
         expect_nothing(total, sizes, "virtual power");
         ASSERT_TRUE(solution_.virtual_work || solution_.free_bodies.empty());
-        if (solution_.virtual_work) expect_nothing(solution_.virtual_work->total, sizes, "virtual power as it is shown");
+        if (solution_.virtual_work)
+            expect_nothing(solution_.virtual_work->total, sizes, "virtual power as it is shown");
     }
 
     const Solution& solution_;
@@ -389,7 +402,9 @@ bool wholly_known(const NumericForces& forces) {
            std::find(forces.effort_known.begin(), forces.effort_known.end(), false) == forces.effort_known.end();
 }
 
-void expect_laws_of_forces(const Solution& solution, const NumericForces& numeric) { HeldForces(solution, numeric).all(); }
+void expect_laws_of_forces(const Solution& solution, const NumericForces& numeric) {
+    HeldForces(solution, numeric).all();
+}
 
 void expect_determined_forces_only(const Solution& solution, const NumericForces& numeric) {
     HeldForces(solution, numeric).gives_only_what_is_determined();

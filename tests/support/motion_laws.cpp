@@ -19,14 +19,16 @@ namespace {
 
 std::size_t at(auto index) { return at_index(index); }
 
-/// The construction is exact and the check works in doubles. Each dyad's angle is at least 5°, so its 2×2 system loses at most a
-/// factor 1/sin² 5° ≈ 130 of the 2⁻⁵² of a double in its own quantity, and the refinement of the check takes most of that back;
-/// chains add up, do not multiply, in units of the largest quantity of the kind, which they carry along. 1e-9 leaves three
-/// orders above what is seen (5e-12 in 3,000 mechanisms) and five below a wrong term, which is of the order of the largest.
+/// The construction is exact and the check works in doubles. Each dyad's angle is at least 5°, so its 2×2 system loses
+/// at most a factor 1/sin² 5° ≈ 130 of the 2⁻⁵² of a double in its own quantity, and the refinement of the check takes
+/// most of that back; chains add up, do not multiply, in units of the largest quantity of the kind, which they carry
+/// along. 1e-9 leaves three orders above what is seen (5e-12 in 3,000 mechanisms) and five below a wrong term, which is
+/// of the order of the largest.
 constexpr double tolerance = 1e-9;
 
-/// A pose with a leftover misses by 2⁻¹⁰⁰ of its size. A meet of two lines at 5° enlarges that by about 2⁴, a centre by Kennedy
-/// stands behind a handful of them: 2⁻⁶⁰ leaves ten such meets in a row, and is far below anything wrong by a digit.
+/// A pose with a leftover misses by 2⁻¹⁰⁰ of its size. A meet of two lines at 5° enlarges that by about 2⁴, a centre by
+/// Kennedy stands behind a handful of them: 2⁻⁶⁰ leaves ten such meets in a row, and is far below anything wrong by a
+/// digit.
 const Exact least_share = Exact::power_of_two(-60);
 
 /// One solved mechanism and its motion as fields: what the laws are asked of.
@@ -59,18 +61,16 @@ private:
     Exact omega(BodyIndex body) const { return body == frame ? Exact() : solution_.bodies[at(body)].omega.value(); }
     Exact alpha(BodyIndex body) const { return body == frame ? Exact() : solution_.bodies[at(body)].alpha.value(); }
 
-    // --- the numeric check -------------------------------------------------------------------------------------------------
+    // --- the numeric check
+    // -------------------------------------------------------------------------------------------------
     using Kind = Quantity::Kind;
 
     static Kind kind_of(const Quantity& quantity) {
         switch (quantity.kind) {
-            case Kind::sliding_velocity:
-                return Kind::velocity;
+            case Kind::sliding_velocity: return Kind::velocity;
             case Kind::sliding_acceleration:
-            case Kind::sliding_coriolis:
-                return Kind::acceleration;
-            default:
-                return quantity.kind;
+            case Kind::sliding_coriolis: return Kind::acceleration;
+            default: return quantity.kind;
         }
     }
 
@@ -89,7 +89,8 @@ private:
         }
         // Where nothing turns, a spin is measured by the speeds at the size of the drawing; and a speed by the spins.
         const double size = solution_.pose.size.to_double();
-        for (const auto& [spin, speed] : {std::pair(Kind::omega, Kind::velocity), std::pair(Kind::alpha, Kind::acceleration)}) {
+        for (const auto& [spin, speed] :
+             {std::pair(Kind::omega, Kind::velocity), std::pair(Kind::alpha, Kind::acceleration)}) {
             largest[spin] = std::max(largest[spin], largest[speed] / size);
             largest[speed] = std::max(largest[speed], largest[spin] * size);
         }
@@ -109,13 +110,14 @@ private:
         EXPECT_EQ(solution_.sliding.size(), sliding_joints());
     }
 
-    /// A centre's coordinates are measured by its distance from the mechanism: the check divides by ω_rel, and where that is a
-    /// small difference of large spins the centre is far off.
+    /// A centre's coordinates are measured by its distance from the mechanism: the check divides by ω_rel, and where
+    /// that is a small difference of large spins the centre is far off.
     double reach_of_centre(const CheckRow& row) const {
         const Quantity centre = row.quantity.along(Quantity::Component::whole);
         double reach = solution_.pose.size.to_double();
         for (const CheckRow& other : solution_.checks) {
-            if (other.quantity.along(Quantity::Component::whole) == centre) reach = std::max(reach, std::abs(other.numeric));
+            if (other.quantity.along(Quantity::Component::whole) == centre)
+                reach = std::max(reach, std::abs(other.numeric));
         }
         return reach;
     }
@@ -130,10 +132,12 @@ private:
 
     void second_ways_agree() {
         for (const SecondWay& way : solution_.second_way)
-            EXPECT_TRUE(way.agrees) << "omega of body " << body_name(way.body) << " by centres: " << way.omega->to_double();
+            EXPECT_TRUE(way.agrees) << "omega of body " << body_name(way.body)
+                                    << " by centres: " << way.omega->to_double();
     }
 
-    // --- laws of a rigid body ----------------------------------------------------------------------------------------------
+    // --- laws of a rigid body
+    // ----------------------------------------------------------------------------------------------
     /// Rivals' theorem between every two points of a body, and in it the law of projections.
     void bodies_are_rigid() {
         for (std::size_t b = 1; b < carried_.size(); ++b) {
@@ -143,8 +147,10 @@ private:
                     if (p == q) break;
                     const Vector join = solution_.pose.at(p->point) - solution_.pose.at(q->point);
                     const Vector v = *p->velocity - *q->velocity, a = *p->acceleration - *q->acceleration;
-                    EXPECT_EQ(dot(*p->velocity, join), dot(*q->velocity, join)) << "projections of " << p->label << q->label;
-                    EXPECT_EQ(v, omega(body) * quarter_turn(join)) << "v_" << p->label << q->label << " of " << body_name(body);
+                    EXPECT_EQ(dot(*p->velocity, join), dot(*q->velocity, join))
+                        << "projections of " << p->label << q->label;
+                    EXPECT_EQ(v, omega(body) * quarter_turn(join))
+                        << "v_" << p->label << q->label << " of " << body_name(body);
                     EXPECT_EQ(a, alpha(body) * quarter_turn(join) - square(omega(body)) * join)
                         << "a_" << p->label << q->label << " of " << body_name(body);
                 }
@@ -212,13 +218,16 @@ private:
         }
     }
 
-    // --- polygons ----------------------------------------------------------------------------------------------------------
+    // --- polygons
+    // ----------------------------------------------------------------------------------------------------------
     /// A term's vector as drawn by this statement, else as drawn before in the same figure.
     std::optional<Vector> drawn(const Symbol& symbol, StatementIndex statement) const {
         const Protocol& protocol = solution_.protocol;
-        const Plane plane = protocol.statements[at(statement)].section == Topic::velocity ? Plane::velocity : Plane::acceleration;
+        const Plane plane =
+            protocol.statements[at(statement)].section == Topic::velocity ? Plane::velocity : Plane::acceleration;
         const auto is_of_it = [&](int polygon) {
-            return protocol.polygons[at(polygon)].kind == Polygon::Kind::motion && protocol.polygons[at(polygon)].plane == plane;
+            return protocol.polygons[at(polygon)].kind == Polygon::Kind::motion &&
+                   protocol.polygons[at(polygon)].plane == plane;
         };
         std::optional<Vector> earlier;
         for (const DrawnVector& vector : protocol.vectors) {
@@ -239,7 +248,8 @@ private:
     void equations_close() {
         for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
             const Statement& statement = solution_.protocol.statements[i];
-            if (!statement.equation || (statement.section != Topic::velocity && statement.section != Topic::acceleration))
+            if (!statement.equation ||
+                (statement.section != Topic::velocity && statement.section != Topic::acceleration))
                 continue;
             std::optional<Vector> first;
             for (const std::vector<Term>& side : statement.equation->sides) {
@@ -274,7 +284,8 @@ private:
         }
     }
 
-    // --- centres -----------------------------------------------------------------------------------------------------------
+    // --- centres
+    // -----------------------------------------------------------------------------------------------------------
     /// Zero exactly, or on a pose with a leftover a share of `beside` that only the leftover can explain.
     void expect_nothing(const Exact& value, const Exact& beside, const std::string& what) const {
         if (solution_.pose.exact) {
@@ -311,8 +322,9 @@ private:
         }
     }
 
-    /// Aronhold and Kennedy, for all three bodies of which every two have a centre of their own. Those at relative rest have it
-    /// everywhere, and those of translations relative to each other lie on the line at infinity, like any other.
+    /// Aronhold and Kennedy, for all three bodies of which every two have a centre of their own. Those at relative rest
+    /// have it everywhere, and those of translations relative to each other lie on the line at infinity, like any
+    /// other.
     void three_centres_lie_on_a_line() {
         const Mechanism& mechanism = solution_.mechanism;
         std::map<std::pair<BodyIndex, BodyIndex>, const InstantCentre*> centres;
@@ -321,7 +333,8 @@ private:
             for (const BodyIndex j : mechanism.bodies_after(i)) {
                 for (const BodyIndex k : mechanism.bodies_after(j)) {
                     const InstantCentre* three[] = {centres.at({i, j}), centres.at({i, k}), centres.at({j, k})};
-                    if (std::any_of(std::begin(three), std::end(three), [](const auto* c) { return c->everywhere; })) continue;
+                    if (std::any_of(std::begin(three), std::end(three), [](const auto* c) { return c->everywhere; }))
+                        continue;
                     std::array<ProjectivePoint, 3> p;
                     Exact beside = 1;
                     for (std::size_t n = 0; n < 3; ++n) {
@@ -335,7 +348,8 @@ private:
                     const Exact determinant = p[0].x * (p[1].y * p[2].w - p[2].y * p[1].w) -
                                               p[0].y * (p[1].x * p[2].w - p[2].x * p[1].w) +
                                               p[0].w * (p[1].x * p[2].y - p[2].x * p[1].y);
-                    expect_nothing(determinant, beside, "centres of " + body_name(i) + ", " + body_name(j) + ", " + body_name(k));
+                    expect_nothing(determinant, beside,
+                                   "centres of " + body_name(i) + ", " + body_name(j) + ", " + body_name(k));
                 }
             }
         }

@@ -1,6 +1,6 @@
-// The laws that any plane motion obeys, asked of a solved mechanism: agreement with the numeric check, rigid bodies, slides on
-// their guides, polygons that close, three centres on a line. Exactly, but for the check and for what a pose's leftover can
-// explain.
+// The laws that any plane motion obeys, asked of a solved mechanism: agreement with the numeric check, rigid bodies,
+// slides on their guides, polygons that close, three centres on a line. Exactly, but for the check and for what a
+// pose's leftover can explain.
 #pragma once
 
 #include "engine/solution/solution.hpp"

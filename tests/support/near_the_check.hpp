@@ -18,17 +18,15 @@ using Kind = Quantity::Kind;
 inline Kind kind_of(const Quantity& quantity) {
     switch (quantity.kind) {
         case Kind::sliding_acceleration:
-        case Kind::sliding_coriolis:
-            return Kind::sliding_velocity;
+        case Kind::sliding_coriolis: return Kind::sliding_velocity;
         case Kind::couple:
-        case Kind::force_component:
-            return Kind::force;
-        default:
-            return quantity.kind;
+        case Kind::force_component: return Kind::force;
+        default: return quantity.kind;
     }
 }
 
-/// By kind, what a difference must be small against: the largest value met of it, and what it comes from where that is nothing.
+/// By kind, what a difference must be small against: the largest value met of it, and what it comes from where that is
+/// nothing.
 inline std::map<Kind, double> magnitudes(const Solution& solution) {
     std::map<Kind, double> largest;
     double fastest = 0;
@@ -54,8 +52,8 @@ inline std::map<Kind, double> magnitudes(const Solution& solution) {
     return largest;
 }
 
-/// The worst difference from the check, each over its kind's magnitude (1 where that is nothing). Whole mechanisms keep it within
-/// 1e-9: the check counts in doubles, and loses some six of their sixteen digits in its systems of equations.
+/// The worst difference from the check, each over its kind's magnitude (1 where that is nothing). Whole mechanisms keep
+/// it within 1e-9: the check counts in doubles, and loses some six of their sixteen digits in its systems of equations.
 inline double worst_difference(const Solution& solution) {
     const std::map<Kind, double> largest = magnitudes(solution);
     double worst = 0;

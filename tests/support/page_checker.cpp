@@ -1,4 +1,5 @@
-// How the faults are found: the page is taken apart into labels, other text and segments of stroke; or into two pictures.
+// How the faults are found: the page is taken apart into labels, other text and segments of stroke; or into two
+// pictures.
 #include "tests/support/page_checker.hpp"
 
 #include <algorithm>
@@ -19,8 +20,8 @@ struct TurnedBox {
 struct Label {
     std::string words;
     TurnedBox ink;
-    double ring =
-        0;  // radius of the circle round a number, its pen included: what is clear of it may come into the box's corners
+    double ring = 0;  // radius of the circle round a number, its pen included: what is clear of it may come into the
+                      // box's corners
 };
 struct Stroke {
     Spot from, to;
@@ -33,7 +34,7 @@ struct FigureParts {
     std::vector<Label> labels;
     std::vector<Stroke> strokes;
     std::vector<std::pair<std::size_t, Stroke>> leaders;  // of the label with this number
-    std::vector<Label> texts;                             // that stand in the figure and are no labels: tables, scale bars
+    std::vector<Label> texts;  // that stand in the figure and are no labels: tables, scale bars
 };
 struct PageParts {
     std::vector<FigureParts> figures;
@@ -81,7 +82,8 @@ std::vector<Stroke> strokes_of(const Path& path) {
             const Spot p0 = pen;
             for (int i = 1; i <= 16; ++i) {
                 const double t = i / 16.0, u = 1 - t;
-                to((u * u * u) * p0 + (3 * u * u * t) * c->control_1 + (3 * u * t * t) * c->control_2 + (t * t * t) * c->to);
+                to((u * u * u) * p0 + (3 * u * u * t) * c->control_1 + (3 * u * t * t) * c->control_2 +
+                   (t * t * t) * c->to);
             }
         }
         if (const auto* a = std::get_if<ArcTo>(&segment))
@@ -105,7 +107,9 @@ double distance_to_segment(Spot spot, Spot from, Spot to) {
 
 /// Whether a stroke, its ends round, has ink within a box.
 bool meets(const TurnedBox& box, const Stroke& stroke) {
-    const auto local = [&](Spot spot) { return Spot{dot(spot - box.centre, box.axis), cross(box.axis, spot - box.centre)}; };
+    const auto local = [&](Spot spot) {
+        return Spot{dot(spot - box.centre, box.axis), cross(box.axis, spot - box.centre)};
+    };
     const Spot from = local(stroke.from), to = local(stroke.to), d = to - from;
     // What misses the box by more than the pen on one side is most of all strokes.
     const Spot far = box.half + Spot{stroke.half, stroke.half};
@@ -122,7 +126,8 @@ bool meets(const TurnedBox& box, const Stroke& stroke) {
     };
     if (clip(from.x, d.x, box.half.x) && clip(from.y, d.y, box.half.y)) return true;
     const auto end_is_near = [&](Spot end) {
-        return length({std::max(std::abs(end.x) - box.half.x, 0.0), std::max(std::abs(end.y) - box.half.y, 0.0)}) < stroke.half;
+        return length({std::max(std::abs(end.x) - box.half.x, 0.0), std::max(std::abs(end.y) - box.half.y, 0.0)}) <
+               stroke.half;
     };
     if (end_is_near(from) || end_is_near(to)) return true;
     return std::ranges::any_of(std::array{Spot{1, 1}, Spot{1, -1}, Spot{-1, 1}, Spot{-1, -1}}, [&](Spot corner) {
@@ -158,7 +163,8 @@ bool is_part_of_label(const std::vector<Mark>& marks, std::size_t k) {
     const auto& path = std::get<Path>(marks[k]);
     if (path.filled || !path.pen.dashes.empty() || path.segments.size() < 2 || k + 1 == marks.size()) return false;
     const bool is_ring = path.segments.size() == 3 && std::holds_alternative<ArcTo>(path.segments[1]);
-    const bool is_leader = path.segments.size() == 2 && std::holds_alternative<LineTo>(path.segments[1]) && path.pen.width < 0.2;
+    const bool is_leader =
+        path.segments.size() == 2 && std::holds_alternative<LineTo>(path.segments[1]) && path.pen.width < 0.2;
     if (!is_ring && !is_leader) return false;
     if (const auto* text = std::get_if<TextMark>(&marks[k + 1])) return text->cls == "label";
     if (!is_leader || !std::holds_alternative<Path>(marks[k + 1]) || !is_part_of_label(marks, k + 1)) return false;
@@ -169,8 +175,8 @@ bool is_part_of_label(const std::vector<Mark>& marks, std::size_t k) {
 bool is_tint(const Path& path, Colour paper) {
     const auto apart = [](std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); };
     return !path.stroked && path.filled &&
-           std::max({apart(path.fill.red, paper.red), apart(path.fill.green, paper.green), apart(path.fill.blue, paper.blue)}) <
-               0x40;
+           std::max({apart(path.fill.red, paper.red), apart(path.fill.green, paper.green),
+                     apart(path.fill.blue, paper.blue)}) < 0x40;
 }
 
 /// What a path of a figure is, and what it belongs to, by the groups it stands in.
@@ -293,8 +299,8 @@ Page letters_of(const Page& page) {
     return letters;
 }
 
-/// The mechanisms and the vectors of the page, black on white. The white within a symbol hides what it stands on, as it does on
-/// the page; white anywhere else hides nothing, so that a halo under a letter would not excuse it.
+/// The mechanisms and the vectors of the page, black on white. The white within a symbol hides what it stands on, as it
+/// does on the page; white anywhere else hides nothing, so that a halo under a letter would not excuse it.
 Page strokes_of(const Page& page) {
     Page strokes = blank_like(page);
     each_mark(page, [&](std::size_t k, const Mark& mark, const std::vector<const GroupBegin*>& groups, bool within) {
@@ -315,10 +321,12 @@ void add_faults_within(const FigureParts& figure, std::vector<Fault>& faults) {
     for (std::size_t i = 0; i < figure.labels.size(); ++i) {
         const Label& label = figure.labels[i];
         for (std::size_t j = i + 1; j < figure.labels.size(); ++j)
-            if (overlap(label.ink, figure.labels[j].ink) && figure.labels[j].words.find(" (continued)") == std::string::npos)
+            if (overlap(label.ink, figure.labels[j].ink) &&
+                figure.labels[j].words.find(" (continued)") == std::string::npos)
                 faults.push_back({Fault::Kind::label_on_label, figure.id, label.words, figure.labels[j].words});
         for (const Label& text : figure.texts)
-            if (overlap(label.ink, text.ink)) faults.push_back({Fault::Kind::label_on_label, figure.id, label.words, text.words});
+            if (overlap(label.ink, text.ink))
+                faults.push_back({Fault::Kind::label_on_label, figure.id, label.words, text.words});
         const Stroke* worst = nullptr;
         for (const Stroke& stroke : figure.strokes)
             if (meets(label, stroke) && (!worst || stroke.role < worst->role)) worst = &stroke;
@@ -327,7 +335,8 @@ void add_faults_within(const FigureParts& figure, std::vector<Fault>& faults) {
     for (const auto& [own, leader] : figure.leaders)
         for (std::size_t i = 0; i < figure.labels.size(); ++i)
             if (i != own && meets(figure.labels[i], leader))
-                faults.push_back({Fault::Kind::leader_on_label, figure.id, figure.labels[own].words, figure.labels[i].words});
+                faults.push_back(
+                    {Fault::Kind::leader_on_label, figure.id, figure.labels[own].words, figure.labels[i].words});
 }
 
 /// A figure on what is not its own: each of the others' letters is named once.
@@ -360,7 +369,8 @@ std::vector<Fault> faults_of(const Page& page, const Fonts& fonts) {
                              std::abs(ink.axis.y) * ink.half.x + std::abs(ink.axis.x) * ink.half.y};
             box = {ink.centre - reach, ink.centre + reach};
         }
-        if (leaves(frame, box)) faults.push_back({Fault::Kind::outside, here, text ? text->words : "a stroke", "the frame"});
+        if (leaves(frame, box))
+            faults.push_back({Fault::Kind::outside, here, text ? text->words : "a stroke", "the frame"});
     }
     const PageParts parts = parts_of(page, fonts);
     for (const FigureParts& figure : parts.figures) {
@@ -388,9 +398,14 @@ std::size_t pixels_in_common(const Page& page, const Fonts& fonts, double dpi) {
 }
 
 std::string said(const Fault& fault) {
-    static constexpr std::array words{
-        " on the label ", " on the mechanism: ", " on the vector ", " on ", ": its leader on the label ", " on ", " on ",
-        " leaves "};
+    static constexpr std::array words{" on the label ",
+                                      " on the mechanism: ",
+                                      " on the vector ",
+                                      " on ",
+                                      ": its leader on the label ",
+                                      " on ",
+                                      " on ",
+                                      " leaves "};
     return fault.figure + ": " + fault.label + words[static_cast<std::size_t>(fault.kind)] + fault.other;
 }
 

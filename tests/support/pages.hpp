@@ -100,7 +100,8 @@ inline void expect_clean(const std::vector<Page>& pages) {
             if (!axis) continue;
             for (int i = 0; i <= 100; ++i) {
                 const double t = i / 100.0;
-                const Spot at{axis->tail.x + t * (axis->tip.x - axis->tail.x), axis->tail.y + t * (axis->tip.y - axis->tail.y)};
+                const Spot at{axis->tail.x + t * (axis->tip.x - axis->tail.x),
+                              axis->tail.y + t * (axis->tip.y - axis->tail.y)};
                 for (const auto& [ink, words] : inks)
                     EXPECT_FALSE(at.x > ink.min.x && at.x < ink.max.x && at.y > ink.min.y && at.y < ink.max.y) << words;
             }

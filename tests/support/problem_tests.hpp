@@ -1,4 +1,5 @@
-// What the tests of contact, wear and impact have in common: their solutions by kind, and the results held against the checks.
+// What the tests of contact, wear and impact have in common: their solutions by kind, and the results held against the
+// checks.
 #pragma once
 
 #include <gtest/gtest.h>

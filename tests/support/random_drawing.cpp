@@ -36,11 +36,13 @@ const double least_sine = std::sin(6 * pi / 180);
 double length(Spot a) { return std::hypot(a.x, a.y); }
 double sine(Spot a, Spot b) { return std::abs(cross(a, b)) / (length(a) * length(b)); }
 
-Drawing::Drawing(Random& random, bool by_compass) : random_(random), by_compass_(by_compass) { bodies_.push_back({"1", {}}); }
+Drawing::Drawing(Random& random, bool by_compass) : random_(random), by_compass_(by_compass) {
+    bodies_.push_back({"1", {}});
+}
 
 Spot Drawing::anywhere() {
-    // One after the other: the order in which arguments are drawn is the compiler's to choose, that of an initialiser list is
-    // not.
+    // One after the other: the order in which arguments are drawn is the compiler's to choose, that of an initialiser
+    // list is not.
     return {to_tenths(random_.real(-reach, reach)), to_tenths(random_.real(-reach, reach))};
 }
 int Drawing::given(Spot spot) { return add(spot, pair(tenths(spot.x), tenths(spot.y))); }
@@ -86,8 +88,8 @@ std::optional<int> Drawing::place() {
         const double ratio = to_tenths(random_.real(-0.6, 1.6));
         const Spot there = at(from) + ratio * (at(to) - at(from));
         if (!is_free(there) || std::abs(there.x) > 2 * reach || std::abs(there.y) > 2 * reach) continue;
-        return add(there,
-                   "{\"from\": " + quoted(name(from)) + ", \"to\": " + quoted(name(to)) + ", \"ratio\": " + tenths(ratio) + "}");
+        return add(there, "{\"from\": " + quoted(name(from)) + ", \"to\": " + quoted(name(to)) +
+                              ", \"ratio\": " + tenths(ratio) + "}");
     }
     return std::nullopt;
 }
@@ -103,8 +105,8 @@ std::optional<int> Drawing::given_anywhere() {
 std::optional<int> Drawing::on_line(int from, int to, double ratio) {
     const Spot there = at(from) + ratio * (at(to) - at(from));
     if (!is_free(there) || std::abs(there.x) > 2 * reach || std::abs(there.y) > 2 * reach) return std::nullopt;
-    return add(there,
-               "{\"from\": " + quoted(name(from)) + ", \"to\": " + quoted(name(to)) + ", \"ratio\": " + tenths(ratio) + "}");
+    return add(there, "{\"from\": " + quoted(name(from)) + ", \"to\": " + quoted(name(to)) +
+                          ", \"ratio\": " + tenths(ratio) + "}");
 }
 
 std::optional<int> Drawing::pin_between(int a, int c) {
@@ -123,8 +125,8 @@ std::optional<int> Drawing::pin_between(int a, int c) {
             spot = at(a) + along * unit + (left ? 1 : -1) * std::sqrt(square) * Spot{-unit.y, unit.x};
             if (!is_free(spot) || sine(spot - at(a), spot - at(c)) < least_sine) continue;
             return add(spot, "{\"meet\": [{\"circle\": " + quoted(name(a)) + ", \"radius\": " + tenths(r) +
-                                 "}, {\"circle\": " + quoted(name(c)) + ", \"radius\": " + tenths(s) + "}], \"side\": \"" +
-                                 (left ? "left" : "right") + "\"}");
+                                 "}, {\"circle\": " + quoted(name(c)) + ", \"radius\": " + tenths(s) +
+                                 "}], \"side\": \"" + (left ? "left" : "right") + "\"}");
         }
         if (is_free(spot) && sine(spot - at(a), spot - at(c)) >= least_sine) return given(spot);
     }
@@ -152,7 +154,8 @@ void Drawing::further_point(int body) {
 
 void Drawing::revolute(int point, int i, int j) {
     for (Hinge& hinge : hinges_) {
-        const bool holds = hinge.point == point && std::find(hinge.bodies.begin(), hinge.bodies.end(), i) != hinge.bodies.end();
+        const bool holds =
+            hinge.point == point && std::find(hinge.bodies.begin(), hinge.bodies.end(), i) != hinge.bodies.end();
         if (holds && random_.chance(50)) return hinge.bodies.push_back(j);
     }
     hinges_.push_back({point, {i, j}, joints_.size()});
@@ -165,8 +168,8 @@ void Drawing::weld(int point, int i, int j) {
 
 std::string Drawing::slide(const char* kind, int point, int i, int j, const std::string& along) {
     std::string title = "s" + std::to_string(++slides_);
-    joints_.push_back("{\"" + std::string(kind) + "\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) + ", " +
-                      along + ", \"name\": " + quoted(title) + "}");
+    joints_.push_back("{\"" + std::string(kind) + "\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) +
+                      ", " + along + ", \"name\": " + quoted(title) + "}");
     return title;
 }
 
@@ -210,12 +213,13 @@ void Drawing::spin(int body, int relative_to) {
 }
 
 void Drawing::drive_slide(const std::string& joint) {
-    drivers_.push_back("{\"joint\": " + quoted(joint) + ", \"speed\": " + speed(2) + ", \"acceleration\": " + speed(5) + "}");
+    drivers_.push_back("{\"joint\": " + quoted(joint) + ", \"speed\": " + speed(2) + ", \"acceleration\": " + speed(5) +
+                       "}");
 }
 
 void Drawing::drive_point(int body, int point, const Guide& along) {
-    drivers_.push_back("{\"body\": " + quoted(body_name(body)) + ", \"at\": " + quoted(name(point)) +
-                       ", \"along\": " + along.text + ", \"speed\": " + speed(2) + ", \"acceleration\": " + speed(5) + "}");
+    drivers_.push_back("{\"body\": " + quoted(body_name(body)) + ", \"at\": " + quoted(name(point)) + ", \"along\": " +
+                       along.text + ", \"speed\": " + speed(2) + ", \"acceleration\": " + speed(5) + "}");
 }
 
 Guide Drawing::tangent(int point, int centre) const {
@@ -228,8 +232,9 @@ void Drawing::higher_pair(const char* kind, int point, int i, int j, int centre_
     const auto circle = [&](int centre) { return "{\"circle\": " + quoted(name(centre)) + "}"; };
     const std::string other = centre_j ? circle(*centre_j) : "{\"line\": " + tangent(point, centre_i).text + "}";
     joints_.push_back("{\"" + std::string(kind) + "\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) +
-                      ", \"profiles\": {" + quoted(body_name(i)) + ": " + circle(centre_i) + ", " + quoted(body_name(j)) + ": " +
-                      other + "}" + more + ", \"name\": " + quoted("h" + std::to_string(joints_.size())) + "}");
+                      ", \"profiles\": {" + quoted(body_name(i)) + ": " + circle(centre_i) + ", " +
+                      quoted(body_name(j)) + ": " + other + "}" + more +
+                      ", \"name\": " + quoted("h" + std::to_string(joints_.size())) + "}");
 }
 void Drawing::rolling(int point, int i, int j, int centre_i, std::optional<int> centre_j) {
     higher_pair("rolling", point, i, j, centre_i, centre_j);
@@ -244,13 +249,16 @@ void Drawing::gear(int point, int i, int j, int centre_i, std::optional<int> cen
 }
 
 void Drawing::balance(const char* kind, const std::string& where) {
-    efforts_.push_back("{\"" + std::string(kind) + "\": " + quoted("E" + std::to_string(efforts_.size())) + ", " + where + "}");
+    efforts_.push_back("{\"" + std::string(kind) + "\": " + quoted("E" + std::to_string(efforts_.size())) + ", " +
+                       where + "}");
 }
 void Drawing::balance_by_couple(int body, int from) {
-    balance("couple", "\"body\": " + quoted(body_name(body)) + (from != 0 ? ", \"from\": " + quoted(body_name(from)) : ""));
+    balance("couple",
+            "\"body\": " + quoted(body_name(body)) + (from != 0 ? ", \"from\": " + quoted(body_name(from)) : ""));
 }
 void Drawing::balance_by_force(int body, int point, const Guide& along) {
-    balance("force", "\"body\": " + quoted(body_name(body)) + ", \"at\": " + quoted(name(point)) + ", \"along\": " + along.text);
+    balance("force",
+            "\"body\": " + quoted(body_name(body)) + ", \"at\": " + quoted(name(point)) + ", \"along\": " + along.text);
 }
 void Drawing::balance_in_slide(const std::string& joint) { balance("force", "\"joint\": " + quoted(joint)); }
 
@@ -266,7 +274,8 @@ std::string Drawing::text() const {
         out += i + 1 < bodies_.size() ? "],\n" : "]\n";
     }
     out += "  },\n  \"joints\": [\n";
-    for (std::size_t i = 0; i < joints_.size(); ++i) out += "    " + joint_text(i) + (i + 1 < joints_.size() ? ",\n" : "\n");
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        out += "    " + joint_text(i) + (i + 1 < joints_.size() ? ",\n" : "\n");
     out += "  ],\n  \"drivers\": [";
     for (std::size_t i = 0; i < drivers_.size(); ++i) out += (i > 0 ? ", " : "") + drivers_[i];
     out += "]";

@@ -1,5 +1,5 @@
-// A mechanism file being drawn at random: places, bodies, joints, drivers, each added by a call; the text at the end. What the
-// generators of random mechanisms share. Knows nothing of what makes a mechanism determined.
+// A mechanism file being drawn at random: places, bodies, joints, drivers, each added by a call; the text at the end.
+// What the generators of random mechanisms share. Knows nothing of what makes a mechanism determined.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ double length(Spot a);
 /// Sine of the angle between two lines: 0 where they are parallel.
 double sine(Spot a, Spot b);
 
-extern const double least_sine;              ///< of 6°: a little more than the promised 5°, compass places are rounded
+extern const double least_sine;  ///< of 6°: a little more than the promised 5°, compass places are rounded
 inline constexpr double least_distance = 8;  ///< mm, between two places
 
 struct Guide {
@@ -38,7 +38,8 @@ public:
     /// The frame is body "1", index 0. `by_compass`: places are now and then constructed from others.
     Drawing(Random& random, bool by_compass);
 
-    // --- places ------------------------------------------------------------------------------------------------------------
+    // --- places
+    // ------------------------------------------------------------------------------------------------------------
     const Spot& at(int point) const { return points_[static_cast<std::size_t>(point)].spot; }
     const std::string& name(int point) const { return points_[static_cast<std::size_t>(point)].name; }
     bool is_free(Spot spot) const;
@@ -55,7 +56,8 @@ public:
     std::optional<int> pin_between(int a, int c);
     int any_point() { return random_.whole(0, static_cast<int>(points_.size()) - 1); }
 
-    // --- bodies ------------------------------------------------------------------------------------------------------------
+    // --- bodies
+    // ------------------------------------------------------------------------------------------------------------
     int body_count() const { return static_cast<int>(bodies_.size()); }
     int add_body(std::vector<int> points);
     std::vector<int>& points_of(int body) { return bodies_[static_cast<std::size_t>(body)].points; }
@@ -64,7 +66,8 @@ public:
     void further_point(int body);
     std::string body_name(int body) const { return bodies_[static_cast<std::size_t>(body)].name; }
 
-    // --- joints ------------------------------------------------------------------------------------------------------------
+    // --- joints
+    // ------------------------------------------------------------------------------------------------------------
     /// j hinged to i; now and then on the pin that holds i there already, as one hinge of several bodies.
     void revolute(int point, int i, int j);
     void weld(int point, int i, int j);
@@ -73,8 +76,8 @@ public:
     std::string pin_slot(int point, int i, int j, const Guide& guide);
     std::string pin_in_arc(int point, int i, int j, int centre);
     Guide any_guide();
-    /// Rolling without slip and sliding contact at a place: circles about `centre_i` of i and `centre_j` of j, or a straight
-    /// profile of j where `centre_j` is none.
+    /// Rolling without slip and sliding contact at a place: circles about `centre_i` of i and `centre_j` of j, or a
+    /// straight profile of j where `centre_j` is none.
     void rolling(int point, int i, int j, int centre_i, std::optional<int> centre_j);
     void contact(int point, int i, int j, int centre_i, std::optional<int> centre_j);
     /// Gears with these centres that the arm carries, or a gear and a rack, with the pitch point at a place.
@@ -82,7 +85,8 @@ public:
     /// The tangent of a circle at a place: exactly, of places in tenths.
     Guide tangent(int point, int centre) const;
 
-    // --- drivers -----------------------------------------------------------------------------------------------------------
+    // --- drivers
+    // -----------------------------------------------------------------------------------------------------------
     /// A decimal of few digits, not zero.
     std::string speed(double most);
     void spin(int body, int relative_to);
@@ -90,7 +94,8 @@ public:
     void drive_point(int body, int point, const Guide& along);
     int driver_count() const { return static_cast<int>(drivers_.size()); }
 
-    // --- efforts -----------------------------------------------------------------------------------------------------------
+    // --- efforts
+    // -----------------------------------------------------------------------------------------------------------
     void balance_by_couple(int body, int from);
     void balance_by_force(int body, int point, const Guide& along);
     void balance_in_slide(const std::string& joint);

@@ -64,8 +64,8 @@ private:
     std::string decimal(double least, double most) {
         const long hundredths = std::lround(random_.real(least, most) * 100);
         const std::string digits = std::to_string(std::labs(hundredths) % 100);
-        return (hundredths < 0 ? "-" : "") + std::to_string(std::labs(hundredths) / 100) + (digits.size() < 2 ? ".0" : ".") +
-               digits;
+        return (hundredths < 0 ? "-" : "") + std::to_string(std::labs(hundredths) / 100) +
+               (digits.size() < 2 ? ".0" : ".") + digits;
     }
     /// Two components that are not both zero.
     std::string components(double most) {
@@ -96,20 +96,11 @@ private:
                 masses_.insert({body, "{\"mass\": " + decimal(1, 5) + ", \"centre\": " + quoted(point_name(point)) +
                                           ", \"inertia\": " + decimal(0.01, 1) + "}"});
                 break;
-            case 5:
-                elastic(number, body, point);
-                break;
-            case 6:
-                torsion(number, body, point);
-                break;
-            case 7:
-                distributed(number, body, point);
-                break;
-            case 8:
-                on_pin(number);
-                break;
-            default:
-                spring(number, body, point);
+            case 5: elastic(number, body, point); break;
+            case 6: torsion(number, body, point); break;
+            case 7: distributed(number, body, point); break;
+            case 8: on_pin(number); break;
+            default: spring(number, body, point);
         }
     }
 
@@ -120,9 +111,9 @@ private:
         // Ends that coincide have no direction to pull in: a refusal, tested elsewhere.
         const Vector join = pose_.at(end) - pose_.at(point);
         if (squared_length(join) <= Exact::power_of_two(-40) * square(pose_.size)) return;
-        loads_.push_back("{\"force\": \"S" + number + "\", \"bodies\": [" + quoted(name(body)) + ", " + quoted(name(other)) +
-                         "], \"between\": [" + quoted(point_name(point)) + ", " + quoted(point_name(end)) +
-                         "], \"magnitude\": " + decimal(1, 40) + "}");
+        loads_.push_back("{\"force\": \"S" + number + "\", \"bodies\": [" + quoted(name(body)) + ", " +
+                         quoted(name(other)) + "], \"between\": [" + quoted(point_name(point)) + ", " +
+                         quoted(point_name(end)) + "], \"magnitude\": " + decimal(1, 40) + "}");
     }
 
     void elastic(const std::string& number, BodyIndex body, PointIndex point) {
@@ -131,23 +122,25 @@ private:
         const PointIndex end = point_of(other);
         const Vector join = pose_.at(end) - pose_.at(point);
         if (squared_length(join) <= Exact::power_of_two(-40) * square(pose_.size)) return;
-        loads_.push_back("{\"spring\": \"K" + number + "\", \"bodies\": [" + quoted(name(body)) + ", " + quoted(name(other)) +
-                         "], \"between\": [" + quoted(point_name(point)) + ", " + quoted(point_name(end)) +
-                         "], \"stiffness\": " + decimal(1, 900) + ", \"free length\": " + decimal(0.01, 2) + "}");
+        loads_.push_back("{\"spring\": \"K" + number + "\", \"bodies\": [" + quoted(name(body)) + ", " +
+                         quoted(name(other)) + "], \"between\": [" + quoted(point_name(point)) + ", " +
+                         quoted(point_name(end)) + "], \"stiffness\": " + decimal(1, 900) +
+                         ", \"free length\": " + decimal(0.01, 2) + "}");
     }
     void torsion(const std::string& number, BodyIndex body, PointIndex point) {
         const BodyIndex other = random_.chance(40) ? frame : any_body();
         if (other == body) return;
-        loads_.push_back("{\"spring\": \"T" + number + "\", \"bodies\": [" + quoted(name(body)) + ", " + quoted(name(other)) +
-                         "], \"at\": " + quoted(point_name(point)) + ", \"stiffness\": " + decimal(1, 20) +
-                         ", \"turned\": " + decimal(-90, 90) + "}");
+        loads_.push_back("{\"spring\": \"T" + number + "\", \"bodies\": [" + quoted(name(body)) + ", " +
+                         quoted(name(other)) + "], \"at\": " + quoted(point_name(point)) +
+                         ", \"stiffness\": " + decimal(1, 20) + ", \"turned\": " + decimal(-90, 90) + "}");
     }
     void distributed(const std::string& number, BodyIndex body, PointIndex point) {
         const PointIndex end = point_of(body);
         if (pose_.at(end) == pose_.at(point)) return;
         const std::string first = decimal(-60, 60);
         // Now and then a couple: equal and opposite at both ends.
-        const std::string last = random_.chance(15) ? (first[0] == '-' ? first.substr(1) : "-" + first) : decimal(-60, 60);
+        const std::string last =
+            random_.chance(15) ? (first[0] == '-' ? first.substr(1) : "-" + first) : decimal(-60, 60);
         loads_.push_back("{\"distributed\": \"q" + number + "\", \"body\": " + quoted(name(body)) +
                          ", \"from\": " + quoted(point_name(point)) + ", \"to\": " + quoted(point_name(end)) +
                          ", \"intensity\": [" + first + ", " + last + "], \"along\": " + decimal(-180, 180) + "}");
@@ -159,8 +152,8 @@ private:
         std::erase_if(hinges, [](const auto& each) { return each.second > 1; });
         if (hinges.empty()) return;
         const auto chosen = std::next(hinges.begin(), random_.whole(0, static_cast<int>(hinges.size()) - 1));
-        loads_.push_back("{\"force\": \"N" + number + "\", \"pin\": " + quoted(chosen->first) + ", \"value\": " + components(50) +
-                         "}");
+        loads_.push_back("{\"force\": \"N" + number + "\", \"pin\": " + quoted(chosen->first) +
+                         ", \"value\": " + components(50) + "}");
     }
 
     void effort(const std::string& named) {
@@ -177,11 +170,11 @@ private:
                                (from != frame && from != body ? ", \"from\": " + quoted(name(from)) : "") + "}");
         } else if (kind == 1) {
             const BodyIndex body = body_with_points();
-            efforts_.push_back("{\"force\": " + quoted(named) + ", \"body\": " + quoted(name(body)) +
-                               ", \"at\": " + quoted(point_name(point_of(body))) + ", \"along\": " + components(5) + "}");
+            efforts_.push_back("{\"force\": " + quoted(named) + ", \"body\": " + quoted(name(body)) + ", \"at\": " +
+                               quoted(point_name(point_of(body))) + ", \"along\": " + components(5) + "}");
         } else {
-            efforts_.push_back("{\"force\": " + quoted(named) +
-                               ", \"joint\": " + quoted(slides[at(random_.whole(0, static_cast<int>(slides.size()) - 1))]) + "}");
+            efforts_.push_back("{\"force\": " + quoted(named) + ", \"joint\": " +
+                               quoted(slides[at(random_.whole(0, static_cast<int>(slides.size()) - 1))]) + "}");
         }
     }
 
@@ -196,8 +189,8 @@ private:
 
 }  // namespace
 
-std::string under_random_loads(const std::string& text, const Mechanism& mechanism, const Pose& pose, std::uint64_t seed,
-                               int efforts, bool all_kinds) {
+std::string under_random_loads(const std::string& text, const Mechanism& mechanism, const Pose& pose,
+                               std::uint64_t seed, int efforts, bool all_kinds) {
     return Loading(mechanism, pose, seed, efforts, all_kinds).entered_in(text);
 }
 

@@ -1,18 +1,18 @@
-// Random loads for a random mechanism: forces, couples, weights with and without inertia, springs, and efforts of every kind,
-// added to its file. The same on every machine.
+// Random loads for a random mechanism: forces, couples, weights with and without inertia, springs, and efforts of every
+// kind, added to its file. The same on every machine.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
-#include "engine/mechanism/mechanism.hpp"
 #include "engine/drawing/pose.hpp"
+#include "engine/mechanism/mechanism.hpp"
 
 namespace kinegraph {
 
 /// The mechanism's file with one to four loads and so many efforts at random places (0: the file has its own).
 /// `all_kinds`: elastic and torsion springs, distributed loads and loads on pins, too.
-std::string under_random_loads(const std::string& text, const Mechanism& mechanism, const Pose& pose, std::uint64_t seed,
-                               int efforts, bool all_kinds = false);
+std::string under_random_loads(const std::string& text, const Mechanism& mechanism, const Pose& pose,
+                               std::uint64_t seed, int efforts, bool all_kinds = false);
 
 }  // namespace kinegraph

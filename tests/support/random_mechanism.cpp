@@ -17,14 +17,16 @@ int Random::whole(int least, int most) {
     return least + static_cast<int>(engine_() % range);
 }
 
-double Random::real(double least, double most) { return least + (most - least) * static_cast<double>(engine_() >> 11) * 0x1p-53; }
+double Random::real(double least, double most) {
+    return least + (most - least) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+}
 
 namespace {
 
 constexpr int most_bodies = 12;
 
-/// Adds driven bodies and dyads to a drawing. Each method gives false where its draw was degenerate; the drawing is then
-/// thrown away by the caller, which costs nothing and keeps the methods straight.
+/// Adds driven bodies and dyads to a drawing. Each method gives false where its draw was degenerate; the drawing is
+/// then thrown away by the caller, which costs nothing and keeps the methods straight.
 class Builder {
 public:
     explicit Builder(std::uint64_t seed) : random_(seed) {}
@@ -111,20 +113,13 @@ private:
         if (y == x && !random_.chance(15)) y = 0;
         switch (random_.whole(0, 7)) {
             case 0:
-            case 1:
-                return rrr(x, y);
-            case 2:
-                return random_.chance(50) ? rrp(x, y) : rrp(y, x);
-            case 3:
-                return random_.chance(50) ? rpr(x, y) : rpr(y, x);
-            case 4:
-                return random_.chance(50) ? pin_in_slot(x, y) : pin_in_slot(y, x);
-            case 5:
-                return random_.chance(50) ? arm_in_slot(x, y) : arm_in_slot(y, x);
-            case 6:
-                return prp(x, y);
-            default:
-                return random_.chance(50) ? rpp(x, y) : rpp(y, x);
+            case 1: return rrr(x, y);
+            case 2: return random_.chance(50) ? rrp(x, y) : rrp(y, x);
+            case 3: return random_.chance(50) ? rpr(x, y) : rpr(y, x);
+            case 4: return random_.chance(50) ? pin_in_slot(x, y) : pin_in_slot(y, x);
+            case 5: return random_.chance(50) ? arm_in_slot(x, y) : arm_in_slot(y, x);
+            case 6: return prp(x, y);
+            default: return random_.chance(50) ? rpp(x, y) : rpp(y, x);
         }
     }
 
@@ -299,7 +294,8 @@ RandomMechanism random_mechanism(std::uint64_t seed) { return Builder(seed).run(
 RandomMechanism chain_of_dyads(int dyads, std::uint64_t seed) {
     Random random(seed);
     Drawing drawing(random, false);
-    // Crank, then link and rocker again and again: the rocker's far pin carries the next link. Every number has few digits.
+    // Crank, then link and rocker again and again: the rocker's far pin carries the next link. Every number has few
+    // digits.
     const int pivot = drawing.given({0, 0});
     int carried = drawing.given({30, 40});
     int carrier = drawing.add_body({pivot, carried});
@@ -323,7 +319,8 @@ RandomMechanism chain_of_dyads(int dyads, std::uint64_t seed) {
     return {drawing.text(), drawing.body_count(), 1, false, "chain"};
 }
 
-bool hold_quarter(int quarter, int count, const std::function<bool(std::uint64_t)>& hold, const std::function<bool()>& failed) {
+bool hold_quarter(int quarter, int count, const std::function<bool(std::uint64_t)>& hold,
+                  const std::function<bool()>& failed) {
     if (const char* one = std::getenv("KINEGRAPH_SEED")) {
         if (quarter == 0) hold(std::strtoull(one, nullptr, 10));
         return true;

@@ -1,5 +1,6 @@
-// Random mechanisms as file text: a driven body or two and a chain of dyads, up to twelve bodies, the same on every machine.
-// Refuses degenerate draws by measures of its own (doubles over its own places); knows nothing of what the program makes of them.
+// Random mechanisms as file text: a driven body or two and a chain of dyads, up to twelve bodies, the same on every
+// machine. Refuses degenerate draws by measures of its own (doubles over its own places); knows nothing of what the
+// program makes of them.
 #pragma once
 
 #include <cstdint>
@@ -47,10 +48,11 @@ constexpr int unless_sanitized([[maybe_unused]] int count, [[maybe_unused]] int 
 constexpr int default_random_count = unless_sanitized(1000, 200);
 
 /// Calls `hold` with every fourth seed from `quarter` on, until it has said a quarter of `count` times (of
-/// KINEGRAPH_RANDOM_MECHANISMS, where that is set) that the draw counted; four entries for ctest to run side by side. Stops when
-/// `failed` says so: one mechanism with all the laws it breaks reads better than many. KINEGRAPH_SEED=n runs that one alone.
-/// False: too few draws counted.
-bool hold_quarter(int quarter, int count, const std::function<bool(std::uint64_t)>& hold, const std::function<bool()>& failed);
+/// KINEGRAPH_RANDOM_MECHANISMS, where that is set) that the draw counted; four entries for ctest to run side by side.
+/// Stops when `failed` says so: one mechanism with all the laws it breaks reads better than many. KINEGRAPH_SEED=n runs
+/// that one alone. False: too few draws counted.
+bool hold_quarter(int quarter, int count, const std::function<bool(std::uint64_t)>& hold,
+                  const std::function<bool()>& failed);
 
 /// Frame, crank, and `dyads` RRR dyads one after the other, every point a decimal: 2 + 2·dyads bodies. For benchmarks.
 RandomMechanism chain_of_dyads(int dyads, std::uint64_t seed);

@@ -24,7 +24,8 @@ std::vector<ElementIndex> results_of(Solution solution) {
     return elements;
 }
 
-/// A value as numbers: three for a point, two for a vector, one for a scalar. A point at infinity has a direction and no length.
+/// A value as numbers: three for a point, two for a vector, one for a scalar. A point at infinity has a direction and
+/// no length.
 std::vector<double> numbers(const ValueOf<double>& value) {
     if (const auto* p = std::get_if<PointOf<double>>(&value)) {
         const double length = p->at_infinity() ? std::hypot(p->x, p->y) : 1;
@@ -48,7 +49,8 @@ public:
         for (std::size_t i = 0; i < protocol.values.size(); ++i) {
             if (std::holds_alternative<ProjectiveLine>(protocol.values[i])) continue;
             double& largest = largest_[kind_of(i)];
-            for (const double number : numbers(to_double(protocol.values[i]))) largest = std::max(largest, std::abs(number));
+            for (const double number : numbers(to_double(protocol.values[i])))
+                largest = std::max(largest, std::abs(number));
         }
     }
     double of(ElementIndex element) const { return largest_.at(kind_of(at(element))); }
@@ -64,12 +66,14 @@ private:
 std::string told(const Guard& guard) {
     static constexpr std::array names{"coincide", "parallel", "zero vector", "zero scalar", "on line",
                                       "sign",     "turn",     "along",       "longer"};
-    return std::string(names[static_cast<std::size_t>(guard.question)]) + " " + std::to_string(guard.inputs[0].number()) + " " +
-           std::to_string(guard.inputs[1].number()) + ": " + std::to_string(guard.verdict);
+    return std::string(names[static_cast<std::size_t>(guard.question)]) + " " +
+           std::to_string(guard.inputs[0].number()) + " " + std::to_string(guard.inputs[1].number()) + ": " +
+           std::to_string(guard.verdict);
 }
 
-/// Bodies in the file's order and forces by name: in which order they were resolved, and by which points of concurrency, is a
-/// choice of the planner's; whether a resultant comes by a funicular polygon depends on where lines meet on the sheet.
+/// Bodies in the file's order and forces by name: in which order they were resolved, and by which points of
+/// concurrency, is a choice of the planner's; whether a resultant comes by a funicular polygon depends on where lines
+/// meet on the sheet.
 void put_in_order(Solution& solution) {
     const auto by_name = [](const auto& a, const auto& b) { return name_of(a.symbol) < name_of(b.symbol); };
     const auto put_bodies_in_order = [&](std::vector<FreeBody>& bodies) {
@@ -79,12 +83,14 @@ void put_in_order(Solution& solution) {
             body.sums.clear();
             body.funicular.reset();
         }
-        std::sort(bodies.begin(), bodies.end(),
-                  [](const FreeBody& a, const FreeBody& b) { return std::pair(a.body, a.pin) < std::pair(b.body, b.pin); });
+        std::sort(bodies.begin(), bodies.end(), [](const FreeBody& a, const FreeBody& b) {
+            return std::pair(a.body, a.pin) < std::pair(b.body, b.pin);
+        });
     };
     put_bodies_in_order(solution.free_bodies);
     if (solution.superposition)
-        for (Superposition::Part& part : solution.superposition->parts) put_bodies_in_order(part.bodies), part.together.clear();
+        for (Superposition::Part& part : solution.superposition->parts)
+            put_bodies_in_order(part.bodies), part.together.clear();
     solution.taken_together.clear();
     if (!solution.virtual_work) return;
     auto& entries = solution.virtual_work->entries;

@@ -9,9 +9,10 @@ const char* __asan_default_options();
 const char* __lsan_default_options();
 const char* __lsan_default_suppressions();
 
-/// The search for leaks reads the thread-local memory of modules opened late where it is not, and falls over at the end of a
-/// program that did all it should: it is told to leave that memory alone. The rest is time, a third of the suite's: eight calls
-/// say where a block was made, the last 64 MB that were freed are watched, and what it knows of memory lies in large pages.
+/// The search for leaks reads the thread-local memory of modules opened late where it is not, and falls over at the end
+/// of a program that did all it should: it is told to leave that memory alone. The rest is time, a third of the
+/// suite's: eight calls say where a block was made, the last 64 MB that were freed are watched, and what it knows of
+/// memory lies in large pages.
 const char* __asan_default_options() {
     return "intercept_tls_get_addr=0:malloc_context_size=8:quarantine_size_mb=64:no_huge_pages_for_shadow=0";
 }

@@ -8,9 +8,9 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "engine/file/units.hpp"
 #include "engine/number/assert.hpp"
 #include "engine/reading/mechanism_schema.hpp"
-#include "engine/file/units.hpp"
 
 namespace kinegraph {
 namespace {
@@ -39,7 +39,8 @@ const valijson::Schema& schema() {
         try {
             parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(document), *made);
         } catch (const std::exception& trouble) {
-            fault(__FILE__, __LINE__, "populateSchema", std::string("the built-in schema can be read: ") + trouble.what());
+            fault(__FILE__, __LINE__, "populateSchema",
+                  std::string("the built-in schema can be read: ") + trouble.what());
         }
         return std::unique_ptr<const valijson::Schema>(std::move(made));
     }();
@@ -74,8 +75,8 @@ Errors refused_by_schema(std::string_view text) {
         if (deepest == nullptr || error.context.size() > deepest->context.size()) deepest = &error;
     }
     KG_ASSERT(deepest != nullptr, "who refuses gives a reason");
-    return {
-        {ErrorCode::bad_input, pointer_of(deepest->context), "against the format's schema: " + shown(deepest->description, 300)}};
+    return {{ErrorCode::bad_input, pointer_of(deepest->context),
+             "against the format's schema: " + shown(deepest->description, 300)}};
 }
 
 }  // namespace kinegraph

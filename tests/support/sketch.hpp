@@ -1,4 +1,5 @@
-// Sketch: a mechanism written in code, for tests of the engine that need no file. Names stand for indices; lengths in m.
+// Sketch: a mechanism written in code, for tests of the engine that need no file. Names stand for indices; lengths in
+// m.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -44,11 +45,15 @@ struct Sketch {
         mechanism.points.push_back({name, std::move(placement), "/points/" + name});
         return *this;
     }
-    Sketch& point(const std::string& name, const char* x, const char* y) { return point(name, Coordinates{sketch::at(x, y)}); }
+    Sketch& point(const std::string& name, const char* x, const char* y) {
+        return point(name, Coordinates{sketch::at(x, y)});
+    }
     Sketch& polar(const std::string& name, const std::string& from, const char* distance, const char* angle) {
         return point(name, Polar{(*this)[from], decimal(distance), degrees(angle), {}});
     }
-    CircleCurve circle(const std::string& centre, const char* radius) const { return {(*this)[centre], decimal(radius)}; }
+    CircleCurve circle(const std::string& centre, const char* radius) const {
+        return {(*this)[centre], decimal(radius)};
+    }
     LineCurve line(const std::string& through, const char* angle) const {
         return {(*this)[through], LineCurve::By::angle, degrees(angle), none, {}};
     }
@@ -95,12 +100,15 @@ struct Sketch {
         for (std::size_t i = 0; i < profiles.size(); ++i) added.profiles[added.bodies[i]] = profiles[i];
         return *this;
     }
-    Sketch& spin(const std::string& name, const char* omega, const char* alpha = "0", const std::string& relative_to = "1") {
-        mechanism.drivers.push_back(SpinDriver{body(name), body(relative_to), decimal(omega), decimal(alpha), "/drivers/0"});
+    Sketch& spin(const std::string& name, const char* omega, const char* alpha = "0",
+                 const std::string& relative_to = "1") {
+        mechanism.drivers.push_back(
+            SpinDriver{body(name), body(relative_to), decimal(omega), decimal(alpha), "/drivers/0"});
         return *this;
     }
     Sketch& slide(int joint_index, const char* speed, const char* acceleration = "0") {
-        mechanism.drivers.push_back(SlideDriver{JointIndex(joint_index), decimal(speed), decimal(acceleration), "/drivers/0"});
+        mechanism.drivers.push_back(
+            SlideDriver{JointIndex(joint_index), decimal(speed), decimal(acceleration), "/drivers/0"});
         return *this;
     }
 };

@@ -1,4 +1,5 @@
-// Examples and mechanism files in text, solved. What cannot be read or solved is thrown, with its place, and so fails the test.
+// Examples and mechanism files in text, solved. What cannot be read or solved is thrown, with its place, and so fails
+// the test.
 #pragma once
 
 #include <stdexcept>

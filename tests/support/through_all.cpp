@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "constructions/positions/conditions.hpp"
-#include "constructions/verdicts/oversights.hpp"
 #include "constructions/solving/solve.hpp"
+#include "constructions/verdicts/oversights.hpp"
 #include "engine/file/algebra.hpp"
 #include "engine/mechanism/variation.hpp"
 #include "render/backends/backends.hpp"
@@ -39,7 +39,9 @@ struct IsFinite {
     void operator()(const CurveTo& curve) const {
         for (const Spot spot : {curve.control_1, curve.control_2, curve.to}) expect_finite(spot);
     }
-    void operator()(const ArcTo& arc) const { expect_finite({arc.centre.x, arc.centre.y, arc.radius, arc.from, arc.to}); }
+    void operator()(const ArcTo& arc) const {
+        expect_finite({arc.centre.x, arc.centre.y, arc.radius, arc.from, arc.to});
+    }
     void operator()(const Close&) const {}
     void operator()(const Path& path) const {
         for (const render::Segment& segment : path.segments) std::visit(*this, segment);
@@ -69,7 +71,8 @@ void through_exercise(const Solution& solution) {
     };
     if (const auto asked = asked_of_results(solution, results); !asked) expect_words(asked.error());
     for (const Condition& each : exercise.require) {
-        if (each.holds || each.kind == Condition::Kind::crank_turns_fully || each.kind == Condition::Kind::polygon_readable)
+        if (each.holds || each.kind == Condition::Kind::crank_turns_fully ||
+            each.kind == Condition::Kind::polygon_readable)
             continue;
         if (const auto fits = holds(each, solution, results); !fits) expect_words(fits.error());
     }
@@ -92,7 +95,8 @@ HowFar through_all(std::string_view text, const Fonts& fonts) {
     through_exercise(*solution);
     oversights(solution->mechanism, solution->pose, solution->mobility);
     // What is no number is no JSON.
-    const std::string results = results_json(*solution, false, [](const Message& said) { return tell(said, Language::en); });
+    const std::string results =
+        results_json(*solution, false, [](const Message& said) { return tell(said, Language::en); });
     expect(nlohmann::json::accept(results), "the results are no JSON");
     results_table(*solution, Language::it);
     const std::vector<Page> pages = lay_out(*solution, {}, fonts);

@@ -1,4 +1,5 @@
-// A file taken through everything: read, solved, its results written, its sheet drawn as SVG. For files that nobody would write.
+// A file taken through everything: read, solved, its results written, its sheet drawn as SVG. For files that nobody
+// would write.
 #pragma once
 
 #include <string_view>

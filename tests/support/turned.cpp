@@ -95,7 +95,8 @@ std::vector<std::string> sentences_of(const Solution& solution) {
     for (const Statement& statement : solution.protocol.statements) {
         Message said = statement.message;
         constexpr std::size_t without_its_place = 4;  // which is another on another drawing
-        if (said.sentence == Sentence::auxiliary_point) said.arguments.resize(std::min(said.arguments.size(), without_its_place));
+        if (said.sentence == Sentence::auxiliary_point)
+            said.arguments.resize(std::min(said.arguments.size(), without_its_place));
         all.push_back(english(said));
     }
     return all;
@@ -119,7 +120,8 @@ std::vector<std::string> verdicts_of(const Solution& solution) {
 }
 
 double distance(const Value& a, const Value& b) {
-    if (const auto* p = std::get_if<ProjectivePoint>(&a)) return length(p->place() - std::get<ProjectivePoint>(b).place());
+    if (const auto* p = std::get_if<ProjectivePoint>(&a))
+        return length(p->place() - std::get<ProjectivePoint>(b).place());
     if (const auto* v = std::get_if<Vector>(&a)) return length(*v - std::get<Vector>(b));
     return std::abs((std::get<Exact>(a) - std::get<Exact>(b)).to_double());
 }
@@ -128,7 +130,8 @@ double distance(const Value& a, const Value& b) {
 double spread_of(ElementIndex element, const Protocol* amplified) {
     double spread = 0;
     for (std::size_t i = 0; amplified != nullptr && element != none && i < amplified->shifted.size(); ++i)
-        spread = std::max(spread, 4 * distance(amplified->values[at_index(element)], amplified->shifted[i][at_index(element)]));
+        spread = std::max(spread,
+                          4 * distance(amplified->values[at_index(element)], amplified->shifted[i][at_index(element)]));
     return spread;
 }
 
@@ -240,8 +243,8 @@ void expect_same_but_turned(const Solution& as_given, const Solution& turned, do
     }
 
     const double size = as_given.pose.size.to_double(), fastest = fastest_driver(as_given);
-    Values spins(fastest), angular(fastest * fastest), velocities(fastest * size), accelerations(fastest * fastest * size),
-        forces(0);
+    Values spins(fastest), angular(fastest * fastest), velocities(fastest * size),
+        accelerations(fastest * fastest * size), forces(0);
     for (std::size_t b = 1; b < as_given.bodies.size(); ++b) {
         const std::string name = as_given.mechanism.bodies[b].name;
         expect_known_alike("omega " + name, as_given.bodies[b].omega, turned.bodies[b].omega, shifted, spins);
@@ -255,7 +258,8 @@ void expect_same_but_turned(const Solution& as_given, const Solution& turned, do
     }
     ASSERT_EQ(as_given.forces.size(), turned.forces.size());
     for (std::size_t i = 0; i < as_given.forces.size(); ++i)
-        expect_known_alike("force " + std::to_string(i), as_given.forces[i].force, turned.forces[i].force, shifted, forces);
+        expect_known_alike("force " + std::to_string(i), as_given.forces[i].force, turned.forces[i].force, shifted,
+                           forces);
     for (const Values* each : {&spins, &angular, &velocities, &accelerations, &forces}) each->expect_near(tolerance);
 }
 

@@ -31,8 +31,8 @@ NodeIndex CurvatureDraft::base_of(BodyIndex body) const {
 
 bool CurvatureDraft::is_known(BodyIndex body) const {
     const NodeIndex base = base_of(body);
-    return motion.velocity.turns(body) && base != none && motion.acceleration.polygon >= 0 && motion.acceleration.turns(body) &&
-           motion.acceleration.has(base);
+    return motion.velocity.turns(body) && base != none && motion.acceleration.polygon >= 0 &&
+           motion.acceleration.turns(body) && motion.acceleration.has(base);
 }
 
 bool CurvatureDraft::is_on_frame(NodeIndex node) const {
@@ -42,7 +42,9 @@ bool CurvatureDraft::is_on_frame(NodeIndex node) const {
 
 Symbol CurvatureDraft::symbol_of_pole(BodyIndex body) const { return centre_symbol(mechanism, frame, body, false); }
 
-std::string CurvatureDraft::free_name(const std::string& letter) const { return kinegraph::free_name(mechanism, letter); }
+std::string CurvatureDraft::free_name(const std::string& letter) const {
+    return kinegraph::free_name(mechanism, letter);
+}
 
 /// C₀ of C, B1′ of B1.
 std::string CurvatureDraft::name_of_centre(const std::string& point) const {
@@ -52,7 +54,8 @@ std::string CurvatureDraft::name_of_centre(const std::string& point) const {
     return candidate;
 }
 
-StatementIndex CurvatureDraft::say(BodyIndex body, Sentence sentence, std::vector<Argument> arguments, const char* source) {
+StatementIndex CurvatureDraft::say(BodyIndex body, Sentence sentence, std::vector<Argument> arguments,
+                                   const char* source) {
     Statement statement;
     statement.message = {sentence, std::move(arguments)};
     statement.section = Topic::curvature;

@@ -1,4 +1,5 @@
-// The curvature of all bodies while it is drawn: what is found of each, and how it is named and said. Knows no construction.
+// The curvature of all bodies while it is drawn: what is found of each, and how it is named and said. Knows no
+// construction.
 #pragma once
 
 #include <optional>

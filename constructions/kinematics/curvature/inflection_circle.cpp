@@ -22,8 +22,8 @@ bool InflectionCircle::rays_meet(const KnownPath& a, const KnownPath& b) {
     // Two circles about one centre are those of a body that turns about it.
     const bool same_centre = board_.coincide(a.centre, b.centre);
     const auto met = board_.meet(board_.join(a.place, a.centre), board_.join(b.place, b.centre));
-    const bool meets =
-        !same_centre && met && !board_.is_at_infinity(*met) && !board_.coincide(*met, a.place) && !board_.coincide(*met, b.place);
+    const bool meets = !same_centre && met && !board_.is_at_infinity(*met) && !board_.coincide(*met, a.place) &&
+                       !board_.coincide(*met, b.place);
     board_.rewind(before);
     return meets;
 }
@@ -42,7 +42,8 @@ void InflectionCircle::draw_pole_tangent(BodyIndex body, const KnownPath& a, con
     State& state = draft_.of(body);
     Curvature& result = state.result;
     const Symbol pole_symbol = draft_.symbol_of_pole(body);
-    result.pole_statement = draft_.say(body, Sentence::curvature_rays, {pole_symbol, ray_of(a), ray_of(b)}, "Aronhold–Kennedy");
+    result.pole_statement =
+        draft_.say(body, Sentence::curvature_rays, {pole_symbol, ray_of(a), ray_of(b)}, "Aronhold–Kennedy");
     const Place pole = *board_.meet(board_.join(a.place, a.centre), board_.join(b.place, b.centre));
     draft_.set_pole(state, pole);
     for (const KnownPath* path : {&a, &b})
@@ -51,12 +52,12 @@ void InflectionCircle::draw_pole_tangent(BodyIndex body, const KnownPath& a, con
 
     const Segment join{a.label, b.label};
     const bool both_far = a.centre_name.empty() && b.centre_name.empty();
-    result.tangent_statement =
-        both_far
-            ? draft_.say(body, Sentence::curvature_bobillier_at_infinity, {pole_symbol, join, ray_of(a), ray_of(b)}, "Bobillier")
-            : draft_.say(body, Sentence::curvature_bobillier,
-                         {pole_symbol, join, join_of_centres(a, b), ray_of(a), ray_of(b), PointName{draft_.free_name("Q")}},
-                         "Bobillier");
+    result.tangent_statement = both_far ? draft_.say(body, Sentence::curvature_bobillier_at_infinity,
+                                                     {pole_symbol, join, ray_of(a), ray_of(b)}, "Bobillier")
+                                        : draft_.say(body, Sentence::curvature_bobillier,
+                                                     {pole_symbol, join, join_of_centres(a, b), ray_of(a), ray_of(b),
+                                                      PointName{draft_.free_name("Q")}},
+                                                     "Bobillier");
     const auto axis_point = board_.meet(board_.join(a.place, b.place), board_.join(a.centre, b.centre));
     KG_ASSERT(axis_point, "the join of two points is that of their centres only through the pole");
     result.axis_point = Recorded<ProjectivePoint>::at(axis_point->element);
@@ -82,11 +83,11 @@ void InflectionCircle::draw_inflection_pole(BodyIndex body, const KnownPath& a, 
     state.result.inflection_name = draft_.free_name("J");
     const PointName end{state.result.inflection_name};
     state.result.inflection_statement =
-        straight
-            ? draft_.say(body, Sentence::curvature_inflection_straight, {draft_.symbol_of_pole(body), PointName{path.label}, end},
-                         "Euler–Savary")
-            : draft_.say(body, Sentence::curvature_inflection,
-                         {draft_.symbol_of_pole(body), PointName{path.label}, PointName{path.centre_name}, end}, "Euler–Savary");
+        straight ? draft_.say(body, Sentence::curvature_inflection_straight,
+                              {draft_.symbol_of_pole(body), PointName{path.label}, end}, "Euler–Savary")
+                 : draft_.say(body, Sentence::curvature_inflection,
+                              {draft_.symbol_of_pole(body), PointName{path.label}, PointName{path.centre_name}, end},
+                              "Euler–Savary");
     Place foot = path.place;
     if (!straight) {
         const Arrow to_pole = board_.vector(path.place, pole), to_centre = board_.vector(path.place, path.centre);
@@ -94,7 +95,8 @@ void InflectionCircle::draw_inflection_pole(BodyIndex body, const KnownPath& a, 
     }
     const DirectionHandle ray = board_.direction(board_.vector(pole, path.place));
     const auto met = board_.meet(board_.through(foot, board_.perpendicular(ray)), normal);
-    KG_ASSERT(met && !board_.is_at_infinity(*met), "a ray that is not the pole tangent meets the inflection circle again");
+    KG_ASSERT(met && !board_.is_at_infinity(*met),
+              "a ray that is not the pole tangent meets the inflection circle again");
     draft_.set_inflection_pole(state, *met);
 }
 
@@ -106,7 +108,8 @@ void InflectionCircle::by_acceleration(BodyIndex body) {
     const std::string& label = draft_.structure.node(base).label;
     state.result.pole_statement = draft_.say(
         body, Sentence::curvature_pole,
-        {draft_.symbol_of_pole(body), PointName{label}, motion_symbol<Plane::velocity>(label), draft_.omega(body)}, "Euler");
+        {draft_.symbol_of_pole(body), PointName{label}, motion_symbol<Plane::velocity>(label), draft_.omega(body)},
+        "Euler");
     const Place from = draft_.diagram.place(base);
     const Arrow to_pole = board_.scale<Plane::drawing>(board_.quotient(one, omega), board_.turn(draft_.velocity(base)));
     const Place pole = board_.carry(from, to_pole);
@@ -117,11 +120,11 @@ void InflectionCircle::by_acceleration(BodyIndex body) {
     if (board_.is_zero(acceleration)) return simple_.turn_about(body, pole, draft_.symbol_of_pole(body), "");
     draft_.set_pole(state, pole);
     state.result.inflection_name = draft_.free_name("J");
-    state.result.tangent_statement = state.result.inflection_statement =
-        draft_.say(body, Sentence::curvature_by_acceleration,
-                   {draft_.symbol_of_pole(body), PointName{state.result.inflection_name}, draft_.omega(body)}, "Bresse");
-    draft_.set_inflection_pole(state,
-                               board_.carry(pole, board_.scale<Plane::drawing>(board_.quotient(one, square), acceleration)));
+    state.result.tangent_statement = state.result.inflection_statement = draft_.say(
+        body, Sentence::curvature_by_acceleration,
+        {draft_.symbol_of_pole(body), PointName{state.result.inflection_name}, draft_.omega(body)}, "Bresse");
+    draft_.set_inflection_pole(
+        state, board_.carry(pole, board_.scale<Plane::drawing>(board_.quotient(one, square), acceleration)));
 }
 
 }  // namespace kinegraph::curvature

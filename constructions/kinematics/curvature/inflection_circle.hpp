@@ -1,5 +1,5 @@
-// Pole, pole tangent and inflection circle of a body: by two paths whose centres of curvature are known (Bobillier, Euler and
-// Savary), or by its accelerations.
+// Pole, pole tangent and inflection circle of a body: by two paths whose centres of curvature are known (Bobillier,
+// Euler and Savary), or by its accelerations.
 #pragma once
 
 #include "constructions/kinematics/curvature/draft.hpp"
@@ -15,7 +15,8 @@ public:
 
     /// By two points whose paths are known and whose rays differ. False: there are none.
     bool by_known_paths(BodyIndex body);
-    /// P = A + z∧v_A/ω, J = P + a_P/ω², a_P = a_A + α z∧AP − ω² AP. A body whose pole has no acceleration turns about it.
+    /// P = A + z∧v_A/ω, J = P + a_P/ω², a_P = a_A + α z∧AP − ω² AP. A body whose pole has no acceleration turns about
+    /// it.
     void by_acceleration(BodyIndex body);
 
 private:

@@ -18,7 +18,8 @@ std::vector<KnownPath> KnownPaths::of(BodyIndex body) {
 std::optional<KnownPath> KnownPaths::of_point(NodeIndex node, BodyIndex body) {
     const PointIndex point = draft_.structure.node(node).point;
     for (const Curvature::Ray& ray : draft_.of(body).result.rays)
-        if (ray.point == point) return KnownPath{point, ray.from, ray.to, draft_.diagram.place(node), {ray.centre.element()}};
+        if (ray.point == point)
+            return KnownPath{point, ray.from, ray.to, draft_.diagram.place(node), {ray.centre.element()}};
     return draft_.rests(node) ? std::nullopt : by_pin(node, body);
 }
 
@@ -46,8 +47,8 @@ std::optional<KnownPath> KnownPaths::by_frame(const Passage& passage) {
     if (passage.other != frame || passage.inverse) return std::nullopt;
     const Joint& joint = draft_.mechanism.joint(passage.joint);
     if (passage.kind == Passage::Kind::link)
-        return KnownPath{passage.own, draft_.name_of(passage.own), draft_.name_of(passage.others), board_.place(passage.own),
-                         board_.place(passage.others)};
+        return KnownPath{passage.own, draft_.name_of(passage.own), draft_.name_of(passage.others),
+                         board_.place(passage.own), board_.place(passage.others)};
     if (passage.kind != Passage::Kind::slot || joint.pair().touches()) return std::nullopt;
     if (joint.along) return straight_path(passage.own, board_.guide(passage.joint));
     return KnownPath{passage.own, draft_.name_of(passage.own), draft_.name_of(joint.arc), board_.place(passage.own),

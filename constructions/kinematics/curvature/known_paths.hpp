@@ -1,5 +1,5 @@
-// Paths whose centres of curvature are known before the body's own motion is: by pins of bodies solved before, by guides and
-// slots of the frame.
+// Paths whose centres of curvature are known before the body's own motion is: by pins of bodies solved before, by
+// guides and slots of the frame.
 #pragma once
 
 #include <optional>

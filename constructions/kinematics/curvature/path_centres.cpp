@@ -53,8 +53,8 @@ void PathCentres::draw_acceleration_pole(BodyIndex body) {
     result.acceleration_pole = Recorded<Vector>::at(foot->element);
 }
 
-/// Hartmann, both velocities over ω: the tips of z∧PC at C and of its share for the pole, z∧PW at P, are joined. W is the
-/// foot of J on the ray.
+/// Hartmann, both velocities over ω: the tips of z∧PC at C and of its share for the pole, z∧PW at P, are joined. W is
+/// the foot of J on the ray.
 void PathCentres::draw_path(BodyIndex body, NodeIndex node) {
     const State& state = draft_.of(body);
     const Place pole = *state.pole, place = draft_.diagram.place(node);
@@ -70,10 +70,11 @@ void PathCentres::draw_path(BodyIndex body, NodeIndex node) {
         path.statement = draft_.say(body, Sentence::curvature_at_pole, {here});
         return;
     }
-    path.statement =
-        draft_.say(body, Sentence::curvature_hartmann, {here, PointName{path.name}, draft_.symbol_of_pole(body)}, "Hartmann");
+    path.statement = draft_.say(body, Sentence::curvature_hartmann,
+                                {here, PointName{path.name}, draft_.symbol_of_pole(body)}, "Hartmann");
     const Line ray = board_.join(pole, place);
-    const auto foot = board_.meet(board_.through(*state.inflection_pole, board_.perpendicular(board_.direction(ray))), ray);
+    const auto foot =
+        board_.meet(board_.through(*state.inflection_pole, board_.perpendicular(board_.direction(ray))), ray);
     KG_ASSERT(foot && !board_.is_at_infinity(*foot), "a perpendicular meets its line");
     path.foot = Recorded<ProjectivePoint>::at(foot->element);
     if (board_.coincide(*foot, place)) {
@@ -89,8 +90,8 @@ void PathCentres::draw_path(BodyIndex body, NodeIndex node) {
     path.centre = Recorded<ProjectivePoint>::at(centre->element);
 }
 
-/// Of straight guides, slots and profiles that the body carries: their centre lies as far beyond the pole as the foot of J on
-/// the normal lies before it.
+/// Of straight guides, slots and profiles that the body carries: their centre lies as far beyond the pole as the foot
+/// of J on the normal lies before it.
 void PathCentres::draw_envelopes(BodyIndex body) {
     for (const JointIndex index : indices_of(draft_.mechanism.joints)) {
         const Joint& joint = draft_.mechanism.joint(index);
@@ -100,9 +101,10 @@ void PathCentres::draw_envelopes(BodyIndex body) {
         envelope.joint = index;
         const std::size_t before = state.result.envelopes.size();
         envelope.name = draft_.free_name(before == 0 ? "E" : "E" + std::to_string(before + 1));
-        envelope.statement = draft_.say(
-            body, Sentence::curvature_envelope,
-            {reader_name(draft_.mechanism, joint), PointName{envelope.name}, draft_.symbol_of_pole(body)}, "Euler–Savary");
+        envelope.statement =
+            draft_.say(body, Sentence::curvature_envelope,
+                       {reader_name(draft_.mechanism, joint), PointName{envelope.name}, draft_.symbol_of_pole(body)},
+                       "Euler–Savary");
         const DirectionHandle along = joint.along ? board_.guide(index) : board_.tangent(index);
         const Line normal = board_.through(*state.pole, board_.perpendicular(along));
         const auto touches = board_.meet(normal, board_.through(board_.place(joint.point), along));

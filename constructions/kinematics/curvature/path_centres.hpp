@@ -1,5 +1,5 @@
-// What follows from pole and inflection circle: the acceleration pole (Bresse), the centre of curvature of any point's path
-// (Hartmann) and of the envelope of a straight line.
+// What follows from pole and inflection circle: the acceleration pole (Bresse), the centre of curvature of any point's
+// path (Hartmann) and of the envelope of a straight line.
 #pragma once
 
 #include "constructions/kinematics/curvature/draft.hpp"

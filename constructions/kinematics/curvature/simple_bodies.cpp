@@ -34,7 +34,8 @@ void SimpleBodies::turn_about(BodyIndex body, Place pole, Argument name_of_pole,
     state.result.pole = Recorded<ProjectivePoint>::at(pole.element);
     state.result.inflection_centre = Recorded<Vector>::at(pole.element);
     state.result.acceleration_pole = Recorded<Vector>::at(pole.element);
-    state.result.pole_statement = draft_.say(body, Sentence::curvature_turning, {draft_.name(body), std::move(name_of_pole)});
+    state.result.pole_statement =
+        draft_.say(body, Sentence::curvature_turning, {draft_.name(body), std::move(name_of_pole)});
     for (const NodeIndex node : draft_.paths_of(body)) {
         PathCentre& path = draft_.add_path(body, node);
         path.is_pin = true;
@@ -50,25 +51,27 @@ void SimpleBodies::translate(BodyIndex body, NodeIndex base) {
     state.result.kind = Kind::translation;
     state.result.pole_statement = draft_.say(body, Sentence::curvature_translation, {draft_.name(body)});
     const auto v = draft_.velocity(base);
-    state.result.pole = Recorded<ProjectivePoint>::at(board_.at_infinity(board_.perpendicular(board_.direction(v))).element);
+    state.result.pole =
+        Recorded<ProjectivePoint>::at(board_.at_infinity(board_.perpendicular(board_.direction(v))).element);
     const ScalarHandle one = board_.number(1);
     for (const NodeIndex node : draft_.paths_of(body)) {
         if (!draft_.motion.velocity.has(node) || !draft_.motion.acceleration.has(node)) continue;
         PathCentre& path = draft_.add_path(body, node);
         const Arrow v_here = board_.scale<Plane::drawing>(one, draft_.velocity(node));
         const Arrow a_here = board_.scale<Plane::drawing>(one, draft_.acceleration(node));
-        const bool straight = board_.is_zero(a_here) || board_.parallel(board_.direction(v_here), board_.direction(a_here));
+        const bool straight =
+            board_.is_zero(a_here) || board_.parallel(board_.direction(v_here), board_.direction(a_here));
         const PointName here{path.label};
         if (straight) {
             path.statement = draft_.say(body, Sentence::curvature_by_normal_straight, {here});
-            path.centre =
-                Recorded<ProjectivePoint>::at(board_.at_infinity(board_.perpendicular(board_.direction(v_here))).element);
+            path.centre = Recorded<ProjectivePoint>::at(
+                board_.at_infinity(board_.perpendicular(board_.direction(v_here))).element);
             continue;
         }
         path.statement = draft_.say(body, Sentence::curvature_by_normal, {here, PointName{path.name}}, "Huygens");
         const Arrow across = board_.turn(v_here);
-        const ScalarHandle share =
-            board_.quotient(board_.moment(v_here, board_.direction(across)), board_.moment(v_here, board_.direction(a_here)));
+        const ScalarHandle share = board_.quotient(board_.moment(v_here, board_.direction(across)),
+                                                   board_.moment(v_here, board_.direction(a_here)));
         const Place centre =
             board_.carry(draft_.diagram.place(node), board_.scale<Plane::drawing>(share, board_.direction(across)));
         path.centre = Recorded<ProjectivePoint>::at(centre.element);

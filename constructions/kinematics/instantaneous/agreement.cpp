@@ -38,7 +38,8 @@ void Agreement<plane>::differ(State<plane>& state, NodeIndex first, NodeIndex se
         const auto join = board_.vector(from, to);
         const auto projection = [&](PointOn<Plane::drawing> place, NodeIndex index) {
             // A second for the velocities' tips in the drawing; projections go with it.
-            const auto tip = board_.carry(place, board_.scale<Plane::drawing>(board_.number(1), vector_of(state, index)));
+            const auto tip =
+                board_.carry(place, board_.scale<Plane::drawing>(board_.number(1), vector_of(state, index)));
             const auto foot = board_.meet(board_.through(tip, board_.perpendicular(board_.direction(join))), line);
             KG_ASSERT(foot && !board_.is_at_infinity(*foot), "a perpendicular meets its line");
             return board_.vector(place, *foot);
@@ -51,8 +52,10 @@ void Agreement<plane>::differ(State<plane>& state, NodeIndex first, NodeIndex se
                                         Recorded<Vector>::at(of_second.element),
                                         Recorded<Vector>::at(join.element),
                                         statement};
-        board_.statement(statement).message.arguments = {segment, act_.absolute<plane>(first), act_.absolute<plane>(second)};
-        act_.unsolved(act_.sought<plane>(), {Sentence::unequal_projections, {segment, act_.name(first), act_.name(second)}});
+        board_.statement(statement).message.arguments = {segment, act_.absolute<plane>(first),
+                                                         act_.absolute<plane>(second)};
+        act_.unsolved(act_.sought<plane>(),
+                      {Sentence::unequal_projections, {segment, act_.name(first), act_.name(second)}});
     } else {
         act_.begin<plane>(Sentence::act_unequal_projections_acceleration,
                           {segment, act_.absolute<plane>(first), act_.absolute<plane>(second)}, "Rivals");
@@ -70,12 +73,13 @@ void Agreement<plane>::miss(State<plane>& state, NodeIndex index, NodeIndex agai
     }
     const bool same_place = against != none && board_.coincide(act_.place(index), act_.place(against));
     if (same_place) {
-        act_.unsolved(act_.sought<plane>(),
-                      {is_velocity<plane> ? Sentence::two_velocities_at_one_place : Sentence::two_accelerations_at_one_place,
-                       {act_.name(index), act_.name(against)}});
+        act_.unsolved(act_.sought<plane>(), {is_velocity<plane> ? Sentence::two_velocities_at_one_place
+                                                                : Sentence::two_accelerations_at_one_place,
+                                             {act_.name(index), act_.name(against)}});
     } else {
-        act_.unsolved(act_.sought<plane>(),
-                      {is_velocity<plane> ? Sentence::velocity_misses : Sentence::acceleration_misses, {act_.name(index)}});
+        act_.unsolved(
+            act_.sought<plane>(),
+            {is_velocity<plane> ? Sentence::velocity_misses : Sentence::acceleration_misses, {act_.name(index)}});
     }
 }
 
@@ -86,7 +90,8 @@ void Agreement<plane>::disagree(State<plane>& state, std::size_t index) {
         const Given<plane>& other = state.given[i];
         if (!other.whole || board_.coincide(act_.place(other.node), act_.place(given.node))) continue;
         const Base<plane> from{other.node, act_.node(other.node).label, act_.place(other.node), act_.tip_of(other)};
-        if (!act_.fits_rigid(from, act_.place(given.node), act_.tip_of(given))) return differ(state, other.node, given.node);
+        if (!act_.fits_rigid(from, act_.place(given.node), act_.tip_of(given)))
+            return differ(state, other.node, given.node);
     }
     miss(state, given.node, state.base->node);
 }

@@ -24,11 +24,11 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
     const NodeIndex second = state.second;
     const auto v_second = board_.vector(pole, state.track.tip(second));
     if (still) {
-        act_.begin_centre(Sentence::act_translation,
-                          {act_.body(), act_.absolute<Plane::velocity>(base.node), act_.absolute<Plane::velocity>(second)},
-                          "Rivals");
-        act_.settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(v_base))), ActFigure::Found::translation,
-                           {base.node, second});
+        act_.begin_centre(
+            Sentence::act_translation,
+            {act_.body(), act_.absolute<Plane::velocity>(base.node), act_.absolute<Plane::velocity>(second)}, "Rivals");
+        act_.settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(v_base))),
+                           ActFigure::Found::translation, {base.node, second});
         return;
     }
     if (board_.is_zero(v_second)) return centre_at_rest(second);
@@ -39,12 +39,13 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
         const auto tip = [&](PointOn<Plane::drawing> from, VectorOn<Plane::velocity> velocity) {
             return board_.carry(from, board_.scale<Plane::drawing>(board_.number(1), velocity));
         };
-        const auto met = board_.meet(board_.join(tip(base.place, v_base), tip(other, v_second)), board_.join(base.place, other));
+        const auto met =
+            board_.meet(board_.join(tip(base.place, v_base), tip(other, v_second)), board_.join(base.place, other));
         KG_ASSERT(met && !board_.is_at_infinity(*met), "velocities of different size have no parallel joins");
         act_.settle_centre(*met, ActFigure::Found::tips, {base.node, second});
-        board_.statement(statement).message.arguments = {act_.symbol_of_centre(), act_.absolute<Plane::velocity>(base.node),
-                                                         act_.absolute<Plane::velocity>(second),
-                                                         Segment{base.label, act_.node(second).label}};
+        board_.statement(statement).message.arguments = {
+            act_.symbol_of_centre(), act_.absolute<Plane::velocity>(base.node), act_.absolute<Plane::velocity>(second),
+            Segment{base.label, act_.node(second).label}};
         return;
     }
     const StatementIndex statement = act_.begin_centre(Sentence::act_perpendiculars, {}, "Euler–Chasles");
@@ -58,14 +59,15 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
 }
 
 void Centre::locate_acceleration_centre(const State<Plane::acceleration>& state) {
-    const ScalarHandle omega = act_.result.motion.velocity.spin(act_.body_index), alpha = state.track.spin(act_.body_index);
+    const ScalarHandle omega = act_.result.motion.velocity.spin(act_.body_index),
+                       alpha = state.track.spin(act_.body_index);
     const ScalarHandle square = board_.product(omega, omega);
     const ScalarHandle whole = board_.sum(board_.product(square, square), board_.product(alpha, alpha));
     if (board_.is_zero(whole)) return;
     act_.result.figure.acceleration_centre_name = act_.free_name("K");
     act_.result.figure.acceleration_centre_statement = act_.begin<Plane::acceleration>(
-        Sentence::act_acceleration_centre, {PointName{act_.result.figure.acceleration_centre_name}, PointName{state.base->label}},
-        "Burmester");
+        Sentence::act_acceleration_centre,
+        {PointName{act_.result.figure.acceleration_centre_name}, PointName{state.base->label}}, "Burmester");
     const auto a = board_.vector(board_.pole<Plane::acceleration>(), state.base->tip);
     const auto along = board_.scale<Plane::drawing>(board_.quotient(square, whole), a);
     const auto aside = board_.scale<Plane::drawing>(board_.quotient(alpha, whole), board_.turn(a));

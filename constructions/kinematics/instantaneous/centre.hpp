@@ -1,4 +1,5 @@
-// The place of the body that is at rest, by a construction that suits the velocities at hand; and the place without acceleration.
+// The place of the body that is at rest, by a construction that suits the velocities at hand; and the place without
+// acceleration.
 #pragma once
 
 #include "constructions/kinematics/instantaneous/draft.hpp"

@@ -76,23 +76,26 @@ void Directions<plane>::auxiliary_place(State<plane>& state, const Given<plane>&
         act_.settle_centre(met_at, ActFigure::Found::perpendiculars, {first.node, second.node});
         if (act_.wishes.centre)
             act_.begin_centre(Sentence::act_perpendiculars,
-                              {act_.symbol_of_centre(), act_.name(first.node), act_.name(second.node)}, "Euler–Chasles");
+                              {act_.symbol_of_centre(), act_.name(first.node), act_.name(second.node)},
+                              "Euler–Chasles");
         state.base = {none, {}, met_at, board_.pole<plane>()};
     } else {
         const std::string label = act_.free_name("S");
         const Symbol symbol{Symbol::Letter::point, label, {}};
-        act_.begin<plane>(Sentence::auxiliary_point, {symbol, act_.body(), act_.reason_of(first), act_.reason_of(second)},
-                          "Assur");
+        act_.begin<plane>(Sentence::auxiliary_point,
+                          {symbol, act_.body(), act_.reason_of(first), act_.reason_of(second)}, "Assur");
         LineOn<plane> lines[2];
         PointOn<plane> ends[2];
         const Given<plane>* sources[2] = {&first, &second};
         for (int i = 0; i < 2; ++i) {
-            ends[i] = act_.without_tangential(Base<plane>{none, {}, act_.place(sources[i]->node), board_.pole<plane>()}, met_at);
+            ends[i] = act_.without_tangential(Base<plane>{none, {}, act_.place(sources[i]->node), board_.pole<plane>()},
+                                              met_at);
             lines[i] = board_.through(ends[i], board_.direction(sources[i]->vector));
         }
         const auto met = board_.meet(lines[0], lines[1]);
         KG_ASSERT(met && !board_.is_at_infinity(*met), "perpendiculars that meet have directions that do");
-        for (int i = 0; i < 2; ++i) act_.draw_line(state, lines[i], act_.reason_of(*sources[i]), {ends[i].element, met->element});
+        for (int i = 0; i < 2; ++i)
+            act_.draw_line(state, lines[i], act_.reason_of(*sources[i]), {ends[i].element, met->element});
         act_.label_image(state, label, *met);
         act_.draw_vector(state, act_.absolute<plane>(label), {CarriedPlace{met_at.element, act_.body_index}, {}, none},
                          board_.pole<plane>(), *met, DrawnVector::Role::absolute);
@@ -101,17 +104,20 @@ void Directions<plane>::auxiliary_place(State<plane>& state, const Given<plane>&
 }
 
 template <Plane plane>
-void Directions<plane>::spin_from_parallels(State<plane>& state, const Given<plane>& first, const Given<plane>& second) {
+void Directions<plane>::spin_from_parallels(State<plane>& state, const Given<plane>& first,
+                                            const Given<plane>& second) {
     parallel_base_ = first.node;
     if constexpr (is_velocity<plane>) {
         state.track.spins[at(act_.body_index)] = board_.number(0);
         act_.settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(first.vector))),
                            ActFigure::Found::translation, {first.node, second.node});
-        act_.begin_centre(Sentence::act_parallels, {act_.body(), act_.name(first.node), act_.name(second.node)}, "Rivals");
+        act_.begin_centre(Sentence::act_parallels, {act_.body(), act_.name(first.node), act_.name(second.node)},
+                          "Rivals");
     } else {
         act_.begin_spin<plane>(
             Sentence::alpha_from_parallels,
-            {act_.spin<plane>(), Segment{act_.node(first.node).label, act_.node(second.node).label}, act_.body()}, "Rivals");
+            {act_.spin<plane>(), Segment{act_.node(first.node).label, act_.node(second.node).label}, act_.body()},
+            "Rivals");
         // From a place of the first locus, the line ⟂ to the join meets the second.
         const auto pole = board_.pole<plane>();
         const auto along = board_.direction(first.vector);

@@ -1,5 +1,5 @@
-// Directions alone: two whose perpendiculars meet give a place whose vector is known, parallel ones the spin; what a third one
-// adds.
+// Directions alone: two whose perpendiculars meet give a place whose vector is known, parallel ones the spin; what a
+// third one adds.
 #pragma once
 
 #include "constructions/kinematics/instantaneous/agreement.hpp"
@@ -12,8 +12,8 @@ class Directions {
 public:
     Directions(ActDraft& act, Agreement<plane>& agreement) : act_(act), board_(act.board), agreement_(agreement) {}
 
-    /// Directions alone. Where the perpendiculars to two of them meet, a place of the body has both projections known: of
-    /// velocities it is the centre, at rest; of accelerations Assur's auxiliary point. Parallel ones give the spin.
+    /// Directions alone. Where the perpendiculars to two of them meet, a place of the body has both projections known:
+    /// of velocities it is the centre, at rest; of accelerations Assur's auxiliary point. Parallel ones give the spin.
     void combine_directions(State<plane>& state);
     /// The spin is known from two parallel directions, a vector from a third that is not parallel to them.
     void take_second_direction(State<plane>& state, std::size_t index);

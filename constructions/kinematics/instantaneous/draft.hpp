@@ -1,5 +1,5 @@
-// The act of motion of a body while it is drawn: what each plane has told so far, the symbols and strokes that all of its parts
-// need, what two points of a rigid body have in common. It knows no construction.
+// The act of motion of a body while it is drawn: what each plane has told so far, the symbols and strokes that all of
+// its parts need, what two points of a rigid body have in common. It knows no construction.
 #pragma once
 
 #include <optional>
@@ -52,7 +52,12 @@ public:
     using Found = ActFigure::Found;
 
     ActDraft(Structure& of, Board& on, const ActWishes& what)
-        : structure(of), board(on), diagram(of, on), mechanism(of.mechanism()), body_index(mechanism.motion->body), wishes(what) {
+        : structure(of),
+          board(on),
+          diagram(of, on),
+          mechanism(of.mechanism()),
+          body_index(mechanism.motion->body),
+          wishes(what) {
         result.figure.body = body_index;
         result.centre.second = body_index;
     }
@@ -75,7 +80,9 @@ public:
         return base.node != none ? carried(base.node) : CarriedPlace{base.place.element, body_index};
     }
     PointName name(NodeIndex index) const { return {node(index).label}; }
-    Message sought_centre() const { return {Sentence::centre_of_bodies, {BodyName{structure.body_name(frame)}, body()}}; }
+    Message sought_centre() const {
+        return {Sentence::centre_of_bodies, {BodyName{structure.body_name(frame)}, body()}};
+    }
     template <Plane plane>
     Message sought() const {
         return {is_velocity<plane> ? Sentence::velocity_of_body : Sentence::acceleration_of_body, {body()}};
@@ -135,8 +142,8 @@ public:
         return {board, state.track.polygon};
     }
     template <Plane plane>
-    void draw_vector(const State<plane>& state, Symbol symbol, const Seen& seen, PointOn<plane> tail, PointOn<plane> tip,
-                     DrawnVector::Role role) {
+    void draw_vector(const State<plane>& state, Symbol symbol, const Seen& seen, PointOn<plane> tail,
+                     PointOn<plane> tip, DrawnVector::Role role) {
         pen(state).vector(std::move(symbol), seen, tail, tip, body_index, role);
     }
     template <Plane plane>
@@ -185,7 +192,8 @@ public:
     template <Plane plane>
     PointOn<plane> image_of(const State<plane>& state, PointOn<Plane::drawing> place) {
         const auto turned = board.turn(board.vector(state.base->place, place));
-        return board.carry(without_tangential(*state.base, place), board.scale<plane>(state.track.spin(body_index), turned));
+        return board.carry(without_tangential(*state.base, place),
+                           board.scale<plane>(state.track.spin(body_index), turned));
     }
     template <Plane plane>
     PointOn<plane> tip_of(const Given<plane>& given) {
@@ -197,7 +205,8 @@ public:
         const auto rest = board.vector(without_tangential(base, place), tip);
         if (board.is_zero(rest)) return true;
         const auto join = board.vector(base.place, place);
-        return !board.is_zero(join) && board.parallel(board.direction(rest), board.perpendicular(board.direction(join)));
+        return !board.is_zero(join) &&
+               board.parallel(board.direction(rest), board.perpendicular(board.direction(join)));
     }
 
     void settle_centre(PointOn<Plane::drawing> place, Found found, const std::vector<NodeIndex>& by) {

@@ -57,8 +57,8 @@ void Settling<plane>::take_pair(State<plane>& state, std::size_t index) {
     std::vector<Argument> arguments{Segment{base.label, act_.node(given.node).label}, act_.absolute<plane>(base.label),
                                     act_.absolute<plane>(given.node)};
     if (!is_velocity<plane>) arguments.emplace_back(act_.spin<Plane::velocity>());
-    act_.begin<plane>(either<plane>(Sentence::act_projections, Sentence::act_projections_acceleration), std::move(arguments),
-                      "Rivals");
+    act_.begin<plane>(either<plane>(Sentence::act_projections, Sentence::act_projections_acceleration),
+                      std::move(arguments), "Rivals");
     take_spin(state, given.node, tip);
 }
 
@@ -110,7 +110,8 @@ void Settling<plane>::take_direction(State<plane>& state, std::size_t index) {
     const PointOn<plane> start = act_.without_tangential(base, here);
     if (board_.parallel(across_join, along)) {
         // Its projection on the join is zero whatever its size: it says nothing more, or what cannot be.
-        if (!board_.on_line(start, board_.through(board_.pole<plane>(), along))) agreement_.differ(state, base.node, given.node);
+        if (!board_.on_line(start, board_.through(board_.pole<plane>(), along)))
+            agreement_.differ(state, base.node, given.node);
         return;
     }
     state.used[index] = true;
@@ -140,9 +141,10 @@ Equation Settling<plane>::equation(const State<plane>& state, const Given<plane>
         const LineReason along{LineReason::Kind::parallel_to_segment, base.label, act_.node(given.node).label};
         right.push_back({act_.relative(given.node, base, "n"), true, true, along, act_.body_index});
     }
-    right.push_back({act_.relative(given.node, base, is_velocity<plane> ? "" : "t"), false, true, act_.across(base, given.node),
-                     act_.body_index});
-    return {{{{act_.absolute<plane>(given.node), false, true, act_.reason_of(given), act_.body_index}}, std::move(right)}};
+    right.push_back({act_.relative(given.node, base, is_velocity<plane> ? "" : "t"), false, true,
+                     act_.across(base, given.node), act_.body_index});
+    return {
+        {{{act_.absolute<plane>(given.node), false, true, act_.reason_of(given), act_.body_index}}, std::move(right)}};
 }
 
 template class Settling<Plane::velocity>;

@@ -19,8 +19,9 @@ std::optional<Closing> ClosingConditions::moved_condition(std::size_t assumed) {
     for (const Closing& condition : all) {
         if (!is_broken(structure_, board_, moved, condition)) continue;
         const bool line_at_rest =
-            condition.locus && (condition.locus->base == none ||
-                                board_.is_zero(board_.vector(board_.pole<Plane::velocity>(), moved.tip(condition.locus->base))));
+            condition.locus &&
+            (condition.locus->base == none ||
+             board_.is_zero(board_.vector(board_.pole<Plane::velocity>(), moved.tip(condition.locus->base))));
         if (line_at_rest) return condition;
         if (!first) first = condition;
     }
@@ -138,7 +139,8 @@ void ClosingConditions::add_driven_slides(const Track<Plane::velocity>& moved, s
     }
 }
 
-void ClosingConditions::add_equal_spins(BodyIndex body, const Track<Plane::velocity>& moved, std::vector<Closing>& found) {
+void ClosingConditions::add_equal_spins(BodyIndex body, const Track<Plane::velocity>& moved,
+                                        std::vector<Closing>& found) {
     Closing condition;
     condition.body = body;
     for (const auto& [other, joint] : structure_.same_spin(body)) {

@@ -1,5 +1,5 @@
-// What the bodies reached must fulfil, and which of it an assumption moves: that is asked of the drawing itself, with all drivers
-// at rest.
+// What the bodies reached must fulfil, and which of it an assumption moves: that is asked of the drawing itself, with
+// all drivers at rest.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,8 @@ namespace kinegraph::planning {
 
 class ClosingConditions {
 public:
-    ClosingConditions(Structure& structure, Board& board, const std::vector<bool>& drivers, KnownMotion& known, Loci& loci)
+    ClosingConditions(Structure& structure, Board& board, const std::vector<bool>& drivers, KnownMotion& known,
+                      Loci& loci)
         : structure_(structure),
           board_(board),
           mechanism_(structure.mechanism()),
@@ -27,7 +28,8 @@ public:
     std::optional<Closing> moved_condition_at(JointIndex index, std::size_t assumed);
 
 private:
-    /// Makes the places by which a joint holds its two known bodies known on both; false where it is no slide and no higher pair.
+    /// Makes the places by which a joint holds its two known bodies known on both; false where it is no slide and no
+    /// higher pair.
     bool see_places_of(JointIndex index);
     /// All that the bodies reached must fulfil; most of it does by the way it was drawn.
     std::vector<Closing> conditions(const Track<Plane::velocity>& moved);

@@ -16,13 +16,9 @@ void add_inputs(const Locus& locus, Quantities& inputs) {
 void add_inputs(const Step& step, Quantities& inputs) {
     switch (step.kind) {
         case Step::Kind::spin_by_joint:
-        case Step::Kind::spin_by_driver:
-            inputs.spins.insert(step.other);
-            return;
+        case Step::Kind::spin_by_driver: inputs.spins.insert(step.other); return;
         case Step::Kind::slide_by_driver:
-        case Step::Kind::roll:
-            inputs.tips.insert(step.base);
-            return;
+        case Step::Kind::roll: inputs.tips.insert(step.base); return;
         case Step::Kind::image:
             inputs.tips.insert(step.base);
             inputs.spins.insert(step.body);
@@ -31,9 +27,7 @@ void add_inputs(const Step& step, Quantities& inputs) {
             add_inputs(step.first, inputs);
             add_inputs(step.second, inputs);
             return;
-        case Step::Kind::spin_from_pair:
-            inputs.tips.insert({step.base, step.node});
-            return;
+        case Step::Kind::spin_from_pair: inputs.tips.insert({step.base, step.node}); return;
         case Step::Kind::auxiliary:
         case Step::Kind::spin_from_parallels:
             add_inputs(step.first, inputs);

@@ -11,7 +11,8 @@ void KnownMotion::sync() {
     }
 }
 
-KnownMotion::KnownMotion(Structure& structure, Board& board) : structure_(structure), board_(board), diagram_(structure, board) {
+KnownMotion::KnownMotion(Structure& structure, Board& board)
+    : structure_(structure), board_(board), diagram_(structure, board) {
     plan_.bodies.assign(structure.mechanism().bodies.size(), false);
     plan_.spins = plan_.bodies;
     plan_.bodies[at(frame)] = plan_.spins[at(frame)] = true;

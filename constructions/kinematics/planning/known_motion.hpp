@@ -1,5 +1,5 @@
-// How far a plan has come: its steps, and which nodes and bodies they reach. Knows how a point of a known body is reached, no
-// rule.
+// How far a plan has come: its steps, and which nodes and bodies they reach. Knows how a point of a known body is
+// reached, no rule.
 #pragma once
 
 #include <cstddef>

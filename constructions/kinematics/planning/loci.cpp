@@ -79,19 +79,13 @@ void Loci::add_passage(const Passage& passage, NodeIndex node, BodyIndex body, s
     if (base == none || base == node) return;
     Locus locus = past(passage, body, node, base);
     switch (passage.kind) {
-        case Passage::Kind::slot:
-            locus.kind = Locus::Kind::slot;
-            break;
+        case Passage::Kind::slot: locus.kind = Locus::Kind::slot; break;
         case Passage::Kind::link:
             locus.kind = Locus::Kind::link;
             locus.inverse = false;  // a link is seen from either end alike
             break;
-        case Passage::Kind::tangent:
-            locus.kind = Locus::Kind::tangent;
-            break;
-        case Passage::Kind::mesh:
-            locus.kind = Locus::Kind::mesh;
-            break;
+        case Passage::Kind::tangent: locus.kind = Locus::Kind::tangent; break;
+        case Passage::Kind::mesh: locus.kind = Locus::Kind::mesh; break;
     }
     loci.push_back(locus);
 }
@@ -99,7 +93,8 @@ void Loci::add_passage(const Passage& passage, NodeIndex node, BodyIndex body, s
 std::vector<Loci::Reached> Loci::reached_from(NodeIndex node) {
     std::vector<Reached> reached{{node, {}}};
     const auto reach = [&](std::size_t from, Carry::Kind kind, BodyIndex body, JointIndex joint, NodeIndex other) {
-        const bool seen = std::any_of(reached.begin(), reached.end(), [&](const Reached& r) { return r.node == other; });
+        const bool seen =
+            std::any_of(reached.begin(), reached.end(), [&](const Reached& r) { return r.node == other; });
         if (seen || known_.known(other)) return;
         Reached next{other, {{kind, body, joint, other, reached[from].node}}};
         next.carries.insert(next.carries.end(), reached[from].carries.begin(), reached[from].carries.end());

@@ -1,5 +1,5 @@
-// The loci of a node: what each body that carries it lets through, and the same carried from other nodes on bodies of known ω and
-// over rolling contacts.
+// The loci of a node: what each body that carries it lets through, and the same carried from other nodes on bodies of
+// known ω and over rolling contacts.
 #pragma once
 
 #include <vector>
@@ -45,7 +45,8 @@ private:
     }
     void add_sleeve(const Slide& slide, NodeIndex node, PointIndex point, BodyIndex body, std::vector<Locus>& loci);
     void add_passage(const Passage& passage, NodeIndex node, BodyIndex body, std::vector<Locus>& loci);
-    /// The nodes whose loci can be carried to this one: on bodies whose ω is known, and over rolling contacts; near ones first.
+    /// The nodes whose loci can be carried to this one: on bodies whose ω is known, and over rolling contacts; near
+    /// ones first.
     std::vector<Reached> reached_from(NodeIndex node);
 
     Structure& structure_;

@@ -7,7 +7,8 @@
 namespace kinegraph::planning {
 
 std::vector<NodeIndex> Meets::candidates() {
-    // A* of the guide under the slider's pin is the place a book takes; the slider's under the guide's pin serves as well.
+    // A* of the guide under the slider's pin is the place a book takes; the slider's under the guide's pin serves as
+    // well.
     for (const bool on_guide : {true, false}) {
         for (const BodyIndex body : indices_of(mechanism_.bodies)) {
             if (!known_.body_known(body)) add_places_of_slides(body, on_guide);
@@ -18,8 +19,8 @@ std::vector<NodeIndex> Meets::candidates() {
     for (const NodeIndex node : indices_of(structure_.nodes())) {
         const auto& bodies_there = structure_.node(node).bodies;
         // On a body wholly known every place is there for the asking.
-        const bool is_there =
-            std::any_of(bodies_there.begin(), bodies_there.end(), [&](BodyIndex body) { return known_.body_known(body); });
+        const bool is_there = std::any_of(bodies_there.begin(), bodies_there.end(),
+                                          [&](BodyIndex body) { return known_.body_known(body); });
         if (!known_.known(node) && !is_there) order.push_back(node);
     }
     return order;
@@ -131,7 +132,8 @@ bool Meets::auxiliary_from(BodyIndex body, const std::vector<Locus>& loci) {
     for (const bool want_parallel : {true, false}) {
         for (std::size_t i = 0; i < loci.size(); ++i) {
             for (std::size_t k = i + 1; k < loci.size(); ++k) {
-                if (loci[i].holds() == loci[k].holds() || known_.are_parallel(loci[i], loci[k]) != want_parallel) continue;
+                if (loci[i].holds() == loci[k].holds() || known_.are_parallel(loci[i], loci[k]) != want_parallel)
+                    continue;
                 const auto met =
                     board_.meet(known_.diagram().perpendicular_at(loci[i]), known_.diagram().perpendicular_at(loci[k]));
                 if (!met) continue;  // the two perpendiculars coincide: the loci say the same thing twice

@@ -19,7 +19,8 @@ bool Propagation::slide_by_driver() {
             const BodyIndex body = joint.bodies[inverse ? 1 : 0], other = joint.bodies[inverse ? 0 : 1];
             if (known_.body_known(body)) continue;
             NodeIndex base = known_.known_on(joint.point, other);
-            if (base == none && joint.pair().holds_rotation) {  // any known place of the other serves: no relative rotation
+            if (base == none &&
+                joint.pair().holds_rotation) {  // any known place of the other serves: no relative rotation
                 base = known_.base_of(other, none);
             }
             if (base == none || structure_.node(base).point == none) continue;
@@ -69,7 +70,8 @@ bool Propagation::learn_spins() {
     }
     for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
         const auto* spin = std::get_if<SpinDriver>(&mechanism_.drivers[d]);
-        if (spin == nullptr || !use_driver_[d] || known_.spin_known(spin->body) == known_.spin_known(spin->relative_to)) continue;
+        if (spin == nullptr || !use_driver_[d] || known_.spin_known(spin->body) == known_.spin_known(spin->relative_to))
+            continue;
         Step step;
         step.kind = Step::Kind::spin_by_driver;
         step.inverse = known_.spin_known(spin->body);

@@ -1,5 +1,5 @@
-// What follows without a meet: ω by joints and drivers, bodies by a point and ω or by two points, points over rolling contacts,
-// slides that are driven.
+// What follows without a meet: ω by joints and drivers, bodies by a point and ω or by two points, points over rolling
+// contacts, slides that are driven.
 #pragma once
 
 #include <vector>

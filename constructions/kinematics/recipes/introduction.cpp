@@ -3,9 +3,9 @@
 namespace kinegraph::recipes {
 
 void Introduction::introduce(const Locus& locus) {
-    const bool higher = locus.kind == Locus::Kind::link || locus.kind == Locus::Kind::tangent ||
-                        locus.kind == Locus::Kind::mesh ||
-                        (locus.kind == Locus::Kind::slot && chains_.mechanism().joints[at(locus.joint)].pair().touches());
+    const bool higher =
+        locus.kind == Locus::Kind::link || locus.kind == Locus::Kind::tangent || locus.kind == Locus::Kind::mesh ||
+        (locus.kind == Locus::Kind::slot && chains_.mechanism().joints[at(locus.joint)].pair().touches());
     if (pen_.hand() != RecipePen::Hand::solution || !higher || !introduced_.insert(locus.joint).second) return;
     const Joint& joint = chains_.mechanism().joints[at(locus.joint)];
     const PointName contact{chains_.mechanism().points[at(joint.point)].name};
@@ -20,7 +20,8 @@ void Introduction::introduce(const Locus& locus) {
         case Locus::Kind::link:
             pen_.begin<Plane::velocity>(
                 Sentence::equivalent_link,
-                {pen_.body(locus.body), pen_.body(other), contact, chains_.segment(locus.base, locus.node)}, "Euler–Savary");
+                {pen_.body(locus.body), pen_.body(other), contact, chains_.segment(locus.base, locus.node)},
+                "Euler–Savary");
             return equivalent(EquivalentLinkage::Kind::link, locus.body, other, locus.node, locus.base);
         case Locus::Kind::slot: {
             const BodyIndex pins = locus.inverse ? other : locus.body;
@@ -34,10 +35,12 @@ void Introduction::introduce(const Locus& locus) {
         case Locus::Kind::mesh:
             pen_.begin<Plane::velocity>(
                 Sentence::pitch_curves,
-                {pen_.body(locus.body), pen_.body(other), contact, place_on(joint, locus.body), place_on(joint, other)}, "");
+                {pen_.body(locus.body), pen_.body(other), contact, place_on(joint, locus.body), place_on(joint, other)},
+                "");
             return;
         default:
-            pen_.begin<Plane::velocity>(Sentence::contact_tangent, {pen_.body(locus.body), pen_.body(other), contact}, "");
+            pen_.begin<Plane::velocity>(Sentence::contact_tangent, {pen_.body(locus.body), pen_.body(other), contact},
+                                        "");
     }
 }
 

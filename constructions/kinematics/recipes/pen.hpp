@@ -1,5 +1,5 @@
-// What recipes of motion say and draw, and who does: the solution itself, one of the two trials of an assumption, or a trial
-// within a trial, which leaves no mark. It knows no recipe.
+// What recipes of motion say and draw, and who does: the solution itself, one of the two trials of an assumption, or a
+// trial within a trial, which leaves no mark. It knows no recipe.
 #pragma once
 
 #include <array>
@@ -17,7 +17,8 @@ inline std::size_t at(auto index) { return at_index(index); }
 
 class RecipePen {
 public:
-    /// Who draws: the solution itself, one of the two trials of an assumption, or a trial within a trial, which leaves no mark.
+    /// Who draws: the solution itself, one of the two trials of an assumption, or a trial within a trial, which leaves
+    /// no mark.
     enum class Hand { solution, first_trial, second_trial, silent };
 
     RecipePen(Chains& chains, Board& board) : chains_(chains), board_(board) {}
@@ -54,8 +55,8 @@ public:
         return {board_, track.polygon, trial()};
     }
     template <Plane plane>
-    void draw_vector(const Track<plane>& track, Symbol symbol, const Seen& seen, PointOn<plane> tail, PointOn<plane> tip,
-                     BodyIndex body_of, DrawnVector::Role role) {
+    void draw_vector(const Track<plane>& track, Symbol symbol, const Seen& seen, PointOn<plane> tail,
+                     PointOn<plane> tip, BodyIndex body_of, DrawnVector::Role role) {
         if (hand_ == Hand::solution) relative_[is_velocity<plane> ? 0 : 1].insert({seen.of.place, seen.to.place});
         if (hand_ != Hand::silent) pen(track).vector(std::move(symbol), seen, tail, tip, body_of, role);
     }
@@ -80,7 +81,8 @@ public:
         track.tips.resize(chains_.structure().nodes().size());
         track.tips[at(index)] = tip;
         // Places of the frame that are only steps to others would crowd the pole.
-        const bool only_a_step = chains_.at_rest(index) && !chains_.node(index).carried && !chains_.node(index).of_interest;
+        const bool only_a_step =
+            chains_.at_rest(index) && !chains_.node(index).carried && !chains_.node(index).of_interest;
         if (hand_ == Hand::silent || only_a_step) return;
         pen(track).image(image<plane>(index), tip, chains_.colour_of(index));
         if (draw_absolute) {

@@ -74,8 +74,9 @@ void PointRecipes<plane>::draw_image(Track<plane>& track, const Step& step) {
             const auto turned = board_.scale<plane>(track.spin(step.body), board_.turn(join));
             const PointOn<plane> end = board_.carry(tip, turned);
             if (!rest && begins_image(track, step))
-                pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base), chains_.turning(step.node, step.base), tip,
-                                 end, step.body, DrawnVector::Role::tangential);
+                pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base),
+                                 chains_.turning(step.node, step.base), tip, end, step.body,
+                                 DrawnVector::Role::tangential);
             tip = end;
             track.tangential[{step.base, step.node}] = turned;
         }
@@ -97,11 +98,11 @@ void PointRecipes<plane>::draw_image(Track<plane>& track, const Step& step) {
             // A pin from which others go on, or the first of its body: its parts are worth a reading.
             const Seen seen = chains_.turning(step.node, step.base);
             if (is_pin || !board_.is_zero(normal))
-                pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base, "n"), seen, tip, middle, step.body,
-                                 DrawnVector::Role::normal);
+                pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base, "n"), seen, tip, middle,
+                                 step.body, DrawnVector::Role::normal);
             if (is_pin || !board_.is_zero(tangential))
-                pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base, "t"), seen, middle, end, step.body,
-                                 DrawnVector::Role::tangential);
+                pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base, "t"), seen, middle, end,
+                                 step.body, DrawnVector::Role::tangential);
         }
         tip = end;
     }
@@ -122,11 +123,13 @@ void PointRecipes<plane>::draw_rolling_point(Track<plane>& track, const Step& st
         pen_.set_tip(track, step.node, track.tip(step.base), !rest);
     } else {
         if (!chains_.rolls_known(step.joint)) return;
-        const Symbol normal = rest ? chains_.absolute<plane>(step.node) : chains_.relative<plane>(step.node, step.base, "n");
-        pen_.begin<plane>(rest ? Sentence::rolling_point_on_rest_acceleration : Sentence::rolling_acceleration,
-                          {contact, pen_.body(step.body), pen_.body(step.other), chains_.absolute<plane>(step.node),
-                           chains_.absolute<plane>(step.base), normal, rolling_lever(chains_.mechanism().joints[at(step.joint)])},
-                          "Euler–Savary");
+        const Symbol normal =
+            rest ? chains_.absolute<plane>(step.node) : chains_.relative<plane>(step.node, step.base, "n");
+        pen_.begin<plane>(
+            rest ? Sentence::rolling_point_on_rest_acceleration : Sentence::rolling_acceleration,
+            {contact, pen_.body(step.body), pen_.body(step.other), chains_.absolute<plane>(step.node),
+             chains_.absolute<plane>(step.base), normal, rolling_lever(chains_.mechanism().joints[at(step.joint)])},
+            "Euler–Savary");
         const PointOn<plane> from = track.tip(step.base);
         const PointOn<plane> tip = board_.carry(from, chains_.rolling_offset(step.joint, step.body));
         if (!rest)
@@ -208,17 +211,19 @@ void PointRecipes<plane>::say_observer(const Step& step) {
             const auto& carriers = chains_.node(locus->node).bodies;
             const bool is_place = std::find(carriers.begin(), carriers.end(), query.observer) != carriers.end();
             const NodeIndex point = is_place ? locus->base : locus->node, place = is_place ? locus->node : locus->base;
-            std::vector<Argument> arguments{PointName{chains_.mechanism().point(query.point).name}, pen_.body(query.observer),
-                                            chains_.absolute<plane>(point), chains_.absolute<plane>(place),
+            std::vector<Argument> arguments{PointName{chains_.mechanism().point(query.point).name},
+                                            pen_.body(query.observer), chains_.absolute<plane>(point),
+                                            chains_.absolute<plane>(place),
                                             chains_.relative<plane>(point, place, is_velocity<plane> ? "" : "rel")};
             if constexpr (!is_velocity<plane>) {
                 const ScalarHandle omega = chains_.motion().velocity.spin(query.observer);
-                const auto seen = board_.vector(chains_.motion().velocity.tip(place), chains_.motion().velocity.tip(point));
+                const auto seen =
+                    board_.vector(chains_.motion().velocity.tip(place), chains_.motion().velocity.tip(point));
                 if (!board_.is_zero(omega) && !board_.is_zero(seen))
                     arguments.emplace_back(chains_.relative<plane>(point, place, "cor"));
             }
-            pen_.begin<plane>(either<plane>(Sentence::observer_velocity, Sentence::observer_acceleration), std::move(arguments),
-                              is_velocity<plane> ? "" : "Coriolis");
+            pen_.begin<plane>(either<plane>(Sentence::observer_velocity, Sentence::observer_acceleration),
+                              std::move(arguments), is_velocity<plane> ? "" : "Coriolis");
             return;
         }
     }

@@ -12,10 +12,11 @@ void SpinRecipes<plane>::spin_by_joint(Track<plane>& track, const Step& step) {
         pen_.begin_spin<plane>(step.body, either<plane>(Sentence::omega_by_fixed_guide, Sentence::alpha_by_fixed_guide),
                                {pen_.spin_of<plane>(step.body), pen_.body(step.body), pen_.place_of(joint)}, "");
     else
-        pen_.begin_spin<plane>(step.body,
-                               joint.pair().is_sleeve() ? either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve)
-                                                        : either<plane>(Sentence::omega_by_joint, Sentence::alpha_by_joint),
-                               {pen_.spin_of<plane>(step.body), pen_.spin_of<plane>(step.other), pen_.place_of(joint)}, "");
+        pen_.begin_spin<plane>(
+            step.body,
+            joint.pair().is_sleeve() ? either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve)
+                                     : either<plane>(Sentence::omega_by_joint, Sentence::alpha_by_joint),
+            {pen_.spin_of<plane>(step.body), pen_.spin_of<plane>(step.other), pen_.place_of(joint)}, "");
     track.spins[at(step.body)] = track.spin(step.other);
 }
 
@@ -29,7 +30,8 @@ void SpinRecipes<plane>::spin_by_driver(Track<plane>& track, const Step& step) {
     const ScalarHandle given = chains_.driven<plane>(step.driver);
     ScalarHandle& spin = track.spins[at(step.body)].emplace(given);
     if (step.other != frame)
-        spin = step.inverse ? board_.difference(track.spin(step.other), given) : board_.sum(track.spin(step.other), given);
+        spin =
+            step.inverse ? board_.difference(track.spin(step.other), given) : board_.sum(track.spin(step.other), given);
     if (step.other == frame && step.inverse) spin = board_.opposite(given);
 }
 
@@ -39,8 +41,10 @@ void SpinRecipes<plane>::spin_from_pair(Track<plane>& track, const Step& step) {
     if (!is_velocity<plane> && !chains_.motion().velocity.turns(step.body)) return;
     const char* const term = is_velocity<plane> ? "" : "t";
     // The vector is called as it was drawn, be it from the other end.
-    const bool drawn = track.tangential.contains({step.node, step.base}) || track.tangential.contains({step.base, step.node});
-    const bool from_node = drawn ? track.tangential.contains({step.node, step.base}) : pen_.is_drawn<plane>(step.base, step.node);
+    const bool drawn =
+        track.tangential.contains({step.node, step.base}) || track.tangential.contains({step.base, step.node});
+    const bool from_node =
+        drawn ? track.tangential.contains({step.node, step.base}) : pen_.is_drawn<plane>(step.base, step.node);
     const auto still = [&](NodeIndex each) {
         return chains_.at_rest(each) || (is_velocity<plane> && !drawn && pen_.stands_still(each));
     };
@@ -50,7 +54,8 @@ void SpinRecipes<plane>::spin_from_pair(Track<plane>& track, const Step& step) {
                                                 : chains_.relative<plane>(step.node, step.base, term);
     const StatementIndex statement = pen_.begin_spin<plane>(
         step.body, either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
-        {pen_.spin_of<plane>(step.body), relative_symbol, chains_.segment(step.base, step.node), pen_.body(step.body)}, "Rivals");
+        {pen_.spin_of<plane>(step.body), relative_symbol, chains_.segment(step.base, step.node), pen_.body(step.body)},
+        "Rivals");
     const auto turned = board_.turn(chains_.diagram().join(step.base, step.node));
     const auto found = track.tangential.find({step.base, step.node});
     VectorOn<plane> tangential;
@@ -66,9 +71,9 @@ void SpinRecipes<plane>::spin_from_pair(Track<plane>& track, const Step& step) {
                 return;
             }
             // A trial need not close: ω comes from the part ⟂ to the join, and the other part tells how far off it is.
-            const auto foot = board_.meet(
-                board_.through(board_.pole<plane>(), board_.direction(turned)),
-                board_.through(board_.carry(board_.pole<plane>(), tangential), board_.perpendicular(board_.direction(turned))));
+            const auto foot = board_.meet(board_.through(board_.pole<plane>(), board_.direction(turned)),
+                                          board_.through(board_.carry(board_.pole<plane>(), tangential),
+                                                         board_.perpendicular(board_.direction(turned))));
             tangential = board_.vector(board_.pole<plane>(), *foot);
         }
         if (pen_.hand() == RecipePen::Hand::solution && !(is_velocity<plane> && (still(step.base) || still(step.node))))
@@ -104,15 +109,16 @@ template <Plane plane>
 void SpinRecipes<plane>::spin_from_parallels(Track<plane>& track, const Step& step) {
     if (!chains_.ready(track, step.first) || !chains_.ready(track, step.second)) return;
     if (!is_velocity<plane> && !chains_.motion().velocity.turns(step.body)) return;
-    pen_.begin_spin<plane>(
-        step.body, either<plane>(Sentence::omega_from_parallels, Sentence::alpha_from_parallels),
-        {pen_.spin_of<plane>(step.body), chains_.segment(step.first.holds(), step.second.holds()), pen_.body(step.body)},
-        "Rivals");
+    pen_.begin_spin<plane>(step.body, either<plane>(Sentence::omega_from_parallels, Sentence::alpha_from_parallels),
+                           {pen_.spin_of<plane>(step.body), chains_.segment(step.first.holds(), step.second.holds()),
+                            pen_.body(step.body)},
+                           "Rivals");
     const Chain<plane> first = chains_.chain(track, step.first);
     const Chain<plane> second = chains_.chain(track, step.second);
     pen_.draw_line(track, first.line, first.reason, {first.end.element});
     pen_.draw_line(track, second.line, second.reason, {second.end.element});
-    // From a place of the first locus, the line ⟂ to the join (the direction of the difference sought) meets the second.
+    // From a place of the first locus, the line ⟂ to the join (the direction of the difference sought) meets the
+    // second.
     const auto join = chains_.diagram().join(step.first.holds(), step.second.holds());
     PointOn<plane> from = first.end;
     if constexpr (!is_velocity<plane>)

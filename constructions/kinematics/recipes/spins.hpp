@@ -1,4 +1,5 @@
-// Angular velocities and accelerations: by joints and drivers, from two points of a body (Rivals), from two parallel loci.
+// Angular velocities and accelerations: by joints and drivers, from two points of a body (Rivals), from two parallel
+// loci.
 #pragma once
 
 #include "constructions/kinematics/recipes/pen.hpp"

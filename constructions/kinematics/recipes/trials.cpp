@@ -9,7 +9,8 @@ template <Plane plane>
 void TrialRecipes<plane>::assume(Track<plane>& track, const Step& step) {
     if (step.node != none && !chains_.ready(track, step.first)) return;
     if (!step.closing.found()) return set_assumed(track, step, assumed_of(track, step), &step == moved_ ? 1 : 0);
-    pen_.begin<plane>(step.node != none ? Sentence::trial_on_line : Sentence::trial_of_spin, assumption_arguments(step), "");
+    pen_.begin<plane>(step.node != none ? Sentence::trial_on_line : Sentence::trial_of_spin, assumption_arguments(step),
+                      "");
     const Assumed<plane> assumed = assumed_of(track, step);
     VectorOn<plane> missed[2];
     ScalarHandle mismatch[2];
@@ -39,13 +40,15 @@ void TrialRecipes<plane>::assume(Track<plane>& track, const Step& step) {
     pen_.begin_spin<plane>(step.node != none ? none : step.body,
                            step.closing.locus ? Sentence::trial_closes_on_line : Sentence::trial_closes_by_spin,
                            closing_arguments(step), "");
-    const ScalarHandle share = step.closing.locus ? share_by_line(missed, chains_.diagram().direction(*step.closing.locus))
-                                                  : board_.quotient(mismatch[0], board_.difference(mismatch[0], mismatch[1]));
+    const ScalarHandle share = step.closing.locus
+                                   ? share_by_line(missed, chains_.diagram().direction(*step.closing.locus))
+                                   : board_.quotient(mismatch[0], board_.difference(mismatch[0], mismatch[1]));
     if (ends[0] && !board_.coincide(*ends[0], *ends[1])) {
         draw_line_of_ends(track, *ends[0], *ends[1]);
     }
     if (pen_.hand() == RecipePen::Hand::solution && step.closing.locus)
-        for (const int i : {0, 1}) PolygonPen<plane>(board_, track.polygon, i + 1).miss(loci[i]->end, loci[i]->line, *ends[i]);
+        for (const int i : {0, 1})
+            PolygonPen<plane>(board_, track.polygon, i + 1).miss(loci[i]->end, loci[i]->line, *ends[i]);
     settle(track, step, assumed, share);
 }
 
@@ -101,14 +104,16 @@ bool TrialRecipes<plane>::can_close(const Track<plane>& track, const Closing& cl
 }
 
 template <Plane plane>
-void TrialRecipes<plane>::set_on_line(Track<plane>& track, const Step& step, const Chain<plane>& line, PointOn<plane> tip) {
+void TrialRecipes<plane>::set_on_line(Track<plane>& track, const Step& step, const Chain<plane>& line,
+                                      PointOn<plane> tip) {
     pen_.draw_chain(track, line, tip, chains_.colour_of(step.node));
     pen_.remember_tangential(track, step.first, line, tip);
     pen_.set_tip(track, step.node, tip, !line.absolute);
 }
 
 template <Plane plane>
-void TrialRecipes<plane>::settle(Track<plane>& track, const Step& step, const Assumed<plane>& assumed, ScalarHandle share) {
+void TrialRecipes<plane>::settle(Track<plane>& track, const Step& step, const Assumed<plane>& assumed,
+                                 ScalarHandle share) {
     if (step.node == none) {
         track.spins[at(step.body)] = board_.product(share, assumed.spins[1]);
         return;
@@ -150,9 +155,10 @@ std::vector<Argument> TrialRecipes<plane>::assumption_arguments(const Step& step
 template <Plane plane>
 std::vector<Argument> TrialRecipes<plane>::closing_arguments(const Step& step) {
     const Symbol assumed = step.node != none ? pen_.image<plane>(step.node) : pen_.spin_of<plane>(step.body);
-    if (!step.closing.locus) return {pen_.spin_of<plane>(step.closing.body), pen_.spin_of<plane>(step.closing.other), assumed};
-    return {pen_.image<plane>(step.closing.locus->node), chains_.reason_of(*step.closing.locus), assumed, closing_error(1),
-            closing_error(2)};
+    if (!step.closing.locus)
+        return {pen_.spin_of<plane>(step.closing.body), pen_.spin_of<plane>(step.closing.other), assumed};
+    return {pen_.image<plane>(step.closing.locus->node), chains_.reason_of(*step.closing.locus), assumed,
+            closing_error(1), closing_error(2)};
 }
 
 template class TrialRecipes<Plane::velocity>;

@@ -1,5 +1,5 @@
-// The last rule: an unknown is given two values, the polygon is drawn from each as far as a condition that closes it, and since
-// all is linear the true value follows from how far the two drawings miss.
+// The last rule: an unknown is given two values, the polygon is drawn from each as far as a condition that closes it,
+// and since all is linear the true value follows from how far the two drawings miss.
 #pragma once
 
 #include <functional>
@@ -31,8 +31,8 @@ public:
     /// The one assumption that is moved by one where none is closed yet.
     void move(const Step* assumption) { moved_ = assumption; }
 
-    /// The last rule: one unknown is given two values, the polygon is drawn from each as far as a condition that closes it, and
-    /// since all is linear the true value follows from how far the two drawings miss.
+    /// The last rule: one unknown is given two values, the polygon is drawn from each as far as a condition that closes
+    /// it, and since all is linear the true value follows from how far the two drawings miss.
     void assume(Track<plane>& track, const Step& step);
     /// Where a trial's tip lies, seen from the place on its locus that the trial offers it.
     VectorOn<plane> miss(Track<plane>& track, const Locus& locus);
@@ -49,11 +49,11 @@ private:
     void set_on_line(Track<plane>& track, const Step& step, const Chain<plane>& line, PointOn<plane> tip);
     /// The true value: so many parts of the way from the first trial to the second.
     void settle(Track<plane>& track, const Step& step, const Assumed<plane>& assumed, ScalarHandle share);
-    /// The two misses set off from one point: the line of their ends meets the line through it ∥ to the locus where nothing is
-    /// missed.
+    /// The two misses set off from one point: the line of their ends meets the line through it ∥ to the locus where
+    /// nothing is missed.
     ScalarHandle share_by_line(const VectorOn<plane> (&missed)[2], DirectionHandle direction);
-    /// How far along a direction the second trial is set off: free to choose, so about as long as the longest vector drawn yet,
-    /// in one figure.
+    /// How far along a direction the second trial is set off: free to choose, so about as long as the longest vector
+    /// drawn yet, in one figure.
     VectorOn<plane> reach(const Track<plane>& track, DirectionHandle direction);
     std::vector<Argument> assumption_arguments(const Step& step);
     std::vector<Argument> closing_arguments(const Step& step);

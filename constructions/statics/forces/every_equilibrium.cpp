@@ -23,7 +23,8 @@ Run EveryEquilibrium::in_every_equilibrium(const std::vector<Load>& loads, Run r
 }
 
 Equilibria EveryEquilibrium::equilibria(const Group& group, const std::vector<Load>& loads, const Run& run) {
-    return {model_, board_, run, group, origin_, [&](MemberIndex member) { return model_.gap(member, loads, run, origin_); }};
+    return {model_, board_,  run,
+            group,  origin_, [&](MemberIndex member) { return model_.gap(member, loads, run, origin_); }};
 }
 
 std::vector<int> EveryEquilibrium::in_question(const Group& group, const Run& run) const {
@@ -75,7 +76,8 @@ void EveryEquilibrium::settle_by_work(int b, const Equilibria::Alike& alike, Equ
     settled_.found(b, on, run);
 }
 
-std::optional<Force> EveryEquilibrium::said_components(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run) {
+std::optional<Force> EveryEquilibrium::said_components(int b, const Equilibria::Alike& alike, Equilibria& all,
+                                                       Run& run) {
     std::optional<Force> force;
     const bool apart = alike.components.size() > 1 || !alike.whole_force;  // else the symbol says it all
     for (const Equilibria::Component& each : alike.components) {
@@ -90,7 +92,8 @@ std::optional<Force> EveryEquilibrium::said_components(int b, const Equilibria::
     return force;
 }
 
-std::optional<ScalarHandle> EveryEquilibrium::said_couple(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run) {
+std::optional<ScalarHandle> EveryEquilibrium::said_couple(int b, const Equilibria::Alike& alike, Equilibria& all,
+                                                          Run& run) {
     if (!alike.couple) return std::nullopt;
     Symbol symbol = said_.symbol_on(b, cut_at(b));
     symbol.letter = Symbol::Letter::M;
@@ -128,14 +131,14 @@ void EveryEquilibrium::note_alike(int b, const Equilibria::Alike& alike, Equilib
     reaction.force_statement = said ? said_.last() : reaction.line_statement;
 }
 
-void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHandle> along, const Equilibria::Motion& motion,
-                                Equilibria& all, Run& run) {
+void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHandle> along,
+                                const Equilibria::Motion& motion, Equilibria& all, Run& run) {
     Released released;
     released.bond = b;
     released.sought = symbol;
     released.along = along;
-    const bool of_bodies =
-        std::any_of(motion.members.begin(), motion.members.end(), [&](const auto& each) { return !model_.is_pin(each.first); });
+    const bool of_bodies = std::any_of(motion.members.begin(), motion.members.end(),
+                                       [&](const auto& each) { return !model_.is_pin(each.first); });
     Group moved;
     Names turning, centres, translating;
     for (const auto& [member, twist] : motion.members) {

@@ -1,5 +1,5 @@
-// Where equilibrium does not determine everything: in which order what every equilibrium has alike is told, and by which
-// sentence, one force after the other by moments, components or virtual work. What is alike, Equilibria says.
+// Where equilibrium does not determine everything: in which order what every equilibrium has alike is told, and by
+// which sentence, one force after the other by moments, components or virtual work. What is alike, Equilibria says.
 #pragma once
 
 #include <optional>
@@ -24,8 +24,8 @@ public:
           settled_(model, board, said),
           origin_(origin) {}
 
-    /// What every equilibrium has alike, one after the other by virtual work; after each the rules go on from there. At last the
-    /// components of what stays open.
+    /// What every equilibrium has alike, one after the other by virtual work; after each the rules go on from there. At
+    /// last the components of what stays open.
     Run in_every_equilibrium(const std::vector<Load>& loads, Run run);
 
 private:
@@ -46,8 +46,8 @@ private:
     /// Of a reaction that stays open.
     void note_alike(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run);
     /// By moments or components of one body (or of several as one) where they move as one, else by the works.
-    void say_work(int b, Symbol symbol, std::optional<DirectionHandle> along, const Equilibria::Motion& motion, Equilibria& all,
-                  Run& run);
+    void say_work(int b, Symbol symbol, std::optional<DirectionHandle> along, const Equilibria::Motion& motion,
+                  Equilibria& all, Run& run);
 
     ForceModel& model_;
     Board& board_;

@@ -6,8 +6,8 @@
 
 namespace kinegraph::statics {
 
-std::optional<Strings> FunicularPolygons::strings(const Group& group, std::vector<Actor> actors, Force sum, const Action& line,
-                                                  PlaceOnDrawing place) {
+std::optional<Strings> FunicularPolygons::strings(const Group& group, std::vector<Actor> actors, Force sum,
+                                                  const Action& line, PlaceOnDrawing place) {
     const bool several = group.size() > 1;
     const std::size_t most = several ? 12 : 6;
     const bool drawn = !said_.in_trial() && (several || !model_.is_pin(group.front()));
@@ -27,18 +27,21 @@ std::optional<Strings> FunicularPolygons::strings(const Group& group, std::vecto
         for (const auto pole : poles(found.corners, sum, several)) {
             const Board::Mark before = board_.mark();
             found.pole = pole;
-            if (draw_strings(found, actors, line, place) && !(several && is_deep(found.vertices, actors, line, deepest)))
+            if (draw_strings(found, actors, line, place) &&
+                !(several && is_deep(found.vertices, actors, line, deepest)))
                 return found;
             board_.rewind(before);
         }
     return std::nullopt;
 }
 
-std::pair<Force, Force> FunicularPolygons::by_strings(Strings found, int line, int pin, Force sum, const Group& group, Run& run) {
+std::pair<Force, Force> FunicularPolygons::by_strings(Strings found, int line, int pin, Force sum, const Group& group,
+                                                      Run& run) {
     found.statement = said_.last();
     found.first = said_.symbol_on(line, group);
     found.second = said_.symbol_on(pin, group);
-    if (found.resultant) run.added.push_back({group, said_.resultant_symbol(group), sum, *found.resultant, {}, said_.last()});
+    if (found.resultant)
+        run.added.push_back({group, said_.resultant_symbol(group), sum, *found.resultant, {}, said_.last()});
     const Force first = board_.vector(found.corners.back(), found.dividing);
     const Force second = board_.vector(found.dividing, found.corners.front());
     run.strings.push_back(std::move(found));
@@ -65,7 +68,8 @@ void FunicularPolygons::sort_along(std::vector<Actor>& actors, PlaceOnDrawing fr
     });
 }
 
-bool FunicularPolygons::draw_strings(Strings& found, const std::vector<Actor>& actors, const Action& line, PlaceOnDrawing place) {
+bool FunicularPolygons::draw_strings(Strings& found, const std::vector<Actor>& actors, const Action& line,
+                                     PlaceOnDrawing place) {
     found.vertices = {place};
     found.resultant.reset();
     std::optional<LineOn<drawing>> outer;
@@ -76,23 +80,25 @@ bool FunicularPolygons::draw_strings(Strings& found, const std::vector<Actor>& a
             i < actors.size() ? board_.through(actors[i].place, board_.direction(*actors[i].force)) : line.line;
         if (board_.parallel(string, next)) return false;
         if (!outer) outer = string;
-        if (i == actors.size() && i > 1 && !board_.parallel(*outer, string)) found.resultant = board_.meet(*outer, string);
+        if (i == actors.size() && i > 1 && !board_.parallel(*outer, string))
+            found.resultant = board_.meet(*outer, string);
         found.vertices.push_back(*board_.meet(string, next));
     }
     if (board_.coincide(found.vertices.back(), found.vertices.front())) return false;
     const auto closing = board_.direction(board_.vector(found.vertices.back(), found.vertices.front()));
-    const auto dividing = board_.meet(board_.through(found.corners.back(), line.direction), board_.through(found.pole, closing));
+    const auto dividing =
+        board_.meet(board_.through(found.corners.back(), line.direction), board_.through(found.pole, closing));
     KG_ASSERT(dividing && !board_.is_at_infinity(*dividing), "the closing line joins a place to a line that misses it");
     found.dividing = *dividing;
     return true;
 }
 
-std::vector<PointOn<Plane::force>> FunicularPolygons::poles(const std::vector<PointOn<Plane::force>>& corners, Force sum,
-                                                            bool several) {
+std::vector<PointOn<Plane::force>> FunicularPolygons::poles(const std::vector<PointOn<Plane::force>>& corners,
+                                                            Force sum, bool several) {
     const auto distance = several ? pole_distance(corners, sum) : Exact(1);
     if (!distance) return {};
-    const Force away =
-        *distance == Exact(1) ? board_.turn(sum) : board_.scale<Plane::force>(board_.number(*distance), board_.turn(sum));
+    const Force away = *distance == Exact(1) ? board_.turn(sum)
+                                             : board_.scale<Plane::force>(board_.number(*distance), board_.turn(sum));
     std::vector<PointOn<Plane::force>> found;
     for (const Exact& share : {Exact(1) / 2, Exact(3) / 2, Exact(-1) / 2}) {
         const Force along = board_.scale<Plane::force>(board_.number(share), sum);
@@ -113,11 +119,12 @@ std::optional<Exact> FunicularPolygons::pole_distance(const std::vector<PointOn<
     return std::nullopt;
 }
 
-bool FunicularPolygons::is_deep(const std::vector<PlaceOnDrawing>& vertices, const std::vector<Actor>& actors, const Action& line,
-                                const Exact& times) {
+bool FunicularPolygons::is_deep(const std::vector<PlaceOnDrawing>& vertices, const std::vector<Actor>& actors,
+                                const Action& line, const Exact& times) {
     auto reach = board_.vector(vertices.front(), line.place);
     for (const Actor& actor : actors)
-        if (const auto away = board_.vector(vertices.front(), actor.place); board_.choose_longer(away, reach)) reach = away;
+        if (const auto away = board_.vector(vertices.front(), actor.place); board_.choose_longer(away, reach))
+            reach = away;
     reach = board_.scale<drawing>(board_.number(times), reach);
     for (std::size_t i = 0; i < vertices.size() - 1; ++i) {
         const PlaceOnDrawing acts_at = i < actors.size() ? actors[i].place : line.place;

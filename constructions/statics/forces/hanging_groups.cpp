@@ -33,7 +33,8 @@ std::vector<Group> hanging_together(const ForceModel& model, bool on_frame) {
 /// One body, and bars that hold it on the frame.
 bool is_body_on_bars(const ForceModel& model, const Group& group) {
     const auto is_loaded = [&](MemberIndex member) {
-        return std::any_of(model.loads().begin(), model.loads().end(), [&](const Load& load) { return load.member == member; });
+        return std::any_of(model.loads().begin(), model.loads().end(),
+                           [&](const Load& load) { return load.member == member; });
     };
     // Where several bars share a hinge of the frame, its pin stands between.
     const auto reaches_frame = [&](MemberIndex bar, const Bond& bond) {
@@ -46,7 +47,8 @@ bool is_body_on_bars(const ForceModel& model, const Group& group) {
     const auto is_bar = [&](MemberIndex member) {
         const std::vector<int>& held = model.bonds_of(member);
         return !model.is_pin(member) && held.size() == 2 && !is_loaded(member) &&
-               std::all_of(held.begin(), held.end(), [&](int b) { return model.bonds()[at(b)].kind == Bond::Kind::pin; });
+               std::all_of(held.begin(), held.end(),
+                           [&](int b) { return model.bonds()[at(b)].kind == Bond::Kind::pin; });
     };
     const auto hangs_on_frame = [&](MemberIndex bar) {
         const std::vector<int>& held = model.bonds_of(bar);
@@ -58,10 +60,10 @@ bool is_body_on_bars(const ForceModel& model, const Group& group) {
         bars += is_bar(member) ? 1 : 0;
         bodies += !model.is_pin(member) && !is_bar(member) ? 1 : 0;
     }
-    // Pins that bars share are no bodies, but what a pin bears the body does not feel. Where there is no other, one pin is what
-    // the bars hold.
-    const bool pin_loaded =
-        std::any_of(group.begin(), group.end(), [&](MemberIndex member) { return model.is_pin(member) && is_loaded(member); });
+    // Pins that bars share are no bodies, but what a pin bears the body does not feel. Where there is no other, one pin
+    // is what the bars hold.
+    const bool pin_loaded = std::any_of(group.begin(), group.end(),
+                                        [&](MemberIndex member) { return model.is_pin(member) && is_loaded(member); });
     return (bodies == 1 && !pin_loaded) || (bodies == 0 && bars + 1 == static_cast<std::ptrdiff_t>(group.size()));
 }
 
@@ -78,7 +80,8 @@ std::vector<Group> hung_on_frame(const ForceModel& model) {
 std::vector<Group> single_on_frame(const ForceModel& model) {
     std::vector<Group> found = hanging_together(model, true);
     std::erase_if(found, [&](const Group& group) {
-        return std::count_if(group.begin(), group.end(), [&](MemberIndex member) { return !model.is_pin(member); }) != 1;
+        return std::count_if(group.begin(), group.end(), [&](MemberIndex member) { return !model.is_pin(member); }) !=
+               1;
     });
     return found;
 }

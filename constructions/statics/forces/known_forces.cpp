@@ -10,7 +10,8 @@ Run KnownForces::fresh() const {
     for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
         if (model_.bonds()[b].kind == Bond::Kind::line)
             run.reactions[b].action = model_.action(model_.bonds()[b].place, model_.bonds()[b].direction);
-        run.reactions[b].known = adrift_.count(model_.bonds()[b].first) > 0 || adrift_.count(model_.bonds()[b].second) > 0;
+        run.reactions[b].known =
+            adrift_.count(model_.bonds()[b].first) > 0 || adrift_.count(model_.bonds()[b].second) > 0;
     }
     fit(run);
     return run;
@@ -22,7 +23,8 @@ void KnownForces::fit(Run& run) const {
         Reaction parts[2];
         for (std::size_t i = 0; i < 2; ++i) {
             parts[i].known = hinge.known;
-            if (!hinge.known) parts[i].action = model_.action(model_.bonds()[b + i].place, model_.bonds()[b + i].direction);
+            if (!hinge.known)
+                parts[i].action = model_.action(model_.bonds()[b + i].place, model_.bonds()[b + i].direction);
         }
         hinge.known = true;
         for (Reaction& part : parts) run.reactions.push_back(part);
@@ -51,21 +53,11 @@ KnownForces::Unknowns KnownForces::sorted(const std::vector<int>& unknown, const
     Unknowns result;
     for (const int b : unknown) {
         switch (shape(b, run)) {
-            case Shape::pin:
-                result.pins.push_back(b);
-                break;
-            case Shape::guide:
-                result.guides.push_back(b);
-                break;
-            case Shape::line:
-                result.fixed.push_back(b);
-                break;
-            case Shape::couple:
-                result.couples.push_back(b);
-                break;
-            case Shape::clamp:
-                result.clamps.push_back(b);
-                break;
+            case Shape::pin: result.pins.push_back(b); break;
+            case Shape::guide: result.guides.push_back(b); break;
+            case Shape::line: result.fixed.push_back(b); break;
+            case Shape::couple: result.couples.push_back(b); break;
+            case Shape::clamp: result.clamps.push_back(b); break;
         }
     }
     return result;
@@ -101,7 +93,8 @@ std::vector<Group> KnownForces::groups(const Run& run) const {
 void KnownForces::note(const Group& group, Run& run) const {
     if (is_whole(group)) return;  // its bodies are resolved later
     for (const MemberIndex member : group) {
-        const bool there = std::any_of(run.order.begin(), run.order.end(), [&](const Resolved& r) { return r.member == member; });
+        const bool there =
+            std::any_of(run.order.begin(), run.order.end(), [&](const Resolved& r) { return r.member == member; });
         if (!there) run.order.push_back({member});
     }
 }

@@ -1,5 +1,5 @@
-// What is known of the forces in a run, bond by bond: what is open still, in which form, and which bodies may be cut free next.
-// It reads runs and opens them; it knows no rule and no sentence.
+// What is known of the forces in a run, bond by bond: what is open still, in which form, and which bodies may be cut
+// free next. It reads runs and opens them; it knows no rule and no sentence.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,8 @@ public:
         std::vector<int> pins, guides, fixed, couples, clamps;
     };
 
-    /// `adrift`: members of which nothing is found. `wholes`: structures hung on the frame, which are cut free whole first.
+    /// `adrift`: members of which nothing is found. `wholes`: structures hung on the frame, which are cut free whole
+    /// first.
     KnownForces(ForceModel& model, std::set<MemberIndex> adrift, std::vector<Group> wholes)
         : model_(model), adrift_(std::move(adrift)), wholes_(std::move(wholes)) {}
 
@@ -32,7 +33,9 @@ public:
     Unknowns sorted(const std::vector<int>& unknown, const Run& run) const;
     bool all_known(const Run& run) const;
     std::vector<Group> groups(const Run& run) const;
-    bool is_whole(const Group& group) const { return std::find(wholes_.begin(), wholes_.end(), group) != wholes_.end(); }
+    bool is_whole(const Group& group) const {
+        return std::find(wholes_.begin(), wholes_.end(), group) != wholes_.end();
+    }
     void note(const Group& group, Run& run) const;
     /// A place on a bond's line, or its own.
     PlaceOnDrawing place_of(int b, const Run& run) const;

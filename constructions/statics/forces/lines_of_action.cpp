@@ -26,7 +26,8 @@ bool LinesOfAction::parallel_to_all(const Group& group, const std::vector<Load>&
     const DirectionHandle along =
         fixed.empty() ? model_.bonds()[at(guides[0])].direction : run.reactions[at(fixed[0])].action->direction;
     const auto is_along = [&](DirectionHandle direction) { return board_.parallel(along, direction); };
-    if (!std::all_of(fixed.begin(), fixed.end(), [&](int b) { return is_along(run.reactions[at(b)].action->direction); }) ||
+    if (!std::all_of(fixed.begin(), fixed.end(),
+                     [&](int b) { return is_along(run.reactions[at(b)].action->direction); }) ||
         !std::all_of(guides.begin(), guides.end(), [&](int b) { return is_along(model_.bonds()[at(b)].direction); }))
         return false;
     const Wrench known = model_.known_on(group, loads, run);
@@ -49,7 +50,9 @@ bool LinesOfAction::through_pin(const Group& group, const std::vector<Load>& loa
 
 bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins, const std::vector<int>& guides,
                                const std::vector<int>& fixed, Run& run) {
-    const auto join_direction = [&](PlaceOnDrawing p, PlaceOnDrawing q) { return board_.direction(board_.vector(p, q)); };
+    const auto join_direction = [&](PlaceOnDrawing p, PlaceOnDrawing q) {
+        return board_.direction(board_.vector(p, q));
+    };
     if (pins.size() == 2) {
         const Bond &one = model_.bonds()[at(pins[0])], &two = model_.bonds()[at(pins[1])];
         if (board_.coincide(one.place, two.place)) return false;
@@ -81,7 +84,8 @@ bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins,
         return true;
     }
     if (guides.size() == 2) {
-        if (board_.parallel(model_.bonds()[at(guides[0])].direction, model_.bonds()[at(guides[1])].direction)) return false;
+        if (board_.parallel(model_.bonds()[at(guides[0])].direction, model_.bonds()[at(guides[1])].direction))
+            return false;
         said_.say_of(group, Sentence::zero_forces, {});
         settled_.vanish(guides[0], group, run);
         settled_.vanish(guides[1], group, run);

@@ -1,5 +1,5 @@
-// Lines of action before magnitudes: bodies under two forces, under three of which two lines are known (Culmann), under two and a
-// couple, under parallel ones.
+// Lines of action before magnitudes: bodies under two forces, under three of which two lines are known (Culmann), under
+// two and a couple, under parallel ones.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,8 @@ public:
     bool lines(const Group& group, const std::vector<Load>& loads, Run& run, bool beside_couples);
     /// All other forces on a body are parallel, known or not: across them nothing balances a force at its pin.
     bool parallel_to_all(const Group& group, const std::vector<Load>& loads, Run& run);
-    /// What is known on a body passes its pin: moments about that leave none to the guide, so its reaction passes there too.
+    /// What is known on a body passes its pin: moments about that leave none to the guide, so its reaction passes there
+    /// too.
     bool through_pin(const Group& group, const std::vector<Load>& loads, Run& run);
 
 private:

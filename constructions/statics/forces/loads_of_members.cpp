@@ -20,9 +20,9 @@ public:
             const auto index = static_cast<int>(l);
             const auto& given = mechanism_.loads[l];
             if (const auto* force = std::get_if<ForceLoad>(&given)) {
-                const Force acting = force->value
-                                         ? board_.load_force(index)
-                                         : board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
+                const Force acting =
+                    force->value ? board_.load_force(index)
+                                 : board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
                 const Symbol symbol{Symbol::Letter::F, force->name, {}};
                 const MemberIndex member = force->pin == none ? member_of(force->body) : pins_.at(force->pin);
                 add_load({member, symbol, AppliedForce::Kind::load, acting, board_.place(force->at), {}, index});
@@ -77,17 +77,18 @@ private:
         }
         const auto name = [&](PointIndex point) { return PointName{mechanism_.point(point).name}; };
         if (spring.elastic && read_.loads.size() > before)
-            say_of_load(read_.loads.back(), {Sentence::elastic_spring, {read_.loads.back().symbol, name(first), name(second)}},
-                        "Hooke");
+            say_of_load(read_.loads.back(),
+                        {Sentence::elastic_spring, {read_.loads.back().symbol, name(first), name(second)}}, "Hooke");
     }
 
     /// At the centroid of its diagram; a couple where its halves cancel.
     void add_distributed(int index, const DistributedLoad& load) {
         const Centroid resultant = centroid_of(load);
         const Force force = board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
-        const auto share =
-            board_.scale<drawing>(board_.number(resultant.place), board_.vector(board_.place(load.from), board_.place(load.to)));
-        Load acting{member_of(load.body), {Symbol::Letter::F, load.name, {}}, AppliedForce::Kind::load, {}, {}, {}, index};
+        const auto share = board_.scale<drawing>(board_.number(resultant.place),
+                                                 board_.vector(board_.place(load.from), board_.place(load.to)));
+        Load acting{
+            member_of(load.body), {Symbol::Letter::F, load.name, {}}, AppliedForce::Kind::load, {}, {}, {}, index};
         if (resultant.is_couple) {
             acting.symbol.letter = Symbol::Letter::M;
             acting.place = board_.place(load.from);
@@ -100,8 +101,9 @@ private:
         add_load(acting);
         if (read_.loads.size() == before) return;
         const auto name = [&](PointIndex point) { return PointName{mechanism_.point(point).name}; };
-        say_of_load(acting, {resultant.is_couple ? Sentence::distributed_couple : Sentence::distributed_load,
-                             {BodyName{mechanism_.body(load.body).name}, acting.symbol, name(load.from), name(load.to)}});
+        say_of_load(acting,
+                    {resultant.is_couple ? Sentence::distributed_couple : Sentence::distributed_load,
+                     {BodyName{mechanism_.body(load.body).name}, acting.symbol, name(load.from), name(load.to)}});
     }
 
     void add_torsion(int index, const TorsionLoad& torsion) {
@@ -118,13 +120,15 @@ private:
         }
         if (read_.loads.size() == before) return;
         const auto name = [&](BodyIndex body) { return BodyName{mechanism_.body(body).name}; };
-        say_of_load(read_.loads.back(),
-                    {Sentence::torsion_spring, {read_.loads.back().symbol, name(torsion.bodies[0]), name(torsion.bodies[1])}},
-                    "Hooke");
+        say_of_load(
+            read_.loads.back(),
+            {Sentence::torsion_spring, {read_.loads.back().symbol, name(torsion.bodies[0]), name(torsion.bodies[1])}},
+            "Hooke");
     }
 
     std::string mass_name(const Mass& mass, const char* letter) const {
-        return mechanism_.masses.size() == 1 ? std::string(letter) : std::string(letter) + mechanism_.bodies[at(mass.body)].name;
+        return mechanism_.masses.size() == 1 ? std::string(letter)
+                                             : std::string(letter) + mechanism_.bodies[at(mass.body)].name;
     }
 
     void add_weight(int index) {
@@ -145,8 +149,9 @@ private:
         const auto& track = motion_.acceleration;
         const NodeIndex centre = structure_.find(mass.centre, mass.body);
         if (track.polygon < 0 || centre == none || !track.has(centre) || !track.turns(mass.body)) {
-            read_.missing.push_back({{Sentence::all_forces, {}},
-                                     {Sentence::inertia_without_motion, {BodyName{mechanism_.bodies[at(mass.body)].name}}}});
+            read_.missing.push_back(
+                {{Sentence::all_forces, {}},
+                 {Sentence::inertia_without_motion, {BodyName{mechanism_.bodies[at(mass.body)].name}}}});
             return;
         }
         const auto acceleration = board_.vector(board_.pole<Plane::acceleration>(), track.tip(centre));
@@ -159,7 +164,8 @@ private:
                   index};
         const BodyName body{mechanism_.bodies[at(mass.body)].name};
         const std::string& label = structure_.node(centre).label;
-        add_said(load, {Sentence::inertia_force, {body, load.symbol, Symbol{Symbol::Letter::a, label, {}}, PointName{label}}});
+        add_said(load, {Sentence::inertia_force,
+                        {body, load.symbol, Symbol{Symbol::Letter::a, label, {}}, PointName{label}}});
         const Load force = load;
         load.force.reset();
         load.symbol.letter = Symbol::Letter::M;
@@ -172,11 +178,11 @@ private:
         if (force.member == member_of(frame) || board_.is_zero(*force.force) || board_.is_zero(*couple.couple)) return;
         Added one{{force.member}, force.symbol, *force.force, {}, {}, none};
         one.place = board_.carry(force.place, board_.arm(*couple.couple, *force.force));
-        one.statement =
-            say_of_load(force,
-                        {Sentence::inertia_moved,
-                         {BodyName{mechanism_.body(BodyIndex(force.member.number())).name}, force.symbol, couple.symbol}},
-                        "d’Alembert");
+        one.statement = say_of_load(
+            force,
+            {Sentence::inertia_moved,
+             {BodyName{mechanism_.body(BodyIndex(force.member.number())).name}, force.symbol, couple.symbol}},
+            "d’Alembert");
         read_.shifts.push_back({force.member, force.place, *force.force, one.place, one.statement, true});
         read_.moved.push_back(std::move(one));
     }

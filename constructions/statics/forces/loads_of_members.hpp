@@ -1,13 +1,13 @@
-// What loads each member, read from the file onto the board: forces, couples, springs, distributed loads, weights, and by
-// d’Alembert the inertia of what moves; with the sentences of those that are found first. Knows no bond.
+// What loads each member, read from the file onto the board: forces, couples, springs, distributed loads, weights, and
+// by d’Alembert the inertia of what moves; with the sentences of those that are found first. Knows no bond.
 #pragma once
 
 #include <map>
 #include <vector>
 
-#include "constructions/statics/force_nouns.hpp"
 #include "constructions/kinematics/motion.hpp"
 #include "constructions/kinematics/structure.hpp"
+#include "constructions/statics/force_nouns.hpp"
 #include "engine/board/board.hpp"
 #include "engine/solution/solution.hpp"
 

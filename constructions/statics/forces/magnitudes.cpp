@@ -44,7 +44,8 @@ bool Magnitudes::single(const Group& group, int b, const Wrench& known, const st
         settled_.settle_couple(b, board_.opposite(model_.moment(known, model_.bonds()[at(b)].place)), group, run);
         return true;
     }
-    const bool takes_couple = model_.bonds()[at(b)].kind == Bond::Kind::guide || model_.bonds()[at(b)].kind == Bond::Kind::clamp;
+    const bool takes_couple =
+        model_.bonds()[at(b)].kind == Bond::Kind::guide || model_.bonds()[at(b)].kind == Bond::Kind::clamp;
     if (of == KnownForces::Shape::line) {
         const Action line = *run.reactions[at(b)].action;
         if (known.force) {
@@ -55,8 +56,9 @@ bool Magnitudes::single(const Group& group, int b, const Wrench& known, const st
     } else if (takes_couple) {
         const ScalarHandle couple = board_.opposite(model_.moment(known, model_.bonds()[at(b)].place));
         if (known.force) {
-            const Force force = of == KnownForces::Shape::guide ? balance_.opposite_along(known, model_.bonds()[at(b)].direction)
-                                                                : balance_.opposite(known);
+            const Force force = of == KnownForces::Shape::guide
+                                    ? balance_.opposite_along(known, model_.bonds()[at(b)].direction)
+                                    : balance_.opposite(known);
             settled_.settle_with_couple(b, force, couple, group, run);
         } else {
             settled_.settle_couple(b, couple, group, run);
@@ -69,8 +71,8 @@ bool Magnitudes::single(const Group& group, int b, const Wrench& known, const st
     return true;
 }
 
-bool Magnitudes::force_and_couple(const Group& group, int force, int couple, const Wrench& known, const std::vector<Load>& loads,
-                                  Run& run) {
+bool Magnitudes::force_and_couple(const Group& group, int force, int couple, const Wrench& known,
+                                  const std::vector<Load>& loads, Run& run) {
     const PlaceOnDrawing place = known_.place_of(force, run);
     resultants_.say_resultant(group, known, loads, run);
     said_.say_of(group, Sentence::force_and_couple, {said_.symbol_on(force, group), said_.symbol_on(couple, group)});
@@ -78,8 +80,8 @@ bool Magnitudes::force_and_couple(const Group& group, int force, int couple, con
     if (known.force && !board_.is_zero(balancing)) resultants_.note_lever(group, place, *known.force, known.place, run);
     if (known.force) {
         const auto& line = run.reactions[at(force)].action;
-        settled_.settle(force, line ? balance_.opposite_along(known, line->direction) : balance_.opposite(known), place, group,
-                        run);
+        settled_.settle(force, line ? balance_.opposite_along(known, line->direction) : balance_.opposite(known), place,
+                        group, run);
     } else {
         settled_.found(force, group, run);
     }
@@ -87,8 +89,8 @@ bool Magnitudes::force_and_couple(const Group& group, int force, int couple, con
     return true;
 }
 
-bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrench& known, const std::vector<Load>& loads,
-                              Run& run) {
+bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrench& known,
+                              const std::vector<Load>& loads, Run& run) {
     const Action given = *run.reactions[at(line)].action;
     const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
     if (board_.on_line(place, given.line)) return false;  // the moment about the pin says nothing of it
@@ -105,19 +107,20 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
         if (several_by_strings(group, line, pin, known, far, loads, run)) return true;
         resultants_.say_resultant(group, known, loads, run);
         if (far)
-            if (auto found =
-                    funicular_.strings(group, {{resultants_.symbol_of_known(group, loads, run), known.force, known.place, -1}},
-                                       *known.force, given, place)) {
-                said_.say_of(group, Sentence::funicular_far, {said_.symbol_on(line, group), said_.symbol_on(pin, group)},
-                             "Culmann");
-                const auto [along, at_pin] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
+            if (auto found = funicular_.strings(
+                    group, {{resultants_.symbol_of_known(group, loads, run), known.force, known.place, -1}},
+                    *known.force, given, place)) {
+                said_.say_of(group, Sentence::funicular_far,
+                             {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, "Culmann");
+                const auto [along, at_pin] =
+                    funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
                 settled_.settle(line, along, given.place, group, run);
                 settled_.settle(pin, at_pin, place, group, run);
                 return true;
             }
         const std::string letter = said_.meet_name(group, *met);
-        said_.say_of(group, Sentence::triangle_at, {PointName{letter}, said_.symbol_on(line, group), said_.symbol_on(pin, group)},
-                     "Culmann");
+        said_.say_of(group, Sentence::triangle_at,
+                     {PointName{letter}, said_.symbol_on(line, group), said_.symbol_on(pin, group)}, "Culmann");
         const DirectionHandle through_meet = board_.direction(board_.vector(place, *met));
         const auto [along, at_pin] = balance_.triangle(known, given.direction, through_meet);
         settled_.settle_line(pin, model_.action(place, through_meet), run);
@@ -126,8 +129,10 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
         return true;
     }
     if (known.force)
-        if (auto found = funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, given, place)) {
-            say_strings(group, Sentence::funicular_parallel, {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, *found);
+        if (auto found =
+                funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, given, place)) {
+            say_strings(group, Sentence::funicular_parallel,
+                        {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, *found);
             const auto [first, second] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
             settled_.settle(line, first, given.place, group, run);
             settled_.settle(pin, second, place, group, run);
@@ -135,7 +140,8 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
         }
     const auto along = balance_.by_moments(given, place, known);
     if (!along) return false;
-    said_.say_of(group, Sentence::parallel_forces, {said_.symbol_on(line, group), said_.symbol_on(pin, group)}, "Ritter");
+    said_.say_of(group, Sentence::parallel_forces, {said_.symbol_on(line, group), said_.symbol_on(pin, group)},
+                 "Ritter");
     settled_.settle(line, *along, given.place, group, run);
     settled_.settle(pin, board_.negate(known.force ? board_.add(*known.force, *along) : *along), place, group, run);
     return true;
@@ -150,8 +156,8 @@ bool Magnitudes::several_by_strings(const Group& group, int line, int pin, const
     const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
     auto found = funicular_.strings(group, actors, *known.force, given, place);
     if (!found) return false;
-    say_strings(group, Sentence::funicular_several, {said_.symbol_on(line, group), said_.symbol_on(pin, group), found->known},
-                *found);
+    say_strings(group, Sentence::funicular_several,
+                {said_.symbol_on(line, group), said_.symbol_on(pin, group), found->known}, *found);
     const auto [along, at_pin] = funicular_.by_strings(*std::move(found), line, pin, *known.force, group, run);
     settled_.settle(line, along, given.place, group, run);
     settled_.settle(pin, at_pin, place, group, run);
@@ -159,7 +165,8 @@ bool Magnitudes::several_by_strings(const Group& group, int line, int pin, const
 }
 
 /// Where the outer strings meet the resultant passes: that place has a name.
-void Magnitudes::say_strings(const Group& group, Sentence sentence, std::vector<Argument> arguments, const Strings& found) {
+void Magnitudes::say_strings(const Group& group, Sentence sentence, std::vector<Argument> arguments,
+                             const Strings& found) {
     if (found.resultant) arguments.emplace_back(PointName{said_.meet_name(group, *found.resultant)});
     said_.say_of(group, sentence, std::move(arguments), "Culmann");
 }
@@ -174,8 +181,8 @@ void Magnitudes::say_no_force_along(const Group& group, int nothing, int all, bo
     said_.say_of(group, Sentence::no_force_along, std::move(arguments));
 }
 
-bool Magnitudes::line_and_guide(const Group& group, int line, int guide, const Wrench& known, const std::vector<Load>& loads,
-                                Run& run) {
+bool Magnitudes::line_and_guide(const Group& group, int line, int guide, const Wrench& known,
+                                const std::vector<Load>& loads, Run& run) {
     const Action given = *run.reactions[at(line)].action;
     const DirectionHandle normal = model_.bonds()[at(guide)].direction;
     if (board_.parallel(given.direction, normal)) return false;
@@ -197,11 +204,12 @@ bool Magnitudes::line_and_guide(const Group& group, int line, int guide, const W
 }
 
 void Magnitudes::settle_guide(int guide, Force across, const Wrench& rest, const Group& group, Run& run) {
-    settled_.settle_with_couple(guide, across, board_.opposite(model_.moment(rest, model_.bonds()[at(guide)].place)), group, run);
+    settled_.settle_with_couple(guide, across, board_.opposite(model_.moment(rest, model_.bonds()[at(guide)].place)),
+                                group, run);
 }
 
-bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, const Wrench& known, const std::vector<Load>& loads,
-                           Run& run) {
+bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, const Wrench& known,
+                           const std::vector<Load>& loads, Run& run) {
     const Action first = *run.reactions[at(one)].action, second = *run.reactions[at(two)].action;
     if (!board_.parallel(first.direction, second.direction)) {
         if (balance_.is_along(known, first))
@@ -214,15 +222,18 @@ bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, con
         settled_.settle(one, x, first.place, group, run);
         settled_.settle(two, y, second.place, group, run);
         if (couple >= 0) {
-            Wrench rest = model_.sum(model_.sum(known, balance_.nonzero(x, first.place)), balance_.nonzero(y, second.place));
+            Wrench rest =
+                model_.sum(model_.sum(known, balance_.nonzero(x, first.place)), balance_.nonzero(y, second.place));
             settled_.settle_couple(couple, board_.opposite(model_.moment(rest, first.place)), group, run);
         }
         return true;
     }
     if (couple >= 0) return false;
     if (balance_.is_along(known, first) && !board_.on_line(second.place, first.line))
-        if (auto found = funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, first, second.place)) {
-            say_strings(group, Sentence::funicular_parallel, {said_.symbol_on(one, group), said_.symbol_on(two, group)}, *found);
+        if (auto found = funicular_.strings(group, resultants_.actors_on(group, loads, run), *known.force, first,
+                                            second.place)) {
+            say_strings(group, Sentence::funicular_parallel, {said_.symbol_on(one, group), said_.symbol_on(two, group)},
+                        *found);
             const auto [x, y] = funicular_.by_strings(*std::move(found), one, two, *known.force, group, run);
             settled_.settle(one, x, first.place, group, run);
             settled_.settle(two, y, second.place, group, run);
@@ -230,7 +241,8 @@ bool Magnitudes::two_lines(const Group& group, int one, int two, int couple, con
         }
     const auto x = balance_.by_moments(first, second.place, known);
     if (!x) return false;
-    said_.say_of(group, Sentence::parallel_forces, {said_.symbol_on(one, group), said_.symbol_on(two, group)}, "Ritter");
+    said_.say_of(group, Sentence::parallel_forces, {said_.symbol_on(one, group), said_.symbol_on(two, group)},
+                 "Ritter");
     settled_.settle(one, *x, first.place, group, run);
     Wrench rest;
     rest.force = known.force ? board_.add(*known.force, *x) : *x;
@@ -242,7 +254,8 @@ bool Magnitudes::three_lines(const Group& group, const std::vector<int>& fixed, 
                              const std::vector<Load>& loads, Run& run) {
     for (std::size_t i = 0; i < 3; ++i) {
         const int one = fixed[i], two = fixed[(i + 1) % 3], three = fixed[(i + 2) % 3];
-        const Action a = *run.reactions[at(one)].action, b = *run.reactions[at(two)].action, c = *run.reactions[at(three)].action;
+        const Action a = *run.reactions[at(one)].action, b = *run.reactions[at(two)].action,
+                     c = *run.reactions[at(three)].action;
         if (board_.parallel(b.direction, c.direction)) continue;
         const PlaceOnDrawing pivot = *board_.meet(b.line, c.line);
         if (board_.on_line(pivot, a.line)) return false;  // concurrent: only a force through that point is held
@@ -267,10 +280,11 @@ std::pair<Force, Wrench> Magnitudes::known_and_one(const Group& group, const Wre
             resultants_.say_resultant(group, known, loads, run);
             const std::string one_meet = said_.meet_name(group, met), other_meet = said_.meet_name(group, pivot);
             said_.say_of(group, Sentence::culmann_line,
-                         {PointName{one_meet}, PointName{other_meet}, said_.symbol_on(one, group), said_.symbol_on(two, group),
-                          said_.symbol_on(three, group)},
+                         {PointName{one_meet}, PointName{other_meet}, said_.symbol_on(one, group),
+                          said_.symbol_on(two, group), said_.symbol_on(three, group)},
                          "Culmann");
-            const auto [first, pair] = balance_.triangle(known, a.direction, board_.direction(board_.vector(met, pivot)));
+            const auto [first, pair] =
+                balance_.triangle(known, a.direction, board_.direction(board_.vector(met, pivot)));
             if (!board_.is_zero(pair)) rest.force = board_.negate(pair);
             if (rest.force) resultants_.note_culmann(group, one, one_meet + other_meet, *rest.force, met, loads, run);
             return {first, rest};

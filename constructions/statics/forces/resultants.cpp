@@ -18,14 +18,19 @@ const Load* inertia_with(const Load& load, const std::vector<Load>& loads, bool 
     return found == loads.end() ? nullptr : &*found;
 }
 /// The force that was moved aside and stands for this couple, too: what is moved once is not moved again.
-const Load* inertia_force_with(const Load& couple, const std::vector<Load>& loads) { return inertia_with(couple, loads, true); }
-const Load* inertia_couple_with(const Load& force, const std::vector<Load>& loads) { return inertia_with(force, loads, false); }
+const Load* inertia_force_with(const Load& couple, const std::vector<Load>& loads) {
+    return inertia_with(couple, loads, true);
+}
+const Load* inertia_couple_with(const Load& force, const std::vector<Load>& loads) {
+    return inertia_with(force, loads, false);
+}
 
 }  // namespace
 
 std::vector<Actor> Resultants::actors_on(const Group& group, const std::vector<Load>& loads, const Run& run) {
     std::vector<Actor> actors;
-    // Of a body under all loads the sentence before tells that the one force stands for both; of others it stands elsewhere.
+    // Of a body under all loads the sentence before tells that the one force stands for both; of others it stands
+    // elsewhere.
     const bool is_moved_before = group.size() == 1 && !said_.has_mark();
     for (const Load& load : loads) {
         if (!in(group, load.member) || model_.is_inner(load, group)) continue;

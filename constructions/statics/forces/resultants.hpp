@@ -1,5 +1,5 @@
-// What is known on bodies cut free, added up on the way: the forces one by one, the sentence of their resultant, the arm of a
-// couple of two. What is noted in the run leads on and acts on nothing.
+// What is known on bodies cut free, added up on the way: the forces one by one, the sentence of their resultant, the
+// arm of a couple of two. What is noted in the run leads on and acts on nothing.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,8 @@ public:
     void say_resultant(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run);
     /// Of the one known force, or of the resultant that was said.
     Symbol symbol_of_known(const Group& group, const std::vector<Load>& loads, const Run& run);
-    /// Where the resultant of several known forces, which is said, meets a line; nothing: of one there is nothing to be added.
+    /// Where the resultant of several known forces, which is said, meets a line; nothing: of one there is nothing to be
+    /// added.
     std::optional<PlaceOnDrawing> meet_of_resultant(const Group& group, const Action& line, const Wrench& known,
                                                     const std::vector<Load>& loads, Run& run);
     /// What the known force and the first of three lines make together acts along Culmann's line.

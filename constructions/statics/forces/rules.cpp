@@ -27,8 +27,12 @@ void Rules::advance(const std::vector<Load>& loads, Run& run) {
     const auto beside_couples = [&](const auto& group) {
         return leads_on([&] { return lines_.lines(group, loads, run, true); });
     };
-    const auto past_pins = [&](const auto& group) { return leads_on([&] { return lines_.through_pin(group, loads, run); }); };
-    const auto alongside = [&](const auto& group) { return leads_on([&] { return lines_.parallel_to_all(group, loads, run); }); };
+    const auto past_pins = [&](const auto& group) {
+        return leads_on([&] { return lines_.through_pin(group, loads, run); });
+    };
+    const auto alongside = [&](const auto& group) {
+        return leads_on([&] { return lines_.parallel_to_all(group, loads, run); });
+    };
     do {
         all = known_.groups(run);
     } while (!known_.all_known(run) && (any(direct) || any(alongside) || any(beside_couples) || any(past_pins)));
@@ -42,7 +46,8 @@ Run Rules::whole(const Group& hung, std::map<MemberIndex, std::string> bars) {
     for (const MemberIndex member : hung) lines_.lines({member}, model_.loads(), run, false);
     bool any = false;
     for (const Group& group : known_.wholes())
-        while (magnitudes_.magnitudes(group, model_.loads(), run) || lines_.lines(group, model_.loads(), run, false)) any = true;
+        while (magnitudes_.magnitudes(group, model_.loads(), run) || lines_.lines(group, model_.loads(), run, false))
+            any = true;
     if (any) return run;
     board_.rewind(before);
     return known_.fresh();

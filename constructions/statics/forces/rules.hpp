@@ -22,8 +22,8 @@ public:
 
     /// The rules, until no more follows.
     void advance(const std::vector<Load>& loads, Run& run);
-    /// What the structure, cut free whole, gives of its reactions. `hung`: two-force bars by which it hangs on the frame, and
-    /// rollers; `bars`: the names of the bars among these.
+    /// What the structure, cut free whole, gives of its reactions. `hung`: two-force bars by which it hangs on the
+    /// frame, and rollers; `bars`: the names of the bars among these.
     Run whole(const Group& hung, std::map<MemberIndex, std::string> bars);
 
 private:

@@ -35,7 +35,8 @@ Run Runs::solve(const std::vector<Load>& loads) {
                      [&](const Load& load) { return load.member == member; });
         const std::string name = model_.member_name(member);
         said_.set_mark(name);
-        said_.say(Sentence::superposition, {BodyName{name, model_.is_pin(member) ? BodyName::As::pin : BodyName::As::body}});
+        said_.say(Sentence::superposition,
+                  {BodyName{name, model_.is_pin(member) ? BodyName::As::pin : BodyName::As::body}});
         PartRun part{member, own, known_.fresh(), said_.last(), none};
         rules_.advance(own, part.run);
         if (!part.run.complete) trials_.close_by_trial(own, part.run, 0);

@@ -1,5 +1,5 @@
-// How the forces of a mechanism are found: all loads at once by the rules; where that does not lead to the end, what every
-// equilibrium has alike, or load by load and by trials.
+// How the forces of a mechanism are found: all loads at once by the rules; where that does not lead to the end, what
+// every equilibrium has alike, or load by load and by trials.
 #pragma once
 
 #include <map>
@@ -16,8 +16,8 @@ namespace kinegraph::statics {
 
 class Runs {
 public:
-    /// `adrift`: members of which nothing is found, since what is given on them is not in equilibrium. `redundant`: equilibrium
-    /// does not determine everything.
+    /// `adrift`: members of which nothing is found, since what is given on them is not in equilibrium. `redundant`:
+    /// equilibrium does not determine everything.
     Runs(ForceModel& model, Board& board, const Mechanism& mechanism, std::set<MemberIndex> adrift, bool redundant)
         : model_(model),
           redundant_(redundant),
@@ -32,7 +32,9 @@ public:
 
     const NamedMeets& meets() const { return said_.meets(); }
     /// As Rules::whole.
-    Run whole(const Group& hung, std::map<MemberIndex, std::string> bars) { return rules_.whole(hung, std::move(bars)); }
+    Run whole(const Group& hung, std::map<MemberIndex, std::string> bars) {
+        return rules_.whole(hung, std::move(bars));
+    }
 
     Run run();
 

@@ -17,15 +17,18 @@ void ForceSentences::say(Sentence sentence, std::vector<Argument> arguments, con
     remember_meets();
 }
 
-void ForceSentences::say_of(const Group& group, Sentence sentence, std::vector<Argument> arguments, const char* source) {
+void ForceSentences::say_of(const Group& group, Sentence sentence, std::vector<Argument> arguments,
+                            const char* source) {
     std::string names;
     constexpr std::ptrdiff_t most_names = 4;
-    const auto bodies = std::count_if(group.begin(), group.end(), [&](MemberIndex each) { return !model_.is_pin(each); });
+    const auto bodies =
+        std::count_if(group.begin(), group.end(), [&](MemberIndex each) { return !model_.is_pin(each); });
     if (bodies > most_names)
         names = model_.member_name(group.front()) + " … " + model_.member_name(last_body_of(group));
     else
         for (const MemberIndex member : group)
-            if (!model_.is_pin(member) || bodies < 2)  // "2 + 3", but "2+C" of a body with its pin: that is no other body
+            if (!model_.is_pin(member) ||
+                bodies < 2)  // "2 + 3", but "2+C" of a body with its pin: that is no other body
                 names += (names.empty() ? "" : bodies < 2 ? "+" : " + ") + model_.member_name(member);
     const auto bar = group.size() == 1 ? bar_names_.find(group.front()) : bar_names_.end();
     if (bar != bar_names_.end())
@@ -59,7 +62,8 @@ std::string ForceSentences::names_of(const Group& group) const {
     if (known_.is_whole(group) && known_.wholes().size() == 1) return "";  // all that is given
     std::string names;
     for (const MemberIndex member : group)
-        if (!model_.is_pin(member) || group.size() == 1) names += (names.empty() ? "" : ",") + model_.member_name(member);
+        if (!model_.is_pin(member) || group.size() == 1)
+            names += (names.empty() ? "" : ",") + model_.member_name(member);
     return names;
 }
 
@@ -78,7 +82,8 @@ std::string ForceSentences::name_at(const Group& group, PlaceOnDrawing place) {
 }
 
 MemberIndex ForceSentences::last_body_of(const Group& group) const {
-    const auto last = std::find_if(group.rbegin(), group.rend(), [&](MemberIndex member) { return !model_.is_pin(member); });
+    const auto last =
+        std::find_if(group.rbegin(), group.rend(), [&](MemberIndex member) { return !model_.is_pin(member); });
     return last == group.rend() ? group.back() : *last;
 }
 

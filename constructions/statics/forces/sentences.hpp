@@ -1,5 +1,6 @@
-// The sentences of a solution of forces as they are said one after the other: of which bodies, by which letters of forces and of
-// the points where their lines meet. In a trial nothing is said. It knows no rule, and nothing of what is known of a force.
+// The sentences of a solution of forces as they are said one after the other: of which bodies, by which letters of
+// forces and of the points where their lines meet. In a trial nothing is said. It knows no rule, and nothing of what is
+// known of a force.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +33,9 @@ public:
     void set_mark(std::string mark) { mark_ = std::move(mark); }
     bool has_mark() const { return !mark_.empty(); }
     /// Of the sum of what is known on bodies.
-    Symbol resultant_symbol(const Group& group) const { return with_mark({Symbol::Letter::F, "R" + names_of(group), {}}); }
+    Symbol resultant_symbol(const Group& group) const {
+        return with_mark({Symbol::Letter::F, "R" + names_of(group), {}});
+    }
     Symbol with_mark(Symbol symbol) const { return marked(std::move(symbol), mark_); }
 
     /// The strokes of a trial belong to the sentence that opens it; trials nest.

@@ -44,7 +44,8 @@ void Settling::settle(int b, Force force_on_group, PlaceOnDrawing place, const G
     }
 }
 
-void Settling::settle_with_couple(int b, Force force_on_group, ScalarHandle couple_on_group, const Group& group, Run& run) {
+void Settling::settle_with_couple(int b, Force force_on_group, ScalarHandle couple_on_group, const Group& group,
+                                  Run& run) {
     const Bond& bond = model_.bonds()[at(b)];
     settle_couple(b, couple_on_group, group, run);
     if (board_.is_zero(force_on_group)) return;
@@ -58,7 +59,8 @@ void Settling::settle_with_couple(int b, Force force_on_group, ScalarHandle coup
 void Settling::settle_couple(int b, ScalarHandle couple_on_group, const Group& group, Run& run) {
     found(b, group, run);
     if (board_.is_zero(couple_on_group)) return;
-    run.reactions[at(b)].couple = in(group, model_.bonds()[at(b)].first) ? couple_on_group : board_.opposite(couple_on_group);
+    run.reactions[at(b)].couple =
+        in(group, model_.bonds()[at(b)].first) ? couple_on_group : board_.opposite(couple_on_group);
 }
 
 }  // namespace kinegraph::statics

@@ -1,5 +1,5 @@
-// Writes into a run what a rule has found of a bond, and which sentence found it: a line of action, a force, a couple, that there
-// is none. It does not ask whether that is right.
+// Writes into a run what a rule has found of a bond, and which sentence found it: a line of action, a force, a couple,
+// that there is none. It does not ask whether that is right.
 #pragma once
 
 #include "constructions/statics/force_model.hpp"

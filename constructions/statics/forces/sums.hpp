@@ -1,4 +1,5 @@
-// Runs added up, bond by bond: loads that acted alone, trials in their proportion, the components of a hinge. All is linear.
+// Runs added up, bond by bond: loads that acted alone, trials in their proportion, the components of a hinge. All is
+// linear.
 #pragma once
 
 #include <optional>

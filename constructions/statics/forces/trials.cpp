@@ -29,7 +29,8 @@ bool Trials::try_value(const std::vector<Load>& loads, Run& run, int b, int dept
     said_.say(Sentence::trial, {said_.with_mark(model_.bonds()[at(b)].symbol)}, "");
     Run first = run, second = run;
     // Primes, others at each depth: trial values that cancelled each other would look like a body without forces.
-    static constexpr int sizes[][2] = {{2, 3}, {5, 7}, {11, 13}, {17, 19}, {23, 29}, {31, 37}, {41, 43}, {47, 53}, {59, 61}};
+    static constexpr int sizes[][2] = {{2, 3},   {5, 7},   {11, 13}, {17, 19}, {23, 29},
+                                       {31, 37}, {41, 43}, {47, 53}, {59, 61}};
     const std::optional<Force> largest = largest_of(loads);
     give(first, b, sizes[depth][0], largest);
     give(second, b, sizes[depth][1], largest);
@@ -48,8 +49,8 @@ bool Trials::try_value(const std::vector<Load>& loads, Run& run, int b, int dept
     return true;
 }
 
-std::pair<ScalarHandle, std::optional<ScalarHandle>> Trials::clearest_gap(const std::vector<Load>& loads, const Run& first,
-                                                                          const Run& second) {
+std::pair<ScalarHandle, std::optional<ScalarHandle>> Trials::clearest_gap(const std::vector<Load>& loads,
+                                                                          const Run& first, const Run& second) {
     ScalarHandle gap;
     std::optional<ScalarHandle> largest;
     for (const auto& components : {std::vector<std::size_t>{0, 1}, std::vector<std::size_t>{2}}) {

@@ -1,5 +1,5 @@
-// What no order of bodies resolves: an unknown gets two trial values, each is drawn by the rules, and what does not close tells
-// the true one, for all is linear.
+// What no order of bodies resolves: an unknown gets two trial values, each is drawn by the rules, and what does not
+// close tells the true one, for all is linear.
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@ namespace kinegraph::statics {
 class Trials {
 public:
     /// `origin`: about which moments that do not close are measured.
-    Trials(ForceModel& model, Board& board, const KnownForces& known, ForceSentences& said, Rules& rules, PlaceOnDrawing origin)
+    Trials(ForceModel& model, Board& board, const KnownForces& known, ForceSentences& said, Rules& rules,
+           PlaceOnDrawing origin)
         : model_(model),
           board_(board),
           known_(known),

@@ -13,7 +13,8 @@ void CutBodies::draw_bodies(const Run& run, const std::set<MemberIndex>& unbalan
         if (!in(order, member)) order.push_back(member);
     }
     for (const MemberIndex member : order)
-        if (unbalanced.count(member) == 0 && (is_whole(member, run) || in(run.redundant, member))) free_body(member, run);
+        if (unbalanced.count(member) == 0 && (is_whole(member, run) || in(run.redundant, member)))
+            free_body(member, run);
 }
 
 bool CutBodies::is_whole(MemberIndex member, const Run& run) const {
@@ -31,12 +32,13 @@ void CutBodies::cut_together(const Run& run) {
         std::vector<std::pair<MemberIndex, Side>> sides;
         for (const Load& load : *under_.loads)
             if (load.force && in(balanced.group, load.member) && !model_.is_inner(load, balanced.group))
-                sides.push_back(
-                    {load.member,
-                     {load.symbol, *load.force, -1, true, quantity_of(way_.empty_body(load.member), way_.applied_load(load))}});
+                sides.push_back({load.member,
+                                 {load.symbol, *load.force, -1, true,
+                                  quantity_of(way_.empty_body(load.member), way_.applied_load(load))}});
         for (const bool sought : {false, true})
             for (const int b : outer) {
-                const bool is_sought = std::find(balanced.sought.begin(), balanced.sought.end(), b) != balanced.sought.end();
+                const bool is_sought =
+                    std::find(balanced.sought.begin(), balanced.sought.end(), b) != balanced.sought.end();
                 const Reaction& reaction = run.reactions[at(b)];
                 if (is_sought != sought || !reaction.force) continue;
                 const Bond& bond = model_.bonds()[at(b)];
@@ -63,7 +65,8 @@ void CutBodies::free_body(MemberIndex member, const Run& run) {
                                   model_.bonds()[at(bond)].second == member_of(frame);
             sides.push_back({applied.symbol, *force, bond, external, quantity_of(body, applied)});
         }
-        if (applied.elements.force != none || applied.elements.couple != none) body.forces.push_back(std::move(applied));
+        if (applied.elements.force != none || applied.elements.couple != none)
+            body.forces.push_back(std::move(applied));
     };
     for (const Load& load : *under_.loads) {
         if (load.member != member) continue;
@@ -131,14 +134,15 @@ const Strings* CutBodies::strings_of(const Balanced& balanced, const Run& run) {
     return found == run.strings.end() ? nullptr : &*found;
 }
 
-void CutBodies::draw_together(const Balanced& balanced, std::vector<std::pair<MemberIndex, Side>> sides, const Strings* strings,
-                              const Run& run) {
+void CutBodies::draw_together(const Balanced& balanced, std::vector<std::pair<MemberIndex, Side>> sides,
+                              const Strings* strings, const Run& run) {
     TakenTogether together;
     together.statement = balanced.statement;
     if (strings != nullptr) {
         together.funicular = way_.funicular(*strings);
         std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
-            return way_.rank_in(*together.funicular, a.second.symbol) < way_.rank_in(*together.funicular, b.second.symbol);
+            return way_.rank_in(*together.funicular, a.second.symbol) <
+                   way_.rank_in(*together.funicular, b.second.symbol);
         });
     }
     std::string id = one_by_one_ ? "forces" : "forces-truss";
@@ -146,7 +150,8 @@ void CutBodies::draw_together(const Balanced& balanced, std::vector<std::pair<Me
         if (!model_.is_pin(member)) together.bodies.push_back(model_.body_of(member));
     // Of one body and its pin it is not the body's own.
     for (const MemberIndex member : balanced.group)
-        if (one_by_one_ && (!model_.is_pin(member) || together.bodies.size() < 2)) id += "-" + model_.member_name(member);
+        if (one_by_one_ && (!model_.is_pin(member) || together.bodies.size() < 2))
+            id += "-" + model_.member_name(member);
     std::vector<const Added*> leading;
     for (const Added& added : run.added)
         if (added.group == balanced.group) {

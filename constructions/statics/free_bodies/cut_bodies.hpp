@@ -1,5 +1,5 @@
-// Bodies cut free: of each its forces, their lines, and its closed polygon; and of bodies that were balanced as one what acts on
-// them from outside.
+// Bodies cut free: of each its forces, their lines, and its closed polygon; and of bodies that were balanced as one
+// what acts on them from outside.
 #pragma once
 
 #include <set>
@@ -12,8 +12,8 @@ namespace kinegraph::statics {
 
 class CutBodies {
 public:
-    CutBodies(ForceModel& model, Board& board, ForcePolygons& polygons, Way& way, const UnderLoads& under, bool one_by_one,
-              ForceResults& results)
+    CutBodies(ForceModel& model, Board& board, ForcePolygons& polygons, Way& way, const UnderLoads& under,
+              bool one_by_one, ForceResults& results)
         : model_(model),
           board_(board),
           polygons_(polygons),
@@ -35,8 +35,8 @@ private:
     static bool has_diagonal(const Balanced& balanced, const Run& run);
     /// By which the group was balanced; null: otherwise.
     static const Strings* strings_of(const Balanced& balanced, const Run& run);
-    void draw_together(const Balanced& balanced, std::vector<std::pair<MemberIndex, Side>> sides, const Strings* strings,
-                       const Run& run);
+    void draw_together(const Balanced& balanced, std::vector<std::pair<MemberIndex, Side>> sides,
+                       const Strings* strings, const Run& run);
 
     ForceModel& model_;
     Board& board_;

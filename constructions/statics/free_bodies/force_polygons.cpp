@@ -48,8 +48,8 @@ void ForcePolygons::join_polygons() {
     int count = 0;
     for (std::size_t first = 0; first < sides_.size(); ++first) {
         if (placed.count(sides_[first].first) != 0 || sides_.size() < 2) continue;
-        const int polygon =
-            add_force_polygon(Polygon::Kind::joined_forces, count == 0 ? "closure" : "closure-" + std::to_string(count + 1));
+        const int polygon = add_force_polygon(Polygon::Kind::joined_forces,
+                                              count == 0 ? "closure" : "closure-" + std::to_string(count + 1));
         ++count;
         struct Open {
             std::size_t index, from;
@@ -81,8 +81,8 @@ void ForcePolygons::join_polygons() {
     }
 }
 
-std::vector<Corner> ForcePolygons::place_sides(int polygon, MemberIndex member, const std::vector<Side>& sides, std::size_t from,
-                                               Corner start, int shared) {
+std::vector<Corner> ForcePolygons::place_sides(int polygon, MemberIndex member, const std::vector<Side>& sides,
+                                               std::size_t from, Corner start, int shared) {
     std::vector<Corner> tails(sides.size());
     Face face;
     face.body = model_.body_of(member);
@@ -91,7 +91,8 @@ std::vector<Corner> ForcePolygons::place_sides(int polygon, MemberIndex member, 
         const std::size_t i = (from + n) % sides.size();
         const Corner next = n + 1 == sides.size() ? start : board_.carry(here, sides[i].force);
         if (n + 1 == sides.size()) {
-            KG_ASSERT(board_.coincide(board_.carry(here, sides[i].force), start), "the forces of a body in equilibrium close");
+            KG_ASSERT(board_.coincide(board_.carry(here, sides[i].force), start),
+                      "the forces of a body in equilibrium close");
         }
         if (shared < 0 || sides[i].bond != shared) draw_side(polygon, sides[i], member, here, next);
         tails[i] = here;

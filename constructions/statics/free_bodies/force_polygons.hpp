@@ -1,5 +1,5 @@
-// Polygons of forces tip to tail: of one body, of bodies taken together, and those of all bodies laid side by side on their
-// common forces (Cremona). Which forces, in which order, it is told.
+// Polygons of forces tip to tail: of one body, of bodies taken together, and those of all bodies laid side by side on
+// their common forces (Cremona). Which forces, in which order, it is told.
 #pragma once
 
 #include <cstddef>
@@ -38,8 +38,8 @@ public:
     void join_polygons();
 
 private:
-    /// Sets the sides off from `start`, beginning with the one at `from`; the side of the bond `shared` is there already.
-    /// Returns the tails of the sides, in their order.
+    /// Sets the sides off from `start`, beginning with the one at `from`; the side of the bond `shared` is there
+    /// already. Returns the tails of the sides, in their order.
     std::vector<Corner> place_sides(int polygon, MemberIndex member, const std::vector<Side>& sides, std::size_t from,
                                     Corner start, int shared);
 

@@ -1,4 +1,5 @@
-// The values of a run as results: forces at joints, efforts, and the motions by which redundant constraints gave theirs.
+// The values of a run as results: forces at joints, efforts, and the motions by which redundant constraints gave
+// theirs.
 #pragma once
 
 #include "constructions/statics/forces.hpp"

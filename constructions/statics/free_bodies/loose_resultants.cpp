@@ -48,7 +48,8 @@ void LooseResultants::resultant(const Loose& loose) {
     results_.resultants.push_back(std::move(result));
 }
 
-void LooseResultants::find_residual(const Loose& loose, Force force, const std::vector<const Load*>& loads, Resultant& result) {
+void LooseResultants::find_residual(const Loose& loose, Force force, const std::vector<const Load*>& loads,
+                                    Resultant& result) {
     if (loose.centre) {
         std::optional<ScalarHandle> turn;
         const auto turn_by = [&](ScalarHandle moment) { turn = turn ? board_.sum(*turn, moment) : moment; };
@@ -62,8 +63,9 @@ void LooseResultants::find_residual(const Loose& loose, Force force, const std::
     }
     const Force unit = board_.scale<Plane::force>(board_.number(1), *loose.along);
     const auto start = board_.pole<Plane::force>();
-    const auto foot = board_.meet(board_.through(start, *loose.along),
-                                  board_.through(board_.carry(start, force), board_.perpendicular(board_.direction(unit))));
+    const auto foot =
+        board_.meet(board_.through(start, *loose.along),
+                    board_.through(board_.carry(start, force), board_.perpendicular(board_.direction(unit))));
     KG_ASSERT(foot, "a line meets one across it");
     result.residual_force = recorded(std::optional<Force>(board_.vector(start, *foot)));
 }
@@ -130,7 +132,8 @@ void LooseResultants::cut_unbalanced(const Group& group, const std::vector<const
     if (alone) results_.bodies.back().polygon = result.polygon;
 }
 
-AppliedForce LooseResultants::applied_resultant(const Load& first, StatementIndex statement, const std::optional<Force>& force,
+AppliedForce LooseResultants::applied_resultant(const Load& first, StatementIndex statement,
+                                                const std::optional<Force>& force,
                                                 const std::optional<ScalarHandle>& couple) {
     AppliedForce applied;
     applied.kind = AppliedForce::Kind::resultant;

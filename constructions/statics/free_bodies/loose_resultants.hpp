@@ -1,5 +1,5 @@
-// Bodies that nothing holds, or not enough: all that is given on them as one force or couple, what of it does work, and their
-// polygon with its gap.
+// Bodies that nothing holds, or not enough: all that is given on them as one force or couple, what of it does work, and
+// their polygon with its gap.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,8 @@ public:
     void resultant(const Loose& loose);
 
 private:
-    /// What is given does on the one freedom that the joints leave: its moment about the centre, or its part along the guide.
+    /// What is given does on the one freedom that the joints leave: its moment about the centre, or its part along the
+    /// guide.
     void find_residual(const Loose& loose, Force force, const std::vector<const Load*>& loads, Resultant& result);
     /// The arm of the resultant about the place that its body is free to turn about.
     void turn_by_resultant(const Resultant& result, PlaceOnDrawing centre, Force force);
@@ -39,7 +40,8 @@ private:
     /// On its line, at the foot of the perpendicular from where the first load acts.
     AppliedForce applied_resultant(const Load& first, StatementIndex statement, const std::optional<Force>& force,
                                    const std::optional<ScalarHandle>& couple);
-    void draw_open_polygon(int polygon, const Group& group, const std::vector<Side>& sides, const std::optional<Force>& force);
+    void draw_open_polygon(int polygon, const Group& group, const std::vector<Side>& sides,
+                           const std::optional<Force>& force);
 
     ForceModel& model_;
     Board& board_;

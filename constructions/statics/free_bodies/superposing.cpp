@@ -49,8 +49,8 @@ void Superposing::sum_parts(std::size_t b, const Run& run, Superposition& found)
     for (const PartRun& part : run.parts) {
         const Reaction& reaction = part.run.reactions[b];
         if (reaction.force)
-            sides.push_back({marked(symbol, model_.member_name(part.loaded)), turned(*reaction.force), static_cast<int>(b), true,
-                             model_.quantity_at(b, !reversed)});
+            sides.push_back({marked(symbol, model_.member_name(part.loaded)), turned(*reaction.force),
+                             static_cast<int>(b), true, model_.quantity_at(b, !reversed)});
         if (reaction.couple) couples.parts.push_back(recorded(turned_couple(*reaction.couple)));
     }
     const Reaction& total = run.reactions[b];
@@ -64,7 +64,8 @@ void Superposing::sum_parts(std::size_t b, const Run& run, Superposition& found)
     Face face;
     const Corner here = polygons_.set_off(polygon, on, sides, start, face);
     if (total.force)
-        polygons_.draw_side(polygon, {symbol, turned(*total.force), static_cast<int>(b), true, model_.quantity_at(b, !reversed)},
+        polygons_.draw_side(polygon,
+                            {symbol, turned(*total.force), static_cast<int>(b), true, model_.quantity_at(b, !reversed)},
                             on, start, here);
     face.corners.push_back(here.element);
     board_.add_face(polygon, std::move(face));

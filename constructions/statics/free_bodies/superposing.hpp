@@ -1,4 +1,5 @@
-// Loads that act alone, member by member, each with its bodies cut free; and of each action the polygon in which they add up.
+// Loads that act alone, member by member, each with its bodies cut free; and of each action the polygon in which they
+// add up.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +11,14 @@ namespace kinegraph::statics {
 
 class Superposing {
 public:
-    Superposing(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const NamedMeets& meets)
-        : model_(model), board_(board), mechanism_(mechanism), mobility_(mobility), meets_(meets), polygons_(model, board) {}
+    Superposing(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
+                const NamedMeets& meets)
+        : model_(model),
+          board_(board),
+          mechanism_(mechanism),
+          mobility_(mobility),
+          meets_(meets),
+          polygons_(model, board) {}
 
     /// Nothing: what acts alone is not in equilibrium by itself.
     std::optional<Superposition> superpose(const Run& run);

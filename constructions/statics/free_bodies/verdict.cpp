@@ -10,7 +10,8 @@ std::set<MemberIndex> Verdict::out_of_equilibrium(const Run& run) {
     Group found;
     for (const MemberIndex member : model_.moving_members()) {
         const auto& bonds = model_.bonds_of(member);
-        const bool all_known = std::all_of(bonds.begin(), bonds.end(), [&](int b) { return run.reactions[at(b)].known; });
+        const bool all_known =
+            std::all_of(bonds.begin(), bonds.end(), [&](int b) { return run.reactions[at(b)].known; });
         if (all_known && !model_.known_on({member}, *under_.loads, run).vanishes()) found.push_back(member);
     }
     std::set<MemberIndex> open(found.begin(), found.end());
@@ -18,7 +19,8 @@ std::set<MemberIndex> Verdict::out_of_equilibrium(const Run& run) {
         for (const int b : model_.bonds_of(found[next])) {
             const Bond& bond = model_.bonds()[at(b)];
             const MemberIndex other = bond.first == found[next] ? bond.second : bond.first;
-            if (other != member_of(frame) && run.reactions[at(b)].known && open.insert(other).second) found.push_back(other);
+            if (other != member_of(frame) && run.reactions[at(b)].known && open.insert(other).second)
+                found.push_back(other);
         }
     }
     return open;
@@ -33,7 +35,8 @@ bool Verdict::is_complete(const Run& run, const std::set<MemberIndex>& unbalance
 void Verdict::explain(const Run& run, bool balanced, ForceResults& results) {
     Symbols open;
     for (std::size_t b = 0; b < model_.bonds().size() && balanced; ++b) {
-        for (Symbol& symbol : open_symbols(model_.bonds()[b], run.reactions[b], model_.bonds()[b].first == member_of(frame)))
+        for (Symbol& symbol :
+             open_symbols(model_.bonds()[b], run.reactions[b], model_.bonds()[b].first == member_of(frame)))
             open.push_back(std::move(symbol));
     }
     results.unsolved.push_back({{Sentence::all_forces, {}}, reason(run, std::move(open))});
@@ -67,7 +70,8 @@ Symbols Verdict::open_symbols(const Bond& bond, const Reaction& reaction, bool r
 }
 
 Message Verdict::reason(const Run& run, Symbols open) const {
-    if (run.beyond_members > 0) return {Sentence::beyond_members, {Count{static_cast<int>(run.beyond_members)}, std::move(open)}};
+    if (run.beyond_members > 0)
+        return {Sentence::beyond_members, {Count{static_cast<int>(run.beyond_members)}, std::move(open)}};
     const auto efforts = static_cast<int>(mechanism_.efforts.size());
     const Count freedoms{mobility_.effective};
     if (efforts < mobility_.effective) return {Sentence::unbalanced, {freedoms, Count{efforts}, std::move(open)}};

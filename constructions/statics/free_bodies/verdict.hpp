@@ -1,4 +1,5 @@
-// Whether a run found all forces, which members are out of equilibrium, and the reason where something is not determined.
+// Whether a run found all forces, which members are out of equilibrium, and the reason where something is not
+// determined.
 #pragma once
 
 #include <set>
@@ -13,8 +14,8 @@ public:
     Verdict(ForceModel& model, const Mechanism& mechanism, const Mobility& mobility, const UnderLoads& under)
         : model_(model), mechanism_(mechanism), mobility_(mobility), under_(under) {}
 
-    /// Members that do not balance though all their bonds are known, and what hangs on them by known bonds (not through the
-    /// frame): of these nothing is known.
+    /// Members that do not balance though all their bonds are known, and what hangs on them by known bonds (not through
+    /// the frame): of these nothing is known.
     std::set<MemberIndex> out_of_equilibrium(const Run& run);
     /// All but what bodies exert on each other that are not in equilibrium.
     bool is_complete(const Run& run, const std::set<MemberIndex>& unbalanced) const;

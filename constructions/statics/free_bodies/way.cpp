@@ -30,14 +30,16 @@ void Way::list_meets(MemberIndex member, FreeBody& body) const {
     const auto meets = meets_.find(member);
     if (meets == meets_.end()) return;
     for (const NamedMeet& meet : meets->second) {
-        const bool listed = std::any_of(body.meets.begin(), body.meets.end(), [&](const auto& m) { return m.name == meet.name; });
+        const bool listed =
+            std::any_of(body.meets.begin(), body.meets.end(), [&](const auto& m) { return m.name == meet.name; });
         const bool alone = under_.first != none;  // these loads, by the sentences that speak of them
         if (listed || (alone && (meet.used < under_.first || !(meet.used < under_.end)))) continue;
         body.meets.push_back({meet.name, {}, alone ? meet.used : meet.statement, meet.place.element});
     }
 }
 
-FreeBody::Arm Way::arm_about(PlaceOnDrawing about, Force force, PlaceOnDrawing place, StatementIndex statement, bool is_sought) {
+FreeBody::Arm Way::arm_about(PlaceOnDrawing about, Force force, PlaceOnDrawing place, StatementIndex statement,
+                             bool is_sought) {
     FreeBody::Arm arm;
     const ScalarHandle moment = board_.moment(board_.vector(about, place), force);
     arm.name = point_at(about);
@@ -103,8 +105,9 @@ void Way::put_in_order(std::vector<Side>& sides, const std::vector<const Added*>
 }
 
 void Way::put_in_order(std::vector<Side>& sides, const FreeBody::Funicular& funicular) {
-    std::stable_sort(sides.begin(), sides.end(),
-                     [&](const Side& a, const Side& b) { return rank_in(funicular, a.symbol) < rank_in(funicular, b.symbol); });
+    std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
+        return rank_in(funicular, a.symbol) < rank_in(funicular, b.symbol);
+    });
 }
 
 FreeBody Way::empty_body(MemberIndex member) const {
@@ -129,7 +132,8 @@ AppliedForce Way::applied_load(const Load& load) {
 }
 
 bool Way::bears_load(MemberIndex member) const {
-    return std::any_of(under_.loads->begin(), under_.loads->end(), [&](const Load& load) { return load.member == member; });
+    return std::any_of(under_.loads->begin(), under_.loads->end(),
+                       [&](const Load& load) { return load.member == member; });
 }
 
 void Way::add_lever(const Lever& lever, FreeBody& body) {

@@ -1,5 +1,5 @@
-// What was added up on the way to the forces of a body: sums, arms, strings, points where lines meet; and the order that they
-// give to the sides of its polygon.
+// What was added up on the way to the forces of a body: sums, arms, strings, points where lines meet; and the order
+// that they give to the sides of its polygon.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,8 @@ public:
     std::vector<const Added*> add_way(MemberIndex member, const Run& run, FreeBody& body);
     /// The points of concurrency used at a member.
     void list_meets(MemberIndex member, FreeBody& body) const;
-    FreeBody::Arm arm_about(PlaceOnDrawing about, Force force, PlaceOnDrawing place, StatementIndex statement, bool is_sought);
+    FreeBody::Arm arm_about(PlaceOnDrawing about, Force force, PlaceOnDrawing place, StatementIndex statement,
+                            bool is_sought);
     /// A point of the file that lies there; empty: none does.
     std::string point_at(PlaceOnDrawing place);
     static AppliedForce applied_sum(const Added& added);
@@ -53,8 +54,8 @@ public:
     static AppliedForce applied_load(const Load& load);
 
 private:
-    /// Counter-clockwise by direction from the first on: the polygon is convex, and neighbours lie on the far sides of common
-    /// forces.
+    /// Counter-clockwise by direction from the first on: the polygon is convex, and neighbours lie on the far sides of
+    /// common forces.
     void sort_round(std::vector<Side>& sides);
     bool bears_load(MemberIndex member) const;
     void add_lever(const Lever& lever, FreeBody& body);

@@ -17,11 +17,13 @@ void Cuts::make_those_of_file(bool at_last) {
             for (std::size_t bar = 0; bar < truss_.bars().size(); ++bar)
                 if (truss_.structure().bars[bar].body == body) bars.push_back(static_cast<int>(bar));
         const auto sides = sides_of_cut(truss_.structure(), bars);
-        const auto side = std::find_if(sides.begin(), sides.end(), [&](const auto& each) { return reactions_known(each); });
+        const auto side =
+            std::find_if(sides.begin(), sides.end(), [&](const auto& each) { return reactions_known(each); });
         if (side == sides.end() && !at_last) continue;
         done_[c] = true;
         if (side == sides.end())
-            unsolved_.push_back({{Sentence::cut_of_bars, {truss_.names_of(bars)}}, {Sentence::cut_without_reactions, {}}});
+            unsolved_.push_back(
+                {{Sentence::cut_of_bars, {truss_.names_of(bars)}}, {Sentence::cut_without_reactions, {}}});
         else if (!make(bars, *side, true))
             unsolved_.push_back({{Sentence::cut_of_bars, {truss_.names_of(bars)}}, {Sentence::cut_in_one_point, {}}});
     }
@@ -67,13 +69,16 @@ Wrench Cuts::known_on(const std::vector<int>& side, const std::vector<int>& bars
         for (const KnownTruss::Support& support : truss_.supports())
             if (support.pin == pin) add(support.force, pin);
         for (const int bar : truss_.structure().pins[at(pin)].bars)
-            if (!holds(bars, bar) && !holds(side, truss_.structure().other_end(bar, pin))) add(truss_.pull_on(bar, pin), pin);
+            if (!holds(bars, bar) && !holds(side, truss_.structure().other_end(bar, pin)))
+                add(truss_.pull_on(bar, pin), pin);
     }
     return total;
 }
 
-/// The equation that holds one of three bars alone: moments about the meet of the others, or across them where they are parallel.
-std::optional<Cuts::Equation> Cuts::equation_for(const std::vector<int>& bars, std::size_t sought, const Wrench& known) {
+/// The equation that holds one of three bars alone: moments about the meet of the others, or across them where they are
+/// parallel.
+std::optional<Cuts::Equation> Cuts::equation_for(const std::vector<int>& bars, std::size_t sought,
+                                                 const Wrench& known) {
     const Action own = truss_.action_of(bars[sought]), one = truss_.action_of(bars[(sought + 1) % 3]),
                  two = truss_.action_of(bars[(sought + 2) % 3]);
     Equation equation;
@@ -130,8 +135,8 @@ bool Cuts::make(const std::vector<int>& bars, const std::vector<int>& side, bool
     return true;
 }
 
-void Cuts::tell(const std::vector<int>& bars, const std::vector<int>& side, std::size_t sought, const Equation& equation,
-                bool asked) {
+void Cuts::tell(const std::vector<int>& bars, const std::vector<int>& side, std::size_t sought,
+                const Equation& equation, bool asked) {
     const int bar = bars[sought];
     const Names all = truss_.names_of(bars);
     const PointName one{all[(sought + 1) % 3]}, two{all[(sought + 2) % 3]};
@@ -139,7 +144,8 @@ void Cuts::tell(const std::vector<int>& bars, const std::vector<int>& side, std:
     if (equation.pivot) {
         told.pivot_name = name_of_meet(*equation.pivot);
         told.pivot = Recorded<Vector>::at(equation.pivot->element);
-        truss_.say(Sentence::truss_cut_moment, {all, truss_.symbol_of(bar), one, two, PointName{told.pivot_name}}, "Ritter");
+        truss_.say(Sentence::truss_cut_moment, {all, truss_.symbol_of(bar), one, two, PointName{told.pivot_name}},
+                   "Ritter");
     } else {
         truss_.say(Sentence::truss_cut_across, {all, truss_.symbol_of(bar), one, two}, "Ritter");
     }

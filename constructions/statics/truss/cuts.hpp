@@ -1,5 +1,5 @@
-// Cuts by Ritter's method of moments (Elementare Theorie und Berechnung eiserner Dach- und Brücken-Constructionen, 1863): three
-// bars part the truss, and an equation for each holds it alone.
+// Cuts by Ritter's method of moments (Elementare Theorie und Berechnung eiserner Dach- und Brücken-Constructionen,
+// 1863): three bars part the truss, and an equation for each holds it alone.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,14 @@ namespace kinegraph::statics {
 
 class Cuts {
 public:
-    explicit Cuts(KnownTruss& truss) : truss_(truss), board_(truss.board()), done_(truss.mechanism().find.cuts.size(), false) {}
+    explicit Cuts(KnownTruss& truss)
+        : truss_(truss), board_(truss.board()), done_(truss.mechanism().find.cuts.size(), false) {}
 
-    /// The cuts that the file asks for, of a side whose reactions are known. `at_last`: those that cannot be made are told in
-    /// `unsolved`; otherwise they wait.
+    /// The cuts that the file asks for, of a side whose reactions are known. `at_last`: those that cannot be made are
+    /// told in `unsolved`; otherwise they wait.
     void make_those_of_file(bool at_last);
-    /// Where no pin leads on: three unknown bars that part the truss, other bars cut being known. False: there are none.
+    /// Where no pin leads on: three unknown bars that part the truss, other bars cut being known. False: there are
+    /// none.
     bool make_any();
     const std::vector<Unsolved>& unsolved() const { return unsolved_; }
 

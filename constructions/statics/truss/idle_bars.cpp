@@ -27,7 +27,8 @@ bool settle_idle_at(KnownTruss& truss, int pin) {
         return true;
     }
     if (left.size() == 2 && !in_line(left[0], left[1])) {
-        truss.say(Sentence::truss_idle_pair, {truss.name_of(pin), truss.name_of_bar(left[0]), truss.name_of_bar(left[1])});
+        truss.say(Sentence::truss_idle_pair,
+                  {truss.name_of(pin), truss.name_of_bar(left[0]), truss.name_of_bar(left[1])});
         is_idle(left[0]);
         is_idle(left[1]);
         return true;

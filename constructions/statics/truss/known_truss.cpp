@@ -6,7 +6,12 @@
 namespace kinegraph::statics {
 
 KnownTruss::KnownTruss(ForceModel& model, Board& board, const Mechanism& mechanism, const TrussStructure& truss)
-    : model_(model), board_(board), mechanism_(mechanism), truss_(truss), bars_(truss.bars.size()), loads_(truss.pins.size()) {
+    : model_(model),
+      board_(board),
+      mechanism_(mechanism),
+      truss_(truss),
+      bars_(truss.bars.size()),
+      loads_(truss.pins.size()) {
     found_.structure = truss;
     found_.bars.resize(truss.bars.size());
     for (std::size_t l = 0; l < model_.loads().size(); ++l)

@@ -1,5 +1,5 @@
-// What is known of a truss while it is solved: the pulls of its bars, the forces of its supports, and the sentences that find
-// them. Knows no rule by which a force is found.
+// What is known of a truss while it is solved: the pulls of its bars, the forces of its supports, and the sentences
+// that find them. Knows no rule by which a force is found.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// The polygon of forces at one pin after another, each with two unknowns at most (Cremona, Le figure reciproche nella statica
-// grafica, 1872).
+// The polygon of forces at one pin after another, each with two unknowns at most (Cremona, Le figure reciproche nella
+// statica grafica, 1872).
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ public:
     bool resolve(int pin);
     /// At a pin with one unknown the known forces had another line: what is given is not in equilibrium.
     bool is_contradictory() const { return contradictory_; }
-    /// At the end: pins of which all was known when their turn came must close, and a sentence names them. False where one does
-    /// not.
+    /// At the end: pins of which all was known when their turn came must close, and a sentence names them. False where
+    /// one does not.
     bool check_rest();
 
 private:

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/solution/shifts.hpp"
 #include "engine/drawing/spring_force.hpp"
 #include "engine/file/units.hpp"
+#include "engine/solution/shifts.hpp"
 
 namespace kinegraph::workings {
 
@@ -23,8 +23,8 @@ void OfForces::force_found(StatementIndex statement, const FreeBody& body, const
     } else if (couple != 0) {
         Symbol symbol = applied.symbol;
         symbol.letter = Symbol::Letter::M;
-        telling_.tell(statement, symbol, force_times_arm(statement, body, couple), std::nullopt, in(couple, units_.moment),
-                      units_.moment);
+        telling_.tell(statement, symbol, force_times_arm(statement, body, couple), std::nullopt,
+                      in(couple, units_.moment), units_.moment);
     }
 }
 
@@ -118,11 +118,13 @@ void OfForces::tell_aside(StatementIndex statement, double arm, double force) {
 
 bool OfForces::is_by_virtual_work(StatementIndex statement) {
     const Sentence said = telling_.message(statement).sentence;
-    return said == Sentence::moments_alone || said == Sentence::components_alone || said == Sentence::virtual_work_alone;
+    return said == Sentence::moments_alone || said == Sentence::components_alone ||
+           said == Sentence::virtual_work_alone;
 }
 
-/// Where the factors' units make another unit than the result's, what makes the one of the other is told with them: 1000 for kN,
-/// 386.1 for pounds and inches. What is only written with a power of ten is taken into the first factor instead: kg mm² as kg m².
+/// Where the factors' units make another unit than the result's, what makes the one of the other is told with them:
+/// 1000 for kN, 386.1 for pounds and inches. What is only written with a power of ten is taken into the first factor
+/// instead: kg mm² as kg m².
 void OfForces::product(StatementIndex statement, const Symbol& of, Factors factors, const Exact& made, double value,
                        const Unit& unit) {
     const double ratio = (unit.si / made).to_double();
@@ -142,7 +144,8 @@ void OfForces::inertia(StatementIndex statement) {
     const Symbol of = std::get<Symbol>(telling_.message(statement).arguments[1]);
     for (const FreeBody& body : solution_.free_bodies)
         for (const AppliedForce& applied : body.forces) {
-            if (applied.kind != AppliedForce::Kind::inertia || body.body != protocol_.statements[at_index(statement)].bodies[0])
+            if (applied.kind != AppliedForce::Kind::inertia ||
+                body.body != protocol_.statements[at_index(statement)].bodies[0])
                 continue;
             const Mass& mass = solution_.mechanism.masses[at_index(applied.given)];
             const double m = mass.mass.to_double(), force = length(applied.force), couple = applied.couple.to_double();
@@ -151,8 +154,8 @@ void OfForces::inertia(StatementIndex statement) {
                         units_.mass.si * units_.acceleration.si, force, units_.force);
             const double alpha = telling_.spin(body.body, Symbol::Letter::alpha);
             if (of.letter == Symbol::Letter::M && couple != 0)
-                product(statement, of, {{-in(mass.inertia.to_double(), units_.inertia)}, {alpha}}, units_.inertia.si, couple,
-                        units_.moment);
+                product(statement, of, {{-in(mass.inertia.to_double(), units_.inertia)}, {alpha}}, units_.inertia.si,
+                        couple, units_.moment);
         }
 }
 
@@ -171,8 +174,8 @@ void OfForces::stretched(StatementIndex statement) {
         const double stretch = distance(solution_.pose.at(spring->between[0]), solution_.pose.at(spring->between[1])) -
                                spring->elastic->free_length.to_double();
         const double force = spring->elastic->stiffness.to_double() * stretch;
-        telling_.tell(statement, of, {{in(spring->elastic->stiffness.to_double(), units_.force)}, {stretch}}, std::nullopt,
-                      in(force, units_.force), units_.force);
+        telling_.tell(statement, of, {{in(spring->elastic->stiffness.to_double(), units_.force)}, {stretch}},
+                      std::nullopt, in(force, units_.force), units_.force);
     }
 }
 
@@ -187,7 +190,8 @@ void OfForces::distributed(StatementIndex statement) {
         const double mean = (over->intensity[0].to_double() + over->intensity[1].to_double()) / 2;
         const double on_each = in(mean * units_.length.si.to_double(), units_.force),
                      force = in(std::abs(mean) * ends, units_.force);
-        telling_.tell(statement, of, {{std::abs(on_each)}, {in(ends, units_.length)}}, std::nullopt, force, units_.force);
+        telling_.tell(statement, of, {{std::abs(on_each)}, {in(ends, units_.length)}}, std::nullopt, force,
+                      units_.force);
         telling_.tell(statement, {Symbol::Letter::length, "x", {}}, {}, std::nullopt,
                       in(centroid_of(*over).place.to_double() * ends, units_.length), units_.length);
     }
@@ -197,7 +201,8 @@ void OfForces::left_over(const Resultant& resultant) {
     if (resultant.vanishes) return;
     const Symbol of = std::get<Symbol>(telling_.message(resultant.statement).arguments[1]);
     if (of.letter == Symbol::Letter::F)
-        telling_.tell(resultant.statement, of, {}, std::nullopt, in(length(*resultant.force), units_.force), units_.force);
+        telling_.tell(resultant.statement, of, {}, std::nullopt, in(length(*resultant.force), units_.force),
+                      units_.force);
     const std::vector<Argument>& said = telling_.message(resultant.statement).arguments;
     if (resultant.residual_force)
         telling_.tell(resultant.statement, std::get<Symbol>(said[2]), {}, std::nullopt,
@@ -210,10 +215,12 @@ void OfForces::left_over(const Resultant& resultant) {
                 if (arm.statement == resultant.statement)
                     factors = {{std::copysign(in(length(*resultant.force), units_.moment), moment)},
                                {distance(arm.about, arm.foot)}};
-        telling_.tell(resultant.statement, std::get<Symbol>(said[3]), std::move(factors), std::nullopt, moment, units_.moment);
+        telling_.tell(resultant.statement, std::get<Symbol>(said[3]), std::move(factors), std::nullopt, moment,
+                      units_.moment);
     }
     if (of.letter != Symbol::Letter::F)
-        telling_.tell(resultant.statement, of, {}, std::nullopt, in(resultant.couple->to_double(), units_.moment), units_.moment);
+        telling_.tell(resultant.statement, of, {}, std::nullopt, in(resultant.couple->to_double(), units_.moment),
+                      units_.moment);
 }
 
 void OfForces::by_ritter(const Truss::Cut& cut) {
@@ -260,7 +267,8 @@ std::vector<Telling::Product> OfForces::moments_on_side(const Truss::Cut& cut) c
 
 void OfForces::resultant_found(const AppliedForce& sum) {
     if (telling_.message(sum.force_statement).sentence == Sentence::known_resultant)
-        telling_.tell(sum.force_statement, sum.symbol, {}, std::nullopt, in(length(sum.force), units_.force), units_.force);
+        telling_.tell(sum.force_statement, sum.symbol, {}, std::nullopt, in(length(sum.force), units_.force),
+                      units_.force);
 }
 
 /// Whether it is the sentence that moves a force aside.
@@ -300,8 +308,10 @@ void OfForces::superposed(const Superposition& superposition) {
                               in(protocol_.modulus_of(vector), units_.force), units_.force);
         }
     for (const Superposition::CoupleSum& couple : superposition.couples) {
-        Working working{couple.symbol, {}, std::nullopt, {in(couple.total->to_double(), units_.moment), units_.moment.symbol}};
-        for (const Recorded<Exact>& part : couple.parts) working.summands.push_back(in(part->to_double(), units_.moment));
+        Working working{
+            couple.symbol, {}, std::nullopt, {in(couple.total->to_double(), units_.moment), units_.moment.symbol}};
+        for (const Recorded<Exact>& part : couple.parts)
+            working.summands.push_back(in(part->to_double(), units_.moment));
         telling_.message(superposition.statement).workings.push_back(std::move(working));
     }
 }
@@ -337,7 +347,8 @@ void OfForces::by_virtual_work(const VirtualMotion& motion) {
         if (first == nullptr)
             first = &turning;
         else if (*turning.omega != *first->omega || !one_centre)
-            ratios.push_back({omega(turning.body), omega(first->body), turning.omega->to_double() / first->omega->to_double()});
+            ratios.push_back(
+                {omega(turning.body), omega(first->body), turning.omega->to_double() / first->omega->to_double()});
     }
     if (!ratios.empty()) said.arguments.emplace_back(std::move(ratios));
 }

@@ -1,5 +1,5 @@
-// Workings of forces: F_i = −m·a_G, springs, resultants, what is moved aside by d = M/F, cuts by Ritter, superposition, virtual
-// work.
+// Workings of forces: F_i = −m·a_G, springs, resultants, what is moved aside by d = M/F, cuts by Ritter, superposition,
+// virtual work.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,8 @@ public:
     void distributed(StatementIndex statement);
     /// A force by its magnitude, a couple with its sign.
     void left_over(const Resultant& resultant);
-    /// Of a cut: the moment of what acts on one side as ΣF·b, and F = M/b; across parallel bars F = the component/the sine.
+    /// Of a cut: the moment of what acts on one side as ΣF·b, and F = M/b; across parallel bars F = the component/the
+    /// sine.
     void by_ritter(const Truss::Cut& cut);
     /// Resultants, and by how much an inertia force is moved aside: d = M/F.
     void added_up(const FreeBody& body);
@@ -47,7 +48,8 @@ private:
     void tell_aside(StatementIndex statement, double arm, double force);
     std::vector<Telling::Product> moments_on_side(const Truss::Cut& cut) const;
     bool is_by_virtual_work(StatementIndex statement);
-    void product(StatementIndex statement, const Symbol& of, Factors factors, const Exact& made, double value, const Unit& unit);
+    void product(StatementIndex statement, const Symbol& of, Factors factors, const Exact& made, double value,
+                 const Unit& unit);
     void resultant_found(const AppliedForce& sum);
     bool moves(StatementIndex statement, const Symbol& force) const;
     void by_moments(const VirtualMotion& motion);

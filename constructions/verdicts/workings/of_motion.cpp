@@ -24,8 +24,8 @@ void OfMotion::add_slidings() {
         } else {
             Symbol symbol = std::get<Symbol>(said.arguments[0]);
             symbol.term = "cor";
-            const double omega =
-                std::abs(telling_.spin(solution_.mechanism.joints[at_index(sliding.joint)].bodies[1], Symbol::Letter::omega));
+            const double omega = std::abs(
+                telling_.spin(solution_.mechanism.joints[at_index(sliding.joint)].bodies[1], Symbol::Letter::omega));
             const double speed = length(*sliding.velocity);
             telling_.tell(statement, symbol, {{2}, {omega}, {in(speed, units_.acceleration)}}, std::nullopt,
                           in(coriolis, units_.acceleration), units_.acceleration);
@@ -42,7 +42,8 @@ void OfMotion::slides(StatementIndex statement, const Recorded<Vector>& found, c
 void OfMotion::drawn(const DrawnVector& vector) {
     const Message& said = telling_.message(vector.statement);
     if (said.sentence == Sentence::auxiliary_point) tell_place(vector);
-    const bool alike = said.sentence == Sentence::translating_velocity || said.sentence == Sentence::translating_acceleration;
+    const bool alike =
+        said.sentence == Sentence::translating_velocity || said.sentence == Sentence::translating_acceleration;
     // A crank that turns uniformly has its normal part alone, which is told.
     const bool uniform = said.sentence == Sentence::crank_acceleration && said.arguments.size() == 5;
     if (alike || (vector.role == Role::absolute && uniform)) return;
@@ -78,7 +79,8 @@ std::optional<Vector> OfMotion::auxiliary_named(const std::string& name) const {
         const Message& said = protocol_.statements[at_index(vector.statement)].message;
         if (said.sentence != Sentence::auxiliary_point || std::get<Symbol>(said.arguments[0]).about != name) continue;
         if (vector.seen.of.place == none) continue;
-        if (const ProjectivePoint& point = protocol_.point(vector.seen.of.place); !point.at_infinity()) return point.place();
+        if (const ProjectivePoint& point = protocol_.point(vector.seen.of.place); !point.at_infinity())
+            return point.place();
     }
     return std::nullopt;
 }
@@ -111,21 +113,20 @@ Factors OfMotion::factors_of(const DrawnVector& vector, double si) {
             if (telling_.message(vector.statement).sentence == Sentence::crank_velocity && turning(vector.body) > 0)
                 return {{turning(vector.body)}, {in(si / turning(vector.body), unit)}};
             return {};
-        case Role::normal:
-            return {{turning(vector.body), true}, {in(lever_of(vector), unit)}};
+        case Role::normal: return {{turning(vector.body), true}, {in(lever_of(vector), unit)}};
         case Role::tangential:
             // Its α follows from it.
             if (telling_.message(vector.statement).sentence == Sentence::alpha_from_pair) return {};
-            return {{std::abs(telling_.spin(vector.body, protocol_.polygons[at_index(vector.polygon)].plane == Plane::velocity
-                                                             ? Symbol::Letter::omega
-                                                             : Symbol::Letter::alpha))},
+            return {{std::abs(
+                        telling_.spin(vector.body, protocol_.polygons[at_index(vector.polygon)].plane == Plane::velocity
+                                                       ? Symbol::Letter::omega
+                                                       : Symbol::Letter::alpha))},
                     {in(lever_of(vector), unit)}};
         case Role::coriolis: {
             const double omega = turning(vector.seen.to.body);
             return omega > 0 ? Factors{{2}, {omega}, {in(si / (2 * omega), unit)}} : Factors{};
         }
-        default:
-            return {};
+        default: return {};
     }
 }
 
@@ -136,7 +137,8 @@ double OfMotion::lever_of(const DrawnVector& vector) const {
 }
 
 const Unit& OfMotion::unit_of(const DrawnVector& vector) const {
-    return protocol_.polygons[at_index(vector.polygon)].plane == Plane::velocity ? units_.velocity : units_.acceleration;
+    return protocol_.polygons[at_index(vector.polygon)].plane == Plane::velocity ? units_.velocity
+                                                                                 : units_.acceleration;
 }
 
 void OfMotion::turning_found(StatementIndex statement, const Quantity& quantity, Symbol::Letter letter) {
@@ -185,7 +187,8 @@ void OfMotion::carried_over(const SecondWay& way) {
         const Symbol of = std::get<Symbol>(said.arguments[0]);
         if (of.about != solution_.mechanism.bodies[at_index(way.body)].name) continue;
         const BodyIndex driver = *solution_.mechanism.body_named(std::get<Symbol>(said.arguments[4]).about);
-        const auto from = centre_of(frame, driver), own = centre_of(frame, way.body), common = centre_of(driver, way.body);
+        const auto from = centre_of(frame, driver), own = centre_of(frame, way.body),
+                   common = centre_of(driver, way.body);
         if (!from || !own || !common) return;
         const double value = way.omega->to_double(), far = in(distance(*own, *common), units_.length);
         double near = in(distance(*from, *common), units_.length);
@@ -208,8 +211,8 @@ void OfMotion::of_curvature(const Curvature& curvature) {
     const Unit& unit = units_.length;
     const Vector pole = curvature.pole->place();
     telling_.tell(curvature.inflection_statement,
-                  {Symbol::Letter::diameter, solution_.mechanism.bodies[at_index(curvature.body)].name, ""}, {}, std::nullopt,
-                  in(distance(pole, *curvature.inflection_pole), unit), unit);
+                  {Symbol::Letter::diameter, solution_.mechanism.bodies[at_index(curvature.body)].name, ""}, {},
+                  std::nullopt, in(distance(pole, *curvature.inflection_pole), unit), unit);
     for (const PathCentre& path : curvature.points) {
         if (path.is_pin || !path.centre || path.centre->at_infinity()) continue;
         const Vector& at = solution_.pose.at(path.point);

@@ -1,5 +1,5 @@
-// Workings of motion: v = ω·r, a^n = ω²·r, a_cor = 2·ω·v_rel, ω = v/r, what slides, what is carried over by the instant centres,
-// Euler–Savary.
+// Workings of motion: v = ω·r, a^n = ω²·r, a_cor = 2·ω·v_rel, ω = v/r, what slides, what is carried over by the instant
+// centres, Euler–Savary.
 #pragma once
 
 #include <optional>

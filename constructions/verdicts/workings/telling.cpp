@@ -50,7 +50,8 @@ void Telling::tell_sum(StatementIndex statement, Symbol of, const std::vector<Pr
     message(statement).workings.push_back(std::move(working));
 }
 
-void Telling::tell_turning(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor, double value) {
+void Telling::tell_turning(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor,
+                           double value) {
     if (is_told(statement, of)) return;
     tell(statement, of, std::move(factors), divisor, value, per_second);
     const Unit& own = solution_.mechanism.units.angular_velocity;

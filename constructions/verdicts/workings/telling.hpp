@@ -1,4 +1,5 @@
-// Telling: how a working is written to the sentence that it belongs to. Owns that it is said once, and only where it comes out.
+// Telling: how a working is written to the sentence that it belongs to. Owns that it is said once, and only where it
+// comes out.
 #pragma once
 
 #include <optional>
@@ -29,9 +30,12 @@ public:
     struct Product {
         double one = 0, other = 0;
     };
-    void tell_sum(StatementIndex statement, Symbol of, const std::vector<Product>& products, double value, const Unit& unit);
-    /// Of a ω, in rad/s, as sentences reckon with it; where the file has another unit, a second working of it has that one.
-    void tell_turning(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor, double value);
+    void tell_sum(StatementIndex statement, Symbol of, const std::vector<Product>& products, double value,
+                  const Unit& unit);
+    /// Of a ω, in rad/s, as sentences reckon with it; where the file has another unit, a second working of it has that
+    /// one.
+    void tell_turning(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor,
+                      double value);
     /// A ω that is given, in the file's unit and in rad/s; nothing is said where these are one.
     void tell_given_turning(StatementIndex statement, Symbol of, double value);
     /// ω or α of a body; 0 of none.
