@@ -5,7 +5,7 @@
 #include "constructions/kinematics/degeneracy.hpp"
 #include "constructions/positions/conditions.hpp"
 #include "constructions/solving/solve.hpp"
-#include "constructions/verdicts/oversights.hpp"
+#include "constructions/verdicts/verdicts.hpp"
 #include "engine/drawing/pose.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/solution/problem_solution.hpp"

@@ -5,8 +5,8 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/equations/equations.hpp"
 #include "engine/solution/problem_solution.hpp"
+#include "render/equations/chapters.hpp"
 #include "render/equations/equation_text.hpp"
-#include "render/equations/point_text.hpp"
 
 namespace kinegraph::app {
 

@@ -1,11 +1,9 @@
-#include "constructions/problems/contacts.hpp"
+#include "constructions/problems/methods.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
-
-#include "constructions/problems/hertz.hpp"
 
 namespace kinegraph {
 namespace {

@@ -1,4 +1,4 @@
-#include "constructions/problems/finite_displacements.hpp"
+#include "constructions/problems/methods.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "constructions/problems/problems.hpp"
-#include "engine/check/check_point_motion.hpp"
+#include "engine/check/check_problems.hpp"
 
 namespace kinegraph {
 namespace {

@@ -1,11 +1,11 @@
-#include "constructions/problems/hertz.hpp"
+#include "constructions/problems/methods.hpp"
 
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "engine/check/check_hertz.hpp"
+#include "engine/check/check_problems.hpp"
 
 namespace kinegraph {
 namespace {

@@ -1,9 +1,9 @@
-#include "constructions/problems/impact.hpp"
+#include "constructions/problems/methods.hpp"
 
 #include <cmath>
 
 #include "constructions/problems/problems.hpp"
-#include "engine/check/check_impact.hpp"
+#include "engine/check/check_problems.hpp"
 
 namespace kinegraph {
 namespace {

@@ -1,11 +1,11 @@
-#include "constructions/problems/point_motion.hpp"
+#include "constructions/problems/methods.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "constructions/problems/problems.hpp"
-#include "engine/check/check_point_motion.hpp"
+#include "engine/check/check_problems.hpp"
 #include "engine/file/algebra.hpp"
 #include "engine/file/expression_gap.hpp"
 #include "engine/number/assert.hpp"

@@ -2,11 +2,7 @@
 
 #include <cmath>
 
-#include "constructions/problems/finite_displacements.hpp"
-#include "constructions/problems/hertz.hpp"
-#include "constructions/problems/impact.hpp"
-#include "constructions/problems/point_motion.hpp"
-#include "constructions/problems/reye.hpp"
+#include "constructions/problems/methods.hpp"
 #include "engine/number/assert.hpp"
 
 namespace kinegraph {

@@ -1,4 +1,4 @@
-#include "constructions/problems/reye.hpp"
+#include "constructions/problems/methods.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "constructions/problems/problems.hpp"
-#include "engine/check/check_reye.hpp"
+#include "engine/check/check_problems.hpp"
 
 namespace kinegraph {
 namespace {

@@ -1,4 +1,4 @@
-#include "constructions/verdicts/hairs.hpp"
+#include "constructions/verdicts/verdicts.hpp"
 
 #include <algorithm>
 #include <cmath>

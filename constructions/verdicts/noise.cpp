@@ -1,4 +1,4 @@
-#include "constructions/verdicts/noise.hpp"
+#include "constructions/verdicts/verdicts.hpp"
 
 #include <algorithm>
 #include <cmath>

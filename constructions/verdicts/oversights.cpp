@@ -1,4 +1,4 @@
-#include "constructions/verdicts/oversights.hpp"
+#include "constructions/verdicts/verdicts.hpp"
 
 #include <algorithm>
 #include <cmath>

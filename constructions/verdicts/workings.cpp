@@ -1,6 +1,6 @@
 // What each statement works out, in the order in which it comes up: motion, then what a statement ends with, then sums
 // of forces.
-#include "constructions/verdicts/workings.hpp"
+#include "constructions/verdicts/verdicts.hpp"
 
 #include <algorithm>
 

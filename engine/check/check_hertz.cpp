@@ -1,4 +1,4 @@
-#include "engine/check/check_hertz.hpp"
+#include "engine/check/check_problems.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

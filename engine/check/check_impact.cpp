@@ -1,4 +1,4 @@
-#include "engine/check/check_impact.hpp"
+#include "engine/check/check_problems.hpp"
 
 #include <algorithm>
 #include <cmath>

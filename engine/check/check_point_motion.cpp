@@ -1,4 +1,4 @@
-#include "engine/check/check_point_motion.hpp"
+#include "engine/check/check_problems.hpp"
 
 #include <algorithm>
 #include <cmath>

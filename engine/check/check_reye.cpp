@@ -1,4 +1,4 @@
-#include "engine/check/check_reye.hpp"
+#include "engine/check/check_problems.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/reading/bodies_section.hpp"
+#include "engine/reading/sections.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "engine/reading/contacts_of_joints.hpp"
+#include "engine/reading/problem_sections.hpp"
 
 #include <array>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "engine/reading/drivers_section.hpp"
+#include "engine/reading/sections.hpp"
 
 #include <utility>
 

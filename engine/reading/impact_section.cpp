@@ -1,4 +1,4 @@
-#include "engine/reading/impact_section.hpp"
+#include "engine/reading/problem_sections.hpp"
 
 #include <cstddef>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "engine/reading/materials.hpp"
+#include "engine/reading/problem_sections.hpp"
 
 #include <algorithm>
 #include <array>

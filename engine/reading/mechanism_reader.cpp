@@ -13,17 +13,9 @@
 #include "engine/file/json_source.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/mechanism/rounding.hpp"
-#include "engine/reading/bodies_section.hpp"
-#include "engine/reading/drivers_section.hpp"
-#include "engine/reading/efforts_section.hpp"
 #include "engine/reading/exercise_reader.hpp"
-#include "engine/reading/joints_section.hpp"
-#include "engine/reading/loads_section.hpp"
-#include "engine/reading/motion_section.hpp"
-#include "engine/reading/points_section.hpp"
-#include "engine/reading/problem_section.hpp"
-#include "engine/reading/units_section.hpp"
-#include "engine/reading/wishes_section.hpp"
+#include "engine/reading/problem_sections.hpp"
+#include "engine/reading/sections.hpp"
 
 namespace kinegraph {
 namespace {

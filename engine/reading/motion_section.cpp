@@ -1,4 +1,4 @@
-#include "engine/reading/motion_section.hpp"
+#include "engine/reading/sections.hpp"
 
 #include <utility>
 

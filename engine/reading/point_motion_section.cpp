@@ -1,4 +1,4 @@
-#include "engine/reading/point_motion_section.hpp"
+#include "engine/reading/problem_sections.hpp"
 
 #include <algorithm>
 #include <array>

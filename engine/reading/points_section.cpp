@@ -1,4 +1,4 @@
-#include "engine/reading/points_section.hpp"
+#include "engine/reading/sections.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "engine/reading/problem_bodies.hpp"
+#include "engine/reading/problem_sections.hpp"
 
 #include <string>
 #include <utility>

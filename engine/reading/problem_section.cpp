@@ -1,15 +1,9 @@
-#include "engine/reading/problem_section.hpp"
+#include "engine/reading/problem_sections.hpp"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
-
-#include "engine/reading/hertz_section.hpp"
-#include "engine/reading/impact_section.hpp"
-#include "engine/reading/point_motion_section.hpp"
-#include "engine/reading/positions_section.hpp"
-#include "engine/reading/reye_section.hpp"
 
 namespace kinegraph {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/reading/profiles.hpp"
+#include "engine/reading/sections.hpp"
 
 #include <variant>
 

@@ -1,4 +1,4 @@
-#include "engine/reading/wishes_section.hpp"
+#include "engine/reading/sections.hpp"
 
 #include <algorithm>
 #include <array>

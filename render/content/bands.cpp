@@ -9,9 +9,8 @@
 
 #include "engine/number/assert.hpp"
 #include "engine/solution/problem_solution.hpp"
-#include "render/equations/apart_text.hpp"
+#include "render/equations/chapters.hpp"
 #include "render/equations/prose.hpp"
-#include "render/equations/work_text.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/loads_alone.hpp"
 #include "render/scene/sentences.hpp"

@@ -1,4 +1,4 @@
-#include "render/equations/apart_text.hpp"
+#include "render/equations/chapters.hpp"
 
 #include <algorithm>
 #include <cmath>

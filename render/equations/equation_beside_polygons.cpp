@@ -1,4 +1,4 @@
-#include "render/equations/equation_beside_polygons.hpp"
+#include "render/equations/equation_chapters.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/equations/equation_dead_points.hpp"
+#include "render/equations/equation_chapters.hpp"
 
 #include <utility>
 

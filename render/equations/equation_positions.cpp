@@ -1,4 +1,4 @@
-#include "render/equations/equation_positions.hpp"
+#include "render/equations/equation_chapters.hpp"
 
 #include <algorithm>
 #include <array>

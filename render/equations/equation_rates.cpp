@@ -1,4 +1,4 @@
-#include "render/equations/equation_rates.hpp"
+#include "render/equations/equation_chapters.hpp"
 
 #include <algorithm>
 #include <array>

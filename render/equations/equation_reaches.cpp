@@ -1,4 +1,4 @@
-#include "render/equations/equation_reaches.hpp"
+#include "render/equations/equation_chapters.hpp"
 
 #include <cmath>
 #include <string>

@@ -2,15 +2,8 @@
 
 #include <algorithm>
 
-#include "render/equations/equation_beside_polygons.hpp"
-#include "render/equations/equation_dead_points.hpp"
-#include "render/equations/equation_letters.hpp"
-#include "render/equations/equation_list.hpp"
+#include "render/equations/equation_chapters.hpp"
 #include "render/equations/equation_pen.hpp"
-#include "render/equations/equation_positions.hpp"
-#include "render/equations/equation_rates.hpp"
-#include "render/equations/equation_ratios.hpp"
-#include "render/equations/equation_reaches.hpp"
 #include "render/text/formula.hpp"
 #include "render/text/utf8.hpp"
 

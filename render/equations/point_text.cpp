@@ -1,6 +1,6 @@
 // The motion of a point in words and formulas: laws, derivatives, the same in three forms, hodograph, intrinsic
 // components and curvature, the course over the interval.
-#include "render/equations/point_text.hpp"
+#include "render/equations/chapters.hpp"
 
 #include <cmath>
 #include <utility>

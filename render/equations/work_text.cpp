@@ -1,4 +1,4 @@
-#include "render/equations/work_text.hpp"
+#include "render/equations/chapters.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/solution/displacements.hpp"
-#include "render/equations/work_text.hpp"
+#include "render/equations/chapters.hpp"
 #include "render/figures/figure.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"

@@ -1,4 +1,4 @@
-#include "render/figures/hertz_figures.hpp"
+#include "render/figures/problem_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

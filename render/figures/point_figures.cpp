@@ -1,4 +1,4 @@
-#include "render/figures/point_figures.hpp"
+#include "render/figures/problem_figures.hpp"
 
 #include <algorithm>
 #include <array>

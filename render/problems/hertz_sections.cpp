@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/check/check_hertz.hpp"
+#include "engine/check/check_problems.hpp"
 #include "engine/solution/problem_solution.hpp"
-#include "render/figures/hertz_figures.hpp"
+#include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/formula.hpp"
 

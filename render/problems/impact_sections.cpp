@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "engine/solution/problem_solution.hpp"
-#include "render/figures/impact_figures.hpp"
+#include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/formula.hpp"
 

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "engine/solution/problem_solution.hpp"
-#include "render/figures/point_figures.hpp"
+#include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 
 namespace kinegraph::render {

@@ -1,6 +1,6 @@
 // Motions in the large in words: the positions, each displacement, the fixed pivots.
 #include "engine/solution/problem_solution.hpp"
-#include "render/figures/positions_figures.hpp"
+#include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/formula.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/equations/point_text.hpp"
+#include "render/equations/chapters.hpp"
 #include "render/page/block.hpp"
 #include "render/page/figure.hpp"
 #include "render/scene/drawing_context.hpp"

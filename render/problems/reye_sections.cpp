@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "engine/solution/problem_solution.hpp"
-#include "render/figures/reye_figures.hpp"
+#include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
 #include "render/text/formula.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "constructions/problems/hertz.hpp"
+#include "constructions/problems/methods.hpp"
 #include "tests/support/problem_tests.hpp"
 
 namespace kinegraph {

@@ -1,7 +1,7 @@
 // What a beginner gets wrong: said with the likely remedy where more is free than is driven, and nowhere else.
 #include <gtest/gtest.h>
 
-#include "constructions/verdicts/oversights.hpp"
+#include "constructions/verdicts/verdicts.hpp"
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 

@@ -1,5 +1,5 @@
 // Workings: the arithmetic beside the sentences comes out, and nothing is said of what vanishes.
-#include "constructions/verdicts/workings.hpp"
+#include "constructions/verdicts/verdicts.hpp"
 
 #include <gtest/gtest.h>
 

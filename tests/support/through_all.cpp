@@ -6,7 +6,7 @@
 
 #include "constructions/positions/conditions.hpp"
 #include "constructions/solving/solve.hpp"
-#include "constructions/verdicts/oversights.hpp"
+#include "constructions/verdicts/verdicts.hpp"
 #include "engine/file/algebra.hpp"
 #include "engine/mechanism/variation.hpp"
 #include "render/backends/backends.hpp"
