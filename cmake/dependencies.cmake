@@ -14,6 +14,9 @@ mark_as_advanced(CGAL_INCLUDE_DIR)
 # Met only in a module of the program.
 pkg_check_modules(zip REQUIRED IMPORTED_TARGET libzip)
 
+# What our own sources see besides the public headers: the headers of the folders, and of libraries that stay inside.
 add_library(kinegraph_headers INTERFACE)
+target_include_directories(kinegraph_headers INTERFACE ${PROJECT_SOURCE_DIR})
+target_link_libraries(kinegraph_headers INTERFACE PkgConfig::gmp)
 target_include_directories(kinegraph_headers SYSTEM INTERFACE ${CGAL_INCLUDE_DIR})
 target_link_libraries(kinegraph_headers INTERFACE Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11)

@@ -8,9 +8,7 @@ if(TARGET kinegraph_app)
 endif()
 install(TARGETS kinegraph EXPORT kinegraph)
 install(EXPORT kinegraph NAMESPACE kinegraph:: FILE kinegraphTargets.cmake DESTINATION ${package_directory})
-foreach(room engine constructions render)
-    install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinegraph FILES_MATCHING PATTERN "*.hpp")
-endforeach()
+install(DIRECTORY include/kinegraph DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 configure_package_config_file(cmake/kinegraphConfig.cmake.in ${PROJECT_BINARY_DIR}/generated/kinegraphConfig.cmake
                               INSTALL_DESTINATION ${package_directory})

@@ -38,7 +38,7 @@ unordered() {
 
 check() {
     cd "$1" || return 2
-    folders="engine constructions render app tests bench"
+    folders="engine constructions render app include tests bench"
     floors=
     # shellcheck disable=SC2086 # lists of words
     all=$(find $folders -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) 2>/dev/null | sort |
@@ -82,14 +82,19 @@ check() {
         floor render problems ink text page scene tables equations mechanism figures content
         floor render sheet ink text page scene tables equations mechanism figures content layout problems
         floor render live ink text page scene tables equations mechanism figures content layout problems sheet backends
+        floor app library
         floor app files
         floor app server files
-        floor app commands files server modules
+        floor app commands files server modules library
         floor app modules
         unordered
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
-        includes '"' $folders | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|tests|bench)/[a-z]' |
+        includes '"' $folders | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|kinegraph|tests|bench)/[a-z]' |
             breach "own headers are written from the root"
+        includes '["<]kinegraph/' engine constructions render |
+            breach "the public face stands above engine, constructions and render"
+        includes '["<]' include/kinegraph | grep -vE 'include[[:space:]]*<(kinegraph/[a-z]+\.hpp|tl/expected\.hpp|[a-z_]+)>' |
+            breach "public headers include the standard library, tl/expected.hpp and each other"
         includes '[<"](unsupported/)?Eigen/' $folders | grep -vE '^engine/check/[a-z_]*\.[ch]pp:' |
             breach "Eigen is the numeric check's"
         includes '["<]engine/check/' engine | grep -vE '^engine/check/' | breach "the check is no source of results"
@@ -165,6 +170,8 @@ seen "algebra_ginac.cpp's" engine/file/expression.cpp '<ginac/ginac.h>'
 seen "HarfBuzz is" render/text/text.cpp '<hb.h>'
 seen "the engine's" constructions/statics/a.cpp '<CGAL/Point_2.h>'
 seen "more than two" engine/number/a.cpp '<CGAL/a.h>' engine/number/b.cpp '<CGAL/a.h>' engine/number/c.hpp '<CGAL/a.h>'
+seen "public face stands above" engine/board/a.cpp '"kinegraph/solution.hpp"'
+seen "public headers include" include/kinegraph/a.hpp '"engine/number/exact.hpp"'
 seen "kinds of joint" constructions/statics/a.cpp 'JointKind::gear'
 seen "" engine/mechanism/pair.cpp 'JointKind::gear' engine/check/check_forces.cpp 'JointKind::weld' \
     tests/a_test.cpp 'JointKind::gear'

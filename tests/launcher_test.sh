@@ -16,7 +16,7 @@ same() {
 
 # A clone with sources, tools that only leave their marks, and a program that shows how it was called.
 top="$tree/a clone"
-mkdir -p "$top/engine" "$tree/tools" "$tree/elsewhere"
+mkdir -p "$top/engine/board" "$top/render/live/deep/deeper" "$tree/tools" "$tree/elsewhere"
 cp -r "$root/kinegraph" "$root/cmake" "$top/"
 touch "$top/CMakeLists.txt" "$top/engine/board/board.cpp"
 cat >"$tree/tools/dpkg-query" <<'TXT'
@@ -77,6 +77,28 @@ same "a newer source builds" 2 "$(builds)"
 later "1 minute ago" "$top/engine/board/board.cpp"
 "$top/kinegraph" x >/dev/null 2>&1
 same "then no more" 2 "$(builds)"
+
+touch "$top/render/live/deep/deeper/new.js"
+later "1 minute" "$top/render/live/deep/deeper/new.js"
+"$top/kinegraph" x >/dev/null 2>&1
+same "a new file in a deep folder builds" 3 "$(builds)"
+later "1 minute ago" "$top/render/live/deep/deeper/new.js"
+later "1 minute" "$top/render/live/deep/deeper"
+"$top/kinegraph" x >/dev/null 2>&1
+same "so does a folder that lost a file" 4 "$(builds)"
+later "1 minute ago" "$top/render/live/deep/deeper"
+
+# Every folder at the top from which the real build takes a file is one that the launcher looks into.
+folders=$(cd "$root" && find . -maxdepth 1 -mindepth 1 -type d ! -name '.*' ! -name 'build*' | sed 's|^\./||' | sort)
+taken=$(cd "$root" && for folder in $folders; do
+    if grep -qE "(^|[ (/\"])$folder/" CMakeLists.txt cmake/*.cmake && [ "$folder" != tests ] && [ "$folder" != docs ] &&
+        [ "$folder" != examples ] && [ "$folder" != bench ]; then echo "$folder"; fi
+done)
+[ -n "$taken" ] || same "folders of the build are found" some none
+for folder in $taken; do
+    if grep -q "\"\$top\"/$folder" "$root/kinegraph"; then seen=yes; else seen=no; fi
+    same "the launcher looks into $folder" yes "$seen"
+done
 
 same "one configuration serves all builds" 1 "$(grep -c . "$tree/configurations")"
 

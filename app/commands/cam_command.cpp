@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/driver_choice.hpp"
+#include "app/library/driver_choice.hpp"
 #include "app/commands/outputs.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/file/units.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/commands/asked_values.hpp"
+#include "app/library/asked_values.hpp"
 #include "app/commands/module.hpp"
 #include "app/files/csv_text.hpp"
 #include "app/modules/zip.hpp"

@@ -7,10 +7,10 @@
 #include <optional>
 #include <thread>
 
-#include "app/commands/asked_values.hpp"
+#include "app/library/asked_values.hpp"
 #include "app/commands/block_memory.hpp"
 #include "app/commands/commands.hpp"
-#include "app/commands/driver_choice.hpp"
+#include "app/library/driver_choice.hpp"
 #include "app/commands/memory_ahead.hpp"
 #include "app/commands/outputs.hpp"
 #include "constructions/moving/moving.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/driver_choice.hpp"
+#include "app/library/driver_choice.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/row_file.hpp"
 #include "app/commands/sweep_centrodes.hpp"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "app/commands/driver_choice.hpp"
+#include "app/library/driver_choice.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/row_file.hpp"
 #include "app/commands/sweep_drawing.hpp"

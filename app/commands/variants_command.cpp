@@ -13,7 +13,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "app/commands/asked_values.hpp"
+#include "app/library/asked_values.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/quizzes.hpp"

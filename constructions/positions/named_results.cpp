@@ -138,11 +138,13 @@ std::vector<FoundValue> found_values(const Solution& solution, bool with_reactio
     std::vector<FoundValue> values;
     const auto add = [&](const Quantity& quantity, const auto& found) {
         if (!found) return;
-        values.push_back({quantity, found.element(), {}, 0});
+        values.push_back({quantity, found.element(), {}, 0, {}});
         if constexpr (requires { found->x; }) {
             values.back().vector = rough(*found);
+            values.back().exact = quantity.component == Quantity::Component::x ? found->x : found->y;
         } else {
             values.back().scalar = found->to_double();
+            values.back().exact = *found;
         }
     };
     const auto add_both = [&](const Quantity& quantity, const auto& found) {
@@ -188,6 +190,25 @@ std::vector<Column> columns_found(const Solution& solution, bool with_reactions)
 }
 
 std::vector<NamedResult> named_results(const Solution& solution) { return Reading(solution).all(); }
+
+std::optional<Exact> exact_value(const NamedResult& result, const Solution& solution) {
+    const Pose& pose = solution.pose;
+    // What hangs on the compass is a fraction as long as its rounding; a short one cannot.
+    const auto certain = [&](const Exact& value) -> std::optional<Exact> {
+        if (pose.exact || value.bits() < static_cast<std::size_t>(std::max(pose.bits, 1))) return value;
+        return std::nullopt;
+    };
+    const Quantity& q = result.column.quantity;
+    switch (result.column.kind) {
+        case Column::Kind::place_x: return certain(pose.at(q.point).x);
+        case Column::Kind::place_y: return certain(pose.at(q.point).y);
+        case Column::Kind::result: break;
+        default: return std::nullopt;
+    }
+    for (const FoundValue& each : found_values(solution, true))
+        if (each.quantity == q) return certain(each.exact);
+    return std::nullopt;
+}
 
 Error missing_result(const Solution& solution, const std::vector<NamedResult>& results, const std::string& name,
                      const std::string& where) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/mechanism/exercise.hpp"
+#include "engine/number/exact.hpp"
 #include "engine/sentences/column.hpp"
 #include "engine/solution/solution.hpp"
 
@@ -19,6 +20,7 @@ struct FoundValue {
     ElementIndex element;
     VectorOf<double> vector;  ///< of a component: the whole vector
     double scalar = 0;
+    Exact exact;  ///< the scalar, or the component
 };
 /// In the order of the columns of a sweep. Of action and reaction the one that the results name first, or both.
 std::vector<FoundValue> found_values(const Solution& solution, bool with_reactions = false);
@@ -30,6 +32,8 @@ struct NamedResult {
     double value = 0;       ///< SI
     std::string unit = {};  ///< SI, of what has no kind: "N s", "J"
 };
+/// The same exactly, SI; none of what took a root (a length, an angle) or hangs on what the compass left over.
+std::optional<Exact> exact_value(const NamedResult& result, const Solution& solution);
 /// All that a solution holds: the results of a sweep's row (without turn, time and slides, which are nothing in one
 /// position), the lengths of vectors ("v B"), and of a problem its values. Two of them never have one name.
 std::vector<NamedResult> named_results(const Solution& solution);

@@ -1,4 +1,4 @@
-#include "app/commands/driver_choice.hpp"
+#include "app/library/driver_choice.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // Asked values: see asked_values.hpp.
-#include "app/commands/asked_values.hpp"
+#include "app/library/asked_values.hpp"
 
 #include "engine/mechanism/exercise.hpp"
 

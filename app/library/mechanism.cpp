@@ -1,0 +1,152 @@
+// MechanismFile: read, checked, solved.
+#include <string>
+#include <utility>
+
+#include "app/library/state.hpp"
+#include "constructions/kinematics/degeneracy.hpp"
+#include "constructions/positions/conditions.hpp"
+#include "constructions/solving/solve.hpp"
+#include "constructions/verdicts/verdicts.hpp"
+#include "engine/drawing/pose.hpp"
+#include "engine/equations/equations.hpp"
+#include "engine/mechanism/problem.hpp"
+#include "engine/motion/mobility.hpp"
+#include "engine/reading/mechanism_schema.hpp"
+#include "engine/solution/problem_solution.hpp"
+#include "render/equations/chapters.hpp"
+#include "render/equations/equation_text.hpp"
+#include "render/tables/pair_tables.hpp"
+
+namespace kinegraph {
+
+template class Shared<const MechanismFile::State>;
+
+namespace {
+
+render::TextForm form_of(TextForm form) {
+    switch (form) {
+        case TextForm::markdown: return render::TextForm::markdown;
+        case TextForm::json: return render::TextForm::json;
+        case TextForm::plain:
+        case TextForm::latex: break;
+    }
+    return render::TextForm::plain;
+}
+
+std::string printed(const std::vector<render::EquationItem>& items, TextForm form) {
+    return form == TextForm::latex ? render::as_latex(items) : render::as_text(items);
+}
+
+/// What the file's exercise asks for and does not get, or compares and finds otherwise with the file's own values.
+Expected<std::vector<Text>> check_exercise(const Mechanism& mechanism) {
+    std::vector<Text> remarks;
+    if (!mechanism.exercise) return remarks;
+    const auto solution = solve(mechanism);
+    if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
+    const std::vector<NamedResult> results = results_for(*mechanism.exercise, *solution);
+    if (const Errors missing = missing_in(*solution, results); !missing.empty())
+        return tl::unexpected(diagnostics_of(missing));
+    for (const Condition& each : mechanism.exercise->require) {
+        if (each.kind == Condition::Kind::polygon_readable) continue;  // a drawing tells that
+        Result<bool> fits = true;
+        if (each.kind == Condition::Kind::crank_turns_fully)
+            fits = crank_turns_fully(mechanism, solution->pose);
+        else
+            fits = each.holds ? *each.holds : holds(each, *solution, results);
+        if (!fits) return tl::unexpected(diagnostics_of(fits.error()));
+        if (!*fits)
+            remarks.push_back(text_of(Words("{0} does not hold with the file’s own values",
+                                            "{0} non vale con i valori propri del file", quoted(each.text))));
+    }
+    return remarks;
+}
+
+}  // namespace
+
+Expected<MechanismFile> MechanismFile::parse(std::string_view text, std::string name,
+                                             const std::vector<ParameterValue>& set) {
+    std::vector<Setting> settings = settings_of(set);
+    auto mechanism = read_mechanism(text, name, settings);
+    if (!mechanism) return tl::unexpected(diagnostics_of(mechanism.error()));
+    return MechanismFile(Shared<const State>(
+        new State{{}, std::string(text), std::move(name), std::move(settings), *std::move(mechanism)}));
+}
+
+Expected<MechanismFile> MechanismFile::open(const std::string& path, const std::vector<ParameterValue>& set) {
+    const auto text = read_file(path, {"mechanism file", "file di meccanismo"});
+    if (!text) return tl::unexpected(text.error());
+    return parse(*text, path.substr(path.rfind('/') + 1), set);
+}
+
+Text MechanismFile::title() const { return text_of(state().mechanism.title); }
+bool MechanismFile::has_joints() const { return !stands_for_joints(state().mechanism); }
+
+Expected<std::vector<Text>> MechanismFile::check() const {
+    const Mechanism& mechanism = state().mechanism;
+    const auto pose = draw_pose(mechanism);
+    if (!pose) return tl::unexpected(diagnostics_of(pose.error()));
+    auto remarks = check_exercise(mechanism);
+    if (!remarks) return remarks;
+    if (stands_for_joints(mechanism)) {
+        const auto solution = kinegraph::solve(mechanism);
+        if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
+        for (const Words& each : solution->problem->remarks) remarks->push_back(text_of(each));
+        return remarks;
+    }
+    std::vector<Message> found = pose->remarks;
+    for (Message& each : remarks_on_lengths(mechanism, *pose)) found.push_back(std::move(each));
+    for (Message& each : oversights(mechanism, *pose, mobility_of(mechanism, *pose))) found.push_back(std::move(each));
+    for (const Message& each : found) remarks->push_back(text_of(each));
+    return remarks;
+}
+
+Expected<Solved> MechanismFile::solve(const SolveOptions& options) const {
+    Mechanism mechanism = state().mechanism;
+    if (options.equations) mechanism.find.equations = true;
+    if (options.virtual_work) mechanism.find.virtual_work = true;
+    auto solution =
+        kinegraph::solve(std::move(mechanism), options.sentences ? Arithmetic::told : Arithmetic::left_out);
+    if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
+    if (const Errors missing = missing_in(*solution); !missing.empty()) return tl::unexpected(diagnostics_of(missing));
+    return solved(*std::move(solution), SourceFile{state().text, state().name, state().set});
+}
+
+Expected<std::string> MechanismFile::pairs(TextForm form, Language language) const {
+    const Mechanism& mechanism = state().mechanism;
+    if (stands_for_joints(mechanism))
+        return refused(Diagnostic::Kind::bad_input,
+                       {"the file states a problem in place of joints, and so has no pairs",
+                        "il file pone un problema al posto delle coppie, quindi non ha coppie"});
+    const auto pose = draw_pose(mechanism);
+    if (!pose) return tl::unexpected(diagnostics_of(pose.error()));
+    const Mobility mobility = mobility_of(mechanism, *pose);
+    return render::pair_report(
+        mechanism, mobility, remarks_on_mobility(mechanism, mobility, degenerate_motion(mechanism, *pose, mobility)),
+        language_of(language), form_of(form));
+}
+
+Expected<std::string> MechanismFile::equations(TextForm form, Language language) const {
+    Mechanism mechanism = state().mechanism;
+    const bool of_point = mechanism.problem && std::holds_alternative<PointProblem>(mechanism.problem->of);
+    mechanism.find.equations = !of_point;
+    const auto solution = kinegraph::solve(std::move(mechanism));
+    if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
+    if (of_point && form == TextForm::json) return "{\n  \"motion\": " + motion_json(*solution) + "\n}\n";
+    if (of_point) return printed(render::point_items(*solution, language_of(language)), form);
+    if (!solution->equations)
+        return refused(Diagnostic::Kind::bad_input, {"a problem in place of joints has no loops",
+                                                     "un problema al posto delle coppie non ha maglie"});
+    if (!solution->equations->why_not.empty())
+        return refused(Diagnostic::Kind::bad_input,
+                       Words("no equations: {0}", "nessuna equazione: {0}", solution->equations->why_not));
+    if (form == TextForm::json) return "{\n  \"equations\": " + equations_json(*solution->equations) + "\n}\n";
+    return printed(render::equation_items(*solution, language_of(language)), form);
+}
+
+std::string pair_catalogue(TextForm form, Language language) {
+    return render::pair_catalogue(language_of(language), form_of(form));
+}
+
+std::string_view mechanism_schema() { return mechanism_schema_text; }
+
+}  // namespace kinegraph

@@ -1,0 +1,219 @@
+// Drawings of a solution, and their bytes.
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "app/library/asked_values.hpp"
+#include "app/library/state.hpp"
+#include "constructions/moving/moving.hpp"
+#include "engine/mechanism/problem.hpp"
+#include "engine/number/assert.hpp"
+#include "render/backends/backends.hpp"
+#include "render/live/live_page.hpp"
+#include "render/page/theme.hpp"
+#include "render/sheet/figure_alone.hpp"
+#include "render/sheet/handout.hpp"
+#include "render/sheet/pair_sheet.hpp"
+#include "render/sheet/steps.hpp"
+#include "render/text/subset.hpp"
+
+namespace kinegraph {
+
+template class Shared<const Drawing::State>;
+
+namespace {
+
+using Paper = DrawingOptions::Paper;
+using Dimensions = DrawingOptions::Dimensions;
+using SheetWanted = DrawingOptions::Sheet;
+
+/// A drawing's fonts, which a thread opens once. They forget what the drawing before has met.
+Expected<const render::Fonts*> fonts_of_thread() {
+    thread_local std::optional<render::Fonts> fonts;
+    if (fonts) {
+        fonts->start_anew();
+        return &*fonts;
+    }
+    auto opened = render::Fonts::open();
+    if (!opened) return refused(Diagnostic::Kind::output, opened.error());
+    fonts.emplace(*std::move(opened));
+    return &*fonts;
+}
+
+/// The fonts of pages that are laid out already.
+const render::Fonts* fonts_that_drew() {
+    const auto fonts = fonts_of_thread();
+    KG_ASSERT(fonts.has_value(), "the fonts that laid out the pages are still there");
+    return *fonts;
+}
+
+Expected<render::Theme> theme_of(const DrawingOptions& options) {
+    if (!options.theme_file.empty()) {
+        auto theme = render::read_theme(options.theme_file);
+        if (!theme) return tl::unexpected(diagnostics_of(theme.error()));
+        return *std::move(theme);
+    }
+    if (auto theme = render::built_in_theme(options.theme)) return *std::move(theme);
+    std::string known;
+    for (const std::string_view each : render::theme_names()) known.append(known.empty() ? "" : ", ").append(each);
+    return refused(Diagnostic::Kind::bad_input, Words("there is no theme {0}; there are {1}",
+                                                      "non c’è il tema {0}; ci sono {1}", options.theme, known));
+}
+
+std::vector<Text> remarks_on(const render::Fonts& fonts) {
+    std::string absent;
+    for (const std::string& character : fonts.missing()) absent += (absent.empty() ? "" : ", ") + character;
+    if (absent.empty()) return {};
+    return {text_of(Words("the font has no {0}: drawn as its code in a box",
+                          "il font non ha {0}: disegnato come codice in un riquadro", absent))};
+}
+
+/// The pages of one solution; what is to be said of them is added to `remarks`.
+Expected<std::vector<render::Page>> pages_of(const Solution& solution, const DrawingOptions& wanted,
+                                             const render::SheetOptions& options, const render::Fonts& fonts,
+                                             std::vector<Text>& remarks) {
+    const bool has_joints = !stands_for_joints(solution.mechanism);
+    if (wanted.sheet == SheetWanted::answers && has_joints) {
+        render::Key key = render::lay_out_key_of(solution, app::asked_values(solution), options, fonts);
+        for (const render::RichText& remark : key.remarks) {
+            const std::string text = render::plain(remark);
+            remarks.push_back({{text, text}});
+        }
+        return std::move(key.pages);
+    }
+    if (wanted.steps) return render::lay_out_steps(solution, options, fonts);
+    if (wanted.sheet == SheetWanted::question && has_joints)
+        return render::lay_out_handout(solution, options, fonts, app::asked_values(solution));
+    if (wanted.figure.empty()) return render::lay_out(solution, options, fonts);
+    if (auto page = render::lay_out_alone(solution, options, wanted.figure, fonts))
+        return std::vector{*std::move(page)};
+    std::string names;
+    for (const std::string& each : render::figure_names(solution, options, fonts))
+        names += (names.empty() ? "" : ", ") + each;
+    return refused(Diagnostic::Kind::bad_input, Words("there is no figure {0}; there are {1}",
+                                                      "non c’è la figura {0}; ci sono {1}", wanted.figure, names));
+}
+
+Drawing drawing(std::vector<render::Page> pages, std::vector<Text> remarks) {
+    return Drawing(Shared<const Drawing::State>(new Drawing::State{{}, std::move(pages), std::move(remarks)}));
+}
+
+/// `paint` called; a library that is missing is a fault of the machine's.
+template <class Paint>
+Expected<std::string> painted(Paint paint) {
+    const auto fonts = fonts_of_thread();
+    if (!fonts) return tl::unexpected(fonts.error());
+    return paint(**fonts);
+}
+
+}  // namespace
+
+Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options) {
+    auto theme = theme_of(options);
+    if (!theme) return tl::unexpected(theme.error());
+    render::SheetOptions sheet;
+    sheet.language = language_of(options.language);
+    sheet.paper = options.paper == Paper::a3       ? render::Paper::a3
+                  : options.paper == Paper::letter ? render::Paper::letter
+                                                   : render::Paper::a4;
+    sheet.orientation = options.orientation == DrawingOptions::Orientation::portrait ? render::Orientation::portrait
+                                                                                     : render::Orientation::landscape;
+    sheet.dimensions = options.dimensions == Dimensions::on    ? render::Dimensions::on
+                       : options.dimensions == Dimensions::off ? render::Dimensions::off
+                                                               : render::Dimensions::automatic;
+    sheet.detail = options.detail == DrawingOptions::Detail::brief ? render::SolutionDetail::brief
+                                                                   : render::SolutionDetail::full;
+    sheet.kind = options.sheet == SheetWanted::question  ? render::SheetKind::question
+                 : options.sheet == SheetWanted::answers ? render::SheetKind::answers
+                                                         : render::SheetKind::solution;
+    sheet.grid = options.grid;
+    sheet.joukowsky = options.lever || !options.figure.empty();
+    sheet.author = options.author;
+    sheet.date = options.date;
+    sheet.theme = *std::move(theme);
+    return sheet;
+}
+
+std::size_t Drawing::pages() const { return state().pages.size(); }
+std::vector<Text> Drawing::remarks() const { return state().remarks; }
+
+std::vector<std::string> Drawing::svg(Lettering lettering) const {
+    const auto fonts = fonts_that_drew();
+    if (lettering == Lettering::live) return render::to_live_svg(state().pages, *fonts, render::font_subset);
+    return render::to_svg(state().pages, *fonts);
+}
+
+Expected<std::string> Drawing::png(std::size_t page, double dpi) const {
+    constexpr double least = 20, most = 1200;
+    if (page >= state().pages.size() || !(dpi >= least && dpi <= most))
+        return refused(Diagnostic::Kind::bad_input,
+                       Words("a page from 0 to {0} at 20 to 1200 dots per inch can be painted",
+                             "si può dipingere una pagina da 0 a {0} a 20–1200 punti per pollice",
+                             std::to_string(state().pages.size() - 1)));
+    return painted([&](const render::Fonts& fonts) { return render::to_png(state().pages[page], fonts, dpi); });
+}
+
+Expected<std::string> Drawing::pdf(Lettering lettering) const {
+    return painted([&](const render::Fonts& fonts) {
+        return lettering == Lettering::live ? render::to_live_pdf(state().pages, fonts)
+                                            : render::to_pdf(state().pages, fonts);
+    });
+}
+
+std::string Drawing::tex() const {
+    return render::to_tex(state().pages, *fonts_that_drew());
+}
+
+Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& options) {
+    const auto fonts = fonts_of_thread();
+    if (!fonts) return tl::unexpected(fonts.error());
+    const auto sheet = sheet_options_of(options);
+    if (!sheet) return tl::unexpected(sheet.error());
+    std::vector<render::Page> pages;
+    std::vector<Text> remarks;
+    for (const Solved& each : solved) {
+        auto more = pages_of(each.state().solution, options, *sheet, **fonts, remarks);
+        if (!more) return tl::unexpected(more.error());
+        std::move(more->begin(), more->end(), std::back_inserter(pages));
+    }
+    if (pages.empty())
+        return refused(Diagnostic::Kind::bad_input, {"there is no solution to draw", "nessuna soluzione da disegnare"});
+    for (Text& each : remarks_on(**fonts)) remarks.push_back(std::move(each));
+    return drawing(std::move(pages), std::move(remarks));
+}
+
+Expected<Drawing> draw(const Solved& solved, const DrawingOptions& options) { return draw(std::vector{solved}, options); }
+
+Expected<std::vector<std::string>> figure_names(const Solved& solved, const DrawingOptions& options) {
+    const auto fonts = fonts_of_thread();
+    if (!fonts) return tl::unexpected(fonts.error());
+    auto sheet = sheet_options_of(options);
+    if (!sheet) return tl::unexpected(sheet.error());
+    sheet->joukowsky = true;
+    return render::figure_names(solved.state().solution, *sheet, **fonts);
+}
+
+Expected<std::string> live_page(const Solved& solved, const DrawingOptions& options) {
+    const auto fonts = fonts_of_thread();
+    if (!fonts) return tl::unexpected(fonts.error());
+    const auto sheet = sheet_options_of(options);
+    if (!sheet) return tl::unexpected(sheet.error());
+    const auto& source = solved.state().source;
+    const Rereading file = source ? rereading_of(source->text, source->name, source->set) : Rereading{};
+    // A built-in theme of colours goes with the dark one on dark screens; what was chosen otherwise is shown as it is.
+    const bool by_screen = options.theme_file.empty() && options.theme == "colour";
+    const Solution& solution = solved.state().solution;
+    return render::live_page(solution, moving_of(solution, file), *sheet,
+                             by_screen ? render::built_in_theme("dark") : std::nullopt, **fonts);
+}
+
+Expected<Drawing> draw_pair_catalogue(const DrawingOptions& options) {
+    const auto fonts = fonts_of_thread();
+    if (!fonts) return tl::unexpected(fonts.error());
+    const auto sheet = sheet_options_of(options);
+    if (!sheet) return tl::unexpected(sheet.error());
+    std::vector<render::Page> pages = render::lay_out_catalogue(*sheet, **fonts);
+    return drawing(std::move(pages), remarks_on(**fonts));
+}
+
+}  // namespace kinegraph

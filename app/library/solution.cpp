@@ -1,0 +1,121 @@
+// Solved: the results of a solution by name, its sentences, its documents.
+#include <algorithm>
+#include <utility>
+
+#include "app/library/state.hpp"
+#include "engine/equations/equations.hpp"
+#include "engine/results/quantity_name.hpp"
+#include "engine/results/result_names.hpp"
+#include "engine/solution/problem_solution.hpp"
+#include "render/equations/chapters.hpp"
+#include "render/equations/equation_text.hpp"
+#include "render/sheet/sheet.hpp"
+#include "render/text/words.hpp"
+
+namespace kinegraph {
+
+template class Shared<const Solved::State>;
+
+Solved::State::State(Solution found, std::optional<SourceFile> file)
+    : solution(std::move(found)), source(std::move(file)) {}
+
+Solved solved(Solution solution, std::optional<SourceFile> source) {
+    return Solved(Shared<const Solved::State>(new Solved::State(std::move(solution), std::move(source))));
+}
+
+namespace {
+
+std::optional<ExactNumber> exact_of(const Exact& value) {
+    ExactNumber number{value.to_fraction(), "1", value.to_double()};
+    const std::size_t slash = number.numerator.find('/');
+    if (slash != std::string::npos) {
+        number.denominator = number.numerator.substr(slash + 1);
+        number.numerator.resize(slash);
+    }
+    return number;
+}
+/// What is told in English whatever the reader speaks.
+std::string in_english(const Message& message) { return render::tell(message, render::Language::en); }
+
+}  // namespace
+
+ResultValue value_of(const NamedResult& result, const Solution& solution) {
+    const ToldResult as_told = told(result, solution.mechanism.units);
+    ResultValue value{result.column.name, result.value, as_told.value, as_told.unit, std::nullopt};
+    if (const auto exact = exact_value(result, solution)) value.exact = exact_of(*exact);
+    return value;
+}
+
+std::vector<ResultValue> Solved::values() const {
+    std::vector<ResultValue> all;
+    for (const NamedResult& each : named_results(state().solution)) all.push_back(value_of(each, state().solution));
+    return all;
+}
+
+std::optional<ResultValue> Solved::value(std::string_view name) const {
+    const std::vector<NamedResult> all = named_results(state().solution);
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const NamedResult& each) { return each.column.name == name; });
+    if (found == all.end()) return std::nullopt;
+    return value_of(*found, state().solution);
+}
+
+std::optional<std::array<double, 2>> Solved::vector(std::string_view name) const {
+    const Solution& solution = state().solution;
+    const std::vector<NamedResult> all = named_results(solution);
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const NamedResult& each) { return each.column.name == name; });
+    if (found == all.end() || !is_modulus(found->column)) return std::nullopt;
+    std::array<double, 2> components{};
+    for (const FoundValue& each : found_values(solution, true)) {
+        if (each.quantity == found->column.quantity.along(Quantity::Component::x)) components[0] = each.vector.x;
+        if (each.quantity == found->column.quantity.along(Quantity::Component::y)) components[1] = each.vector.y;
+    }
+    return components;
+}
+
+std::vector<Text> Solved::statements() const {
+    std::vector<Text> all;
+    for (const Statement& each : state().solution.protocol.statements) all.push_back(text_of(each.message));
+    return all;
+}
+
+std::vector<Solved::Missing> Solved::unsolved() const {
+    std::vector<Missing> all;
+    for (const Unsolved& each : state().solution.unsolved) all.push_back({text_of(each.what), text_of(each.why)});
+    return all;
+}
+
+std::vector<Text> Solved::remarks() const {
+    std::vector<Text> all;
+    for (const Message& each : state().solution.remarks) all.push_back(text_of(each));
+    if (state().solution.problem)
+        for (const Words& each : state().solution.problem->remarks) all.push_back(text_of(each));
+    return all;
+}
+
+std::vector<CheckedValue> Solved::checks() const {
+    std::vector<CheckedValue> all;
+    for (const CheckRow& row : state().solution.checks)
+        all.push_back({name_of(row.quantity, state().solution), row.graphical, row.numeric, row.difference});
+    return all;
+}
+
+std::string Solved::json(bool exact) const { return results_json(state().solution, exact, in_english); }
+
+std::string Solved::table(Language language) const {
+    return render::results_table(state().solution, language_of(language));
+}
+
+Expected<std::string> Solved::equations(Language language) const {
+    const Solution& solution = state().solution;
+    if (!solution.equations)
+        return refused(Diagnostic::Kind::bad_input,
+                       {"the closure equations were not asked for", "le equazioni di chiusura non sono richieste"});
+    if (!solution.equations->why_not.empty())
+        return refused(Diagnostic::Kind::bad_input,
+                       Words("no equations: {0}", "nessuna equazione: {0}", solution.equations->why_not));
+    return render::as_text(render::equation_items(solution, language_of(language)));
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,79 @@
+// What stands behind the values of the public face (include/kinegraph/), and how the engine's texts and faults become
+// those of the face. The one folder that knows engine, constructions and render together; the command line, and later
+// Python and the browser, stand on the face alone.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "constructions/positions/named_results.hpp"
+#include "engine/file/error.hpp"
+#include "engine/mechanism/mechanism.hpp"
+#include "engine/sentences/statement.hpp"
+#include "engine/solution/solution.hpp"
+#include "kinegraph/mechanism.hpp"
+#include "kinegraph/sheet.hpp"
+#include "kinegraph/solution.hpp"
+#include "render/content/sheet_options.hpp"
+#include "render/page/page.hpp"
+
+namespace kinegraph {
+
+/// Counts the values that share a state.
+struct Owned {
+    mutable std::atomic<long> owners{1};
+};
+template <class State>
+Shared<State>::Shared(const Shared& other) noexcept : state_(other.state_) {
+    if (state_ != nullptr) state_->owners.fetch_add(1, std::memory_order_relaxed);
+}
+template <class State>
+Shared<State>::~Shared() {
+    if (state_ != nullptr && state_->owners.fetch_sub(1, std::memory_order_acq_rel) == 1) delete state_;
+}
+
+struct MechanismFile::State : Owned {
+    std::string text, name;
+    std::vector<Setting> set;
+    Mechanism mechanism;
+};
+
+/// The file that a solution's live page reads again with other parameters.
+struct SourceFile {
+    std::string text, name;
+    std::vector<Setting> set;
+};
+struct Solved::State : Owned {
+    explicit State(Solution solution, std::optional<SourceFile> source = std::nullopt);
+
+    Solution solution;
+    std::optional<SourceFile> source;  ///< none of a position that the file does not draw
+};
+/// A solution as a value of the face.
+Solved solved(Solution solution, std::optional<SourceFile> source = std::nullopt);
+
+struct Drawing::State : Owned {
+    std::vector<render::Page> pages;
+    std::vector<Text> remarks;
+};
+
+render::Language language_of(Language language);
+Text text_of(const Words& words);
+Text text_of(const Message& message);
+Diagnostics diagnostics_of(const Errors& errors);
+tl::unexpected<Diagnostics> refused(Diagnostic::Kind kind, const Words& words);
+
+std::vector<Setting> settings_of(const std::vector<ParameterValue>& values);
+/// In the file's unit, with the exact value where there is one.
+ResultValue value_of(const NamedResult& result, const Solution& solution);
+
+/// Error: the faults of a theme file, or that there is no theme of that name.
+Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options);
+
+/// The whole of a file, at most 64 MiB.
+Expected<std::string> read_file(const std::string& path, const Words& kind);
+
+}  // namespace kinegraph
