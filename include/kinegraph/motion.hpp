@@ -39,7 +39,9 @@ public:
     /// Prepares the sweep of a file with drivers. Fails where nothing drives it, a name is unknown, a quantity is
     /// wrong or out of reach.
     static Expected<Sweep> of(const MechanismFile& file, const SweepOptions& options = {});
+    /// Moves; what was moved from may only be destroyed or assigned to.
     Sweep(Sweep&&) noexcept;
+    /// Moves, as the constructor does.
     Sweep& operator=(Sweep&&) noexcept;
     ~Sweep();
 

@@ -16,11 +16,16 @@ namespace kinegraph {
 
 /// How a solution is drawn.
 struct DrawingOptions {
-    enum class Paper { a4, a3, letter };               ///< sizes of paper
-    enum class Orientation { landscape, portrait };    ///< how the paper lies
-    enum class Dimensions { automatic, on, off };      ///< whether the given data stand on the mechanism's figure
-    enum class Detail { full, brief };                 ///< brief: what a lecturer chalks up
-    enum class Sheet { solution, question, answers };  ///< worked solution, exercise as handed out, key
+    /// Sizes of paper.
+    enum class Paper { a4, a3, letter };
+    /// How the paper lies.
+    enum class Orientation { landscape, portrait };
+    /// Whether the given lengths and angles stand on the mechanism's figure.
+    enum class Dimensions { automatic, on, off };
+    /// How much of a solution is told; brief: what a lecturer chalks up.
+    enum class Detail { full, brief };
+    /// What the pages are for: the worked solution, the exercise as it is handed out, the key.
+    enum class Sheet { solution, question, answers };
 
     Language language = Language::en;                  ///< of all words on the drawing
     Paper paper = Paper::a4;                           ///< of every page

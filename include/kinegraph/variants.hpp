@@ -33,7 +33,9 @@ public:
     static Expected<ExerciseVariants> parse(std::string_view text, std::string name, std::uint64_t seed,
                                             const std::vector<ParameterValue>& set = {},
                                             const DrawingOptions& options = {});
+    /// Moves; what was moved from may only be destroyed or assigned to.
     ExerciseVariants(ExerciseVariants&&) noexcept;
+    /// Moves, as the constructor does.
     ExerciseVariants& operator=(ExerciseVariants&&) noexcept;
     ~ExerciseVariants();
 

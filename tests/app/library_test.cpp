@@ -1,0 +1,209 @@
+// The public face as a program uses it: no internal header.
+#include <kinegraph/kinegraph.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace kinegraph;
+
+// Slider-crank O(0,0), A(30,40), B(150,0) mm, ω₂ = 10 rad/s: v_A = (−0.4, 0.3) m/s; v_B lies along x, so
+// ω₃ = −0.3/0.12 = −5/2 rad/s and v_B = −0.4 + ω₃·0.04 = −1/2 m/s.
+const std::string slider_crank = R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
+    "parameters": {"w": 10},
+    "points": {"O": [0, 0], "A": [30, 40], "B": [150, 0]}, "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]},
+    "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+               {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 0}],
+    "drivers": [{"body": 2, "omega": "= w"}]})";
+
+Solved solved(const std::string& text, const std::vector<ParameterValue>& set = {}) {
+    const auto file = MechanismFile::parse(text, "slider_crank.json", set);
+    EXPECT_TRUE(file.has_value());
+    auto found = file->solve();
+    EXPECT_TRUE(found.has_value());
+    return *found;
+}
+
+TEST(PublicFace, GivesResultsByNameExactlyAndAsDoubles) {
+    const Solved found = solved(slider_crank);
+    const auto omega = found.value("omega 3");
+    ASSERT_TRUE(omega && omega->exact);
+    EXPECT_EQ(omega->value, -2.5);
+    EXPECT_EQ(omega->exact->text(), "-5/2");
+    EXPECT_EQ(omega->unit, "rad/s");
+    const auto velocity = found.value("vx B");
+    ASSERT_TRUE(velocity && velocity->exact);
+    EXPECT_EQ(velocity->exact->text(), "-1/2");
+    EXPECT_EQ(velocity->in_file_unit, -0.5);
+    EXPECT_EQ(found.vector("v A"), (std::array<double, 2>{-0.4, 0.3}));
+    // A length takes a root, and has no exact value even where it comes out whole.
+    const auto speed = found.value("v A");
+    ASSERT_TRUE(speed);
+    EXPECT_EQ(speed->value, 0.5);
+    EXPECT_FALSE(speed->exact);
+    EXPECT_FALSE(found.value("omega 7"));
+    EXPECT_FALSE(found.vector("omega 3"));
+}
+
+TEST(PublicFace, GivesEveryValueUnderItsName) {
+    const Solved found = solved(slider_crank);
+    const std::vector<ResultValue> all = found.values();
+    ASSERT_GT(all.size(), 10u);
+    for (const ResultValue& each : all) {
+        const auto again = found.value(each.name);
+        ASSERT_TRUE(again) << each.name;
+        EXPECT_EQ(again->value, each.value) << each.name;
+        EXPECT_TRUE(std::isfinite(each.value)) << each.name;
+    }
+}
+
+TEST(PublicFace, SetsParameters) { EXPECT_EQ(solved(slider_crank, {{"w", "20"}}).value("omega 3")->value, -5); }
+
+TEST(PublicFace, ToldByTheCheck) {
+    const std::vector<CheckedValue> rows = solved(slider_crank).checks();
+    ASSERT_FALSE(rows.empty());
+    for (const CheckedValue& row : rows) EXPECT_NEAR(row.graphical, row.numeric, 1e-12) << row.name;
+}
+
+TEST(PublicFace, TellsEveryFaultWithItsPlace) {
+    const auto file = MechanismFile::parse(R"({"kinegraph": 1, "points": {"A": [0, "x"]}, "bodys": {}})", "a.json");
+    ASSERT_FALSE(file.has_value());
+    const auto at = [&](const std::string& place) {
+        return std::any_of(file.error().begin(), file.error().end(),
+                           [&](const Diagnostic& each) { return each.place == place; });
+    };
+    EXPECT_TRUE(at("/points/A/1"));
+    EXPECT_TRUE(at("/bodys"));
+    for (const Diagnostic& each : file.error())
+        for (const Language language : {Language::en, Language::it}) EXPECT_FALSE(each.text.in(language).empty());
+    EXPECT_FALSE(MechanismFile::open("/nowhere/a.json").has_value());
+}
+
+TEST(PublicFace, SolvesAFileThatNeedsDerivativesWithoutAnyCallBefore) {
+    const auto file = MechanismFile::open(KINEGRAPH_EXAMPLES_DIR "/motion/projectile.json");
+    ASSERT_TRUE(file.has_value());
+    EXPECT_FALSE(file->has_joints());
+    const auto found = file->solve();
+    ASSERT_TRUE(found.has_value());
+    EXPECT_FALSE(found->values().empty());
+}
+
+TEST(PublicFace, DrawsInEveryFormat) {
+    const auto drawing = draw(solved(slider_crank));
+    ASSERT_TRUE(drawing.has_value());
+    EXPECT_EQ(drawing->svg().size(), drawing->pages());
+    EXPECT_NE(drawing->svg().front().find("<svg"), std::string::npos);
+    EXPECT_NE(drawing->svg(Lettering::live).front().find("<text"), std::string::npos);
+    EXPECT_EQ(drawing->png(0, 50).value().substr(1, 3), "PNG");
+    EXPECT_EQ(drawing->pdf().value().substr(0, 5), "%PDF-");
+    EXPECT_NE(drawing->tex().find("tikzpicture"), std::string::npos);
+    EXPECT_FALSE(drawing->png(drawing->pages()).has_value());
+    EXPECT_NE(live_page(solved(slider_crank)).value().find("<html"), std::string::npos);
+}
+
+TEST(PublicFace, DrawsOneFigureByName) {
+    const Solved found = solved(slider_crank);
+    const auto names = figure_names(found);
+    ASSERT_TRUE(names.has_value());
+    ASSERT_FALSE(names->empty());
+    for (const std::string& name : *names) {
+        DrawingOptions options;
+        options.figure = name;
+        EXPECT_TRUE(draw(found, options).has_value()) << name;
+    }
+    DrawingOptions options;
+    options.figure = "no such figure";
+    const auto none = draw(found, options);
+    ASSERT_FALSE(none.has_value());
+    EXPECT_NE(none.error().front().text.in(Language::en).find(names->front()), std::string::npos);
+}
+
+TEST(PublicFace, RefusesAThemeThatIsNone) {
+    DrawingOptions options;
+    options.theme = "neon";
+    EXPECT_FALSE(draw(solved(slider_crank), options).has_value());
+    options.theme_file = R"({"paper": 7})";
+    const auto wrong = draw(solved(slider_crank), options);
+    ASSERT_FALSE(wrong.has_value());
+    EXPECT_EQ(wrong.error().front().place, "/paper");
+}
+
+TEST(PublicFace, MovesAMechanismThroughItsCycle) {
+    const auto file = MechanismFile::parse(slider_crank, "slider_crank.json");
+    ASSERT_TRUE(file.has_value());
+    SweepOptions options;
+    options.steps = 36;
+    auto sweep = Sweep::of(*file, options);
+    ASSERT_TRUE(sweep.has_value());
+    const auto rows = sweep->rows();
+    ASSERT_EQ(rows.size(), 37u);
+    const auto& columns = sweep->columns();
+    const auto place = std::find_if(columns.begin(), columns.end(), [](const auto& c) { return c.name == "x B"; });
+    ASSERT_NE(place, columns.end());
+    EXPECT_EQ(place->unit, "m");
+    const auto x = static_cast<std::size_t>(place - columns.begin());
+    // The crank of 50 mm and the rod of √(120² + 40²) mm: the slider's stroke is twice the crank.
+    double least = rows[0][x], most = rows[0][x];
+    for (const auto& row : rows) least = std::min(least, row[x]), most = std::max(most, row[x]);
+    EXPECT_NEAR(most - least, 0.1, 1e-3);
+    EXPECT_LT(sweep->largest_difference(), 1e-9);
+    options.from = "1 kg";
+    EXPECT_FALSE(Sweep::of(*file, options).has_value());
+}
+
+TEST(PublicFace, DrawsVariantsInOneOrder) {
+    const std::string text = [] {
+        std::string whole = slider_crank;
+        return whole.insert(whole.rfind('}'),
+                            R"(, "vary": {"w": {"from": 5, "to": 20, "step": 1}}, "ask": ["omega 3"])");
+    }();
+    auto first = ExerciseVariants::parse(text, "v.json", 7), second = ExerciseVariants::parse(text, "v.json", 7);
+    ASSERT_TRUE(first.has_value() && second.has_value()) << first.error().front().text.in(Language::en);
+    for (int i = 0; i < 5; ++i) {
+        const auto one = first->next(), other = second->next();
+        ASSERT_TRUE(one && *one && other && *other);
+        EXPECT_EQ((*one)->file, (*other)->file);
+        ASSERT_EQ((*one)->asked.size(), 1u);
+        EXPECT_NEAR((*one)->asked[0].value, -std::stod((*one)->values[0].value) / 4, 1e-12);
+        // The file of a variant stands by itself.
+        EXPECT_EQ(solved((*one)->file).value("omega 3")->value, (*one)->asked[0].value);
+    }
+}
+
+TEST(PublicFace, ReadsACam) {
+    const auto cam = CamFile::open(KINEGRAPH_EXAMPLES_DIR "/cams/disc_cam.json");
+    ASSERT_TRUE(cam.has_value());
+    EXPECT_GE(cam->profile(90).size(), 90u);
+    EXPECT_TRUE(MechanismFile::parse(cam->mechanism_at(1), "cam.json").has_value());
+}
+
+TEST(PublicFace, ComparesPictures) {
+    const auto drawing = draw(solved(slider_crank));
+    const std::string one = drawing->png(0, 30).value();
+    EXPECT_EQ(compare_pictures(one, one)->differing, 0u);
+    DrawingOptions dark;
+    dark.theme = "dark";
+    EXPECT_GT(compare_pictures(one, draw(solved(slider_crank), dark)->png(0, 30).value())->share(), 0.5);
+    EXPECT_FALSE(compare_pictures(one, "no picture").has_value());
+}
+
+TEST(PublicFace, ServesThreadsThatCallNothingBesides) {
+    std::vector<std::string> sheets(4);
+    std::vector<std::jthread> threads;
+    for (std::string& sheet : sheets)
+        threads.emplace_back([&sheet] {
+            for (int i = 0; i < 3; ++i) sheet = draw(solved(slider_crank))->svg().front();
+        });
+    threads.clear();
+    const std::string here = draw(solved(slider_crank))->svg().front();
+    for (const std::string& sheet : sheets) EXPECT_EQ(sheet, here);
+}
+
+}  // namespace
