@@ -1,4 +1,4 @@
-// A line of `kinegraph batch`: what it asks, read and held against its form (docs/format.md). Solves and writes
+// A line of `kinegraph batch`: what it asks, read and held against its form (docs/batch.md). Solves and writes
 // nothing.
 #pragma once
 

@@ -11,7 +11,7 @@
 
 namespace kinegraph::app {
 
-/// Exit statuses, as docs/format.md fixes them.
+/// Exit statuses, as docs/command_line.md fixes them.
 enum class Status {
     done = 0,
     difference = 1,  ///< of two pictures

@@ -37,7 +37,7 @@ struct Cam {
     Law law;  ///< over a whole turn, back to where it began, and never below
 };
 
-/// Reads `{"kinegraph": 1, "cam": {…}}` as docs/format.md says. Errors: every fault at once.
+/// Reads `{"kinegraph": 1, "cam": {…}}` as docs/file_problems.md says. Errors: every fault at once.
 Result<Cam> read_cam(std::string_view text, std::string source);
 
 /// What the cam is to its follower when it has turned by so much since the beginning of its law.

@@ -333,7 +333,7 @@ struct Setting {
     std::string value;
 };
 
-/// Reads a mechanism from the text of a file, as docs/format.md says. `source` names it in messages.
+/// Reads a mechanism from the text of a file, as docs/file.md says. `source` names it in messages.
 /// Errors: every fault of the text at once, each with its JSON pointer, what is wrong and the remedy.
 Result<Mechanism> read_mechanism(std::string_view text, std::string source, std::span<const Setting> set = {});
 

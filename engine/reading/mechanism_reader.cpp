@@ -1,4 +1,4 @@
-// The reader of mechanism files: docs/format.md turned into checks, and a Mechanism made of what passes them. Each
+// The reader of mechanism files: docs/file.md turned into checks, and a Mechanism made of what passes them. Each
 // fault is reported once, where it stands; what only the drawing can tell (curves that do not meet, a misfit) is left
 // to the pose.
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The results file (docs/format.md, 3): a Solution written as JSON, SI units, keys in the file's order, numbers as the
+// The results file (docs/results.md): a Solution written as JSON, SI units, keys in the file's order, numbers as the
 // shortest decimals that give the double back. Computes nothing and rounds nothing but to doubles.
 #include <algorithm>
 #include <charconv>

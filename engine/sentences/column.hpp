@@ -28,7 +28,7 @@ struct Column {
         named    ///< what `name` says, a word of the sheet
     } kind = Kind::turn;
     Quantity quantity;  ///< places: the velocity of the point; angle: ω; slid: the sliding velocity
-    std::string name;   ///< as docs/format.md lists them: "omega 3", "vx B", "Fx A 3 on 2"
+    std::string name;   ///< as docs/command_line.md lists them: "omega 3", "vx B", "Fx A 3 on 2"
     QuantityKind unit = QuantityKind::dimensionless;
 };
 

@@ -67,7 +67,7 @@ std::optional<double> work_by_ratios(const Equations& equations, const Mechanism
 /// value where neither finds it. Empty where neither was asked for.
 std::vector<EffortValue> efforts_found(const Solution& solution);
 
-/// The value of "virtual work" in the results file (docs/format.md).
+/// The value of "virtual work" in the results file (docs/results.md).
 std::string displacements_json(const Mechanism& mechanism, const Displacements& displacements);
 
 }  // namespace kinegraph

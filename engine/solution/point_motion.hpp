@@ -51,7 +51,7 @@ struct PointMotionSolution {
     } elements;
 };
 
-/// The value of "motion" in the results file (docs/format.md), of a solution whose problem is the motion of a point.
+/// The value of "motion" in the results file (docs/results.md), of a solution whose problem is the motion of a point.
 std::string motion_json(const Solution& solution);
 
 // ----- motions in the large

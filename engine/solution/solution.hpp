@@ -573,7 +573,7 @@ Quantity quantity_of(const FreeBody& body, const AppliedForce& applied);
 /// Says a message in English.
 using Teller = std::function<std::string(const Message&)>;
 
-/// The results file of docs/format.md (SI, one line a value group); `exact` adds fractions.
+/// The results file of docs/results.md (SI, one line a value group); `exact` adds fractions.
 std::string results_json(const Solution& solution, bool exact, const Teller& tell);
 
 }  // namespace kinegraph

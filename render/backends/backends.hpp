@@ -27,7 +27,7 @@ private:
     std::unordered_map<std::uint64_t, std::string> paths_;
 };
 
-/// SVG 1.1, one user unit = 1 mm; groups, ids, titles and data attributes as docs/format.md says; text as outlines.
+/// SVG 1.1, one user unit = 1 mm; groups, ids, titles and data attributes as docs/drawing.md says; text as outlines.
 std::string to_svg(const Page& page, const Fonts& fonts);
 /// The same of several pages: an outline that they share is written out once.
 std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts);

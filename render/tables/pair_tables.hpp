@@ -1,5 +1,5 @@
 // Pair tables: the catalogue of pairs and the pairs of one mechanism, as plain text for the terminal, as Markdown for a
-// page, or as JSON for a program (docs/format.md).
+// page, or as JSON for a program (docs/command_line.md).
 #pragma once
 
 #include <string>

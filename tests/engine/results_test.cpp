@@ -1,4 +1,4 @@
-// The results file: its keys and shapes literally as docs/format.md has them, numbers that come back, nothing that is
+// The results file: its keys and shapes literally as docs/results.md has them, numbers that come back, nothing that is
 // no JSON.
 #include <gtest/gtest.h>
 
