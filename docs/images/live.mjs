@@ -1,14 +1,8 @@
-// The live pages of docs/gallery.md, and what they look like on a screen and on a phone: node docs/images/live.mjs PROGRAM, from
-// the repository's root; make.sh calls it. A picture above 60 KB is named, and the status is 1.
-import {execFileSync} from 'node:child_process';
+// What the live pages of docs/gallery.md look like on a screen and on a phone: node docs/images/live.mjs, from the
+// repository's root, after docs/make_pages.sh; make.sh calls both. A picture above 60 KB is named, and the status is 1.
 import {statSync, writeFileSync} from 'node:fs';
 import {resolve} from 'node:path';
 import {close, open, protocol, run} from '../../tests/live/browser.mjs';
-
-const [program] = process.argv.slice(2);
-for (const name of ['four_bar', 'watt_six_bar', 'cam_roller_follower']) {
-    execFileSync(program, ['solve', `examples/${name}.json`, '-o', `docs/live/${name}.html`], {stdio: ['ignore', 'ignore', 'ignore']});
-}
 
 async function picture(name, page, options, act) {
     await open(`file://${resolve('docs/live', `${page}.html`)}`, options);

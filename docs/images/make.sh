@@ -1,6 +1,6 @@
 #!/bin/sh
-# Draws the pictures and live pages of README.md and docs/gallery.md anew: docs/images/make.sh [PROGRAM]. PROGRAM is
-# build/kinegraph if left out.
+# Draws the pictures of README.md and docs/gallery.md and makes the live pages: docs/images/make.sh [PROGRAM].
+# PROGRAM is build/kinegraph if left out.
 # Pictures that came out above 200 KB are named, and the status is 1.
 set -eu
 cd "$(dirname "$0")/../.."
@@ -62,7 +62,8 @@ plot jansen_cycle sweep examples/jansen_leg.json --trace F --poses 8
 plot cam_from_law cam examples/cams/disc_cam.json --at 60°
 
 status=0
-node docs/images/live.mjs "$program" || status=1
+docs/make_pages.sh "$program" 2>/dev/null
+node docs/images/live.mjs || status=1
 for picture in docs/images/*.png; do
     if [ "$(wc -c <"$picture")" -gt 204800 ]; then
         echo "$picture is larger than 200 KB"
