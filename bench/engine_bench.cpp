@@ -1,5 +1,5 @@
 // What solving costs, from the text of a file to the Solution, and each of its parts: kinematics, centres, the check,
-// reading. The figures of docs/performance.md come from here.
+// reading. Parts, in the process; docs/performance.md has whole commands.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
