@@ -27,7 +27,7 @@ struct SweepOptions {
 
 /// A column of a sweep.
 struct SweepColumn {
-    std::string name;  ///< as in the CSV: "turn", "omega 4", "vx B" (docs/results.md)
+    std::string name;  ///< as in the CSV: "turn", "omega 4", "vx B" (docs/command_line.md)
     std::string unit;  ///< SI: "rad", "m/s"; empty of a bare number
 };
 
