@@ -16,7 +16,7 @@ namespace {
 using namespace drawing;
 using Found = ActFigure::Found;
 
-constexpr double corner = 1.8;           // of the mark of a right angle, mm
+constexpr double corner_mark = 1.8;      // of the mark of a right angle, mm
 constexpr double longest_velocity = 34;  // mm
 constexpr double shortest_drawn = 0.2;   // mm: a velocity that nobody would see
 
@@ -196,8 +196,8 @@ private:
         if (!(whole > 2 * same_place)) return;
         const Spot along = unit(centre - from);
         const auto velocity = direction_at(point);
-        if (velocity && whole > 3 * corner && found_it) {
-            const Spot r = corner * along, v = corner * *velocity;
+        if (velocity && whole > 3 * corner_mark && found_it) {
+            const Spot r = corner_mark * along, v = corner_mark * *velocity;
             sketch.construction.emplace_back(polyline({from + r, from + r + v, from + v}, thin()));
         }
         if (near) {
@@ -254,7 +254,7 @@ private:
             const auto velocity = direction_at(point);
             end = from + reach * towards;
             if (velocity) {
-                const Spot r = corner * towards, v = corner * *velocity;
+                const Spot r = corner_mark * towards, v = corner_mark * *velocity;
                 sketch.construction.emplace_back(polyline({from + r, from + r + v, from + v}, thin()));
             }
             draw_arrow(sketch.construction, from, end, context_.theme.thin, context_.theme.secondary);
@@ -384,8 +384,8 @@ private:
                 const Spot tip = tip_of(sketch, *shown, scale);
                 if (length(tip - foot) > shortest_drawn) {
                     sketch.construction.emplace_back(line(tip, foot, thin()));
-                    if (length(tip - foot) > 2 * corner && length(foot - at) > 2 * corner) {
-                        const Spot up = corner * unit(tip - foot), back = corner * unit(at - foot);
+                    if (length(tip - foot) > 2 * corner_mark && length(foot - at) > 2 * corner_mark) {
+                        const Spot up = corner_mark * unit(tip - foot), back = corner_mark * unit(at - foot);
                         sketch.construction.emplace_back(polyline({foot + up, foot + up + back, foot + back}, thin()));
                     }
                 }

@@ -18,7 +18,7 @@ namespace {
 using namespace drawing;
 using Form = Holds::Form;
 
-constexpr double beyond = 6;         // of a line past what it joins, mm
+constexpr double past_ends = 6;      // of a line past what it joins, mm
 constexpr double shortest_arc = 16;  // of an osculating circle to either side of its point, mm
 constexpr double tick = 14;          // half of a straight path, mm
 
@@ -116,11 +116,11 @@ private:
         if (length(b - a) < same_place) return;
         const Spot along = unit(b - a);
         const Interval seen = within(view_, a, along);
-        const double from = std::max(-beyond, seen.from), to = std::min(length(b - a) + beyond, seen.to);
+        const double from = std::max(-past_ends, seen.from), to = std::min(length(b - a) + past_ends, seen.to);
         // As far as the figure shows it: elsewhere it may be seen whole.
         if (from < to)
             stroke(line(a + from * along, a + to * along, pen), statement,
-                   {Form::segment, {std::move(from_place), std::move(to_place)}, beyond});
+                   {Form::segment, {std::move(from_place), std::move(to_place)}, past_ends});
     }
     void name(RichText text, Spot at, StatementIndex statement, const std::string& place) {
         sketch_.add_label(std::move(text), theme_.text, at, 1.6, statement).holds = {Form::at, {place}};

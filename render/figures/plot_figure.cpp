@@ -294,7 +294,7 @@ Unit unit_of(QuantityKind kind, const Mechanism& mechanism) {
     const Units& units = mechanism.units;
     switch (kind) {
         case QuantityKind::length: return units.length;
-        case QuantityKind::angle: return {"°", pi() / 180};
+        case QuantityKind::angle: return {"°", kinegraph::pi() / 180};
         case QuantityKind::angular_velocity: return units.angular_velocity;
         case QuantityKind::angular_acceleration: return {"rad/s²", 1};
         case QuantityKind::velocity: return units.velocity;

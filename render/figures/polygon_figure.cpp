@@ -15,9 +15,9 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double overshoot = 12;     // of a construction line past the meet: it was found, not given
-constexpr double short_of_pole = 3;  // … and before its support
-constexpr double seen_apart = 1.5;   // where it ends, from the other line of the meet, …
+constexpr double past_the_meet = 12;  // of a construction line past the meet: it was found, not given
+constexpr double short_of_pole = 3;   // … and before its support
+constexpr double seen_apart = 1.5;    // where it ends, from the other line of the meet, …
 constexpr double most_overshoot = 25;
 constexpr double trial_overshoot = 4;
 constexpr double least_image = 12;      // mm²: of a link's image, or it is no figure to be seen
@@ -167,8 +167,8 @@ private:
             if (reach < 0) along = -1.0 * along;
             PolygonLine drawn;
             drawn.from = support - short_of_pole * along;
-            drawn.to = meet + overshoot * along;
-            if (std::abs(reach) < coincident) drawn.from = support - overshoot * along;
+            drawn.to = meet + past_the_meet * along;
+            if (std::abs(reach) < coincident) drawn.from = support - past_the_meet * along;
             bool twice = false;
             for (std::size_t i = 0; i < reasons.size(); ++i)
                 twice = twice || (length(parts.lines[first + i].to - drawn.to) < coincident &&
@@ -181,8 +181,8 @@ private:
                 if (const std::string number = numbers_.before(each.statement, each.reason); !number.empty())
                     drawn.mark = one_piece(number);
                 append(drawn.mark, typeset(each.reason, context_.language));
-                drawn.mark_at = meet + (0.58 * overshoot) * along;
-                drawn.mark_toward = meet + overshoot * along;
+                drawn.mark_at = meet + (0.58 * past_the_meet) * along;
+                drawn.mark_toward = meet + past_the_meet * along;
             }
             add_corner(parts, each.statement, support, along, std::abs(reach));
             parts.lines.push_back(std::move(drawn));
@@ -195,7 +195,7 @@ private:
         for (std::size_t i = 0; i < rays.size(); ++i)
             for (const Ray& other : rays) {
                 const double sine = std::abs(cross(rays[i].along, other.along));
-                if (length(rays[i].meet - other.meet) > coincident || overshoot * sine > seen_apart || sine < 1e-9)
+                if (length(rays[i].meet - other.meet) > coincident || past_the_meet * sine > seen_apart || sine < 1e-9)
                     continue;
                 parts.lines[first + i].to = rays[i].meet + std::min(seen_apart / sine, most_overshoot) * rays[i].along;
             }

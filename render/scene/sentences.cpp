@@ -1,6 +1,7 @@
 // Sentences, by kind.
 #include "render/scene/sentences.hpp"
 
+#include <algorithm>
 
 namespace kinegraph::render {
 
