@@ -33,7 +33,7 @@ const Exact& degree() {
     return size;
 }
 
-Exact whole_power(const Exact& base, int exponent) {
+Exact exact_power(const Exact& base, int exponent) {
     Exact result = 1;
     for (int i = 0; i < std::abs(exponent); ++i) result *= base;
     return exponent < 0 ? 1 / result : result;
@@ -115,7 +115,7 @@ void scale(Measured& of, const Exact& factor) {
 
 /// The same quantity without its angle: each degree has become a number, that of radians.
 Measured in_radians(Measured of) {
-    scale(of, whole_power(degree(), of.dimension.angle));
+    scale(of, exact_power(degree(), of.dimension.angle));
     of.dimension.angle = 0;
     return of;
 }
@@ -125,7 +125,7 @@ Exact handed_on(const Measured& of) { return of.is_approximate ? rounded_to_size
 
 Measured measured(const WrittenQuantity& written) {
     const Dimension dimension = dimension_of(written.unit->kind);
-    Exact value = written.value * (written.unit->si / whole_power(degree(), dimension.angle));
+    Exact value = written.value * (written.unit->si / exact_power(degree(), dimension.angle));
     return {.value = std::move(value), .dimension = dimension};
 }
 
