@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gmpxx.h>
+#include <cmath>
 
 #include <compare>
 #include <cstdint>
