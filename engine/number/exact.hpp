@@ -3,8 +3,8 @@
 #pragma once
 
 #include <gmpxx.h>
-#include <cmath>
 
+#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <optional>
