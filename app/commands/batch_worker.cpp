@@ -18,7 +18,7 @@ Error too_long() { return {ErrorCode::bad_input, "", {"is larger than 64 MiB", "
 /// ", \"key\": value" of texts; nothing where there are none.
 std::string member(std::string_view key, const std::vector<std::string>& texts) {
     if (texts.empty()) return {};
-    return ", \"" + std::string(key) + "\": " + quoted(texts);
+    return ", \"" + std::string(key) + "\": " + json_quoted(texts);
 }
 
 /// What `solve` would have said on standard error.
@@ -55,7 +55,7 @@ std::string BatchWorker::answer(const std::string& line) {
     ++tally_.answered;
     if (refused) ++tally_.refused;
     if (refused) answer.members = member("errors", errors);
-    if (refused && read.id == "null") answer.members += ", \"line\": " + quoted(shown(line, shown_of_a_line));
+    if (refused && read.id == "null") answer.members += ", \"line\": " + json_quoted(shown(line, shown_of_a_line));
     std::string text = R"({"id": )" + read.id;
     if (!answer.members.starts_with(", \"status\""))
         text += ", \"status\": " + std::to_string(static_cast<int>(answer.status));

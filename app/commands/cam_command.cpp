@@ -23,7 +23,6 @@ namespace kinegraph::app {
 namespace {
 
 using Spot = VectorOf<double>;
-constexpr double pi_ = std::numbers::pi;
 
 /// Speed and acceleration of the follower as our own solver finds them, m/s or rad/s; nothing where it finds none.
 struct Found {
@@ -41,7 +40,7 @@ std::optional<Found> follower_of(const Solution& solution, bool translates, doub
     return Found{rises * body.omega->to_double(), rises * body.alpha->to_double()};
 }
 
-tl::expected<Solution, Errors> solved_at(const Cam& cam, const CamGeometry& geometry, double turn) {
+tl::expected<Solution, Errors> solved_at_turn(const Cam& cam, const CamGeometry& geometry, double turn) {
     auto mechanism = read_mechanism(mechanism_file_of(cam, geometry, turn), cam.source);
     if (!mechanism) return tl::unexpected(mechanism.error());
     // The numbers are those of the file as written; to ask of each position what its last digits leave open takes twice
@@ -109,7 +108,8 @@ private:
 
     void fill_rows() {
         for (long i = 0; i <= request_.steps; ++i)
-            states_.push_back(geometry_.at(2 * pi_ * static_cast<double>(i) / static_cast<double>(request_.steps)));
+            states_.push_back(
+                geometry_.at(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(request_.steps)));
     }
     double speed(const CamState& state) const { return state.rise.first * rate_; }
     double acceleration(const CamState& state) const { return state.rise.second * rate_ * rate_; }
@@ -119,7 +119,7 @@ private:
         double most_speed = 0, most_acceleration = 0, off_speed = 0, off_acceleration = 0;
         for (const CamState& state : states_) {
             if (!std::isfinite(state.curvature)) continue;
-            const auto solution = solved_at(cam_, geometry_, state.turn);
+            const auto solution = solved_at_turn(cam_, geometry_, state.turn);
             const auto found = solution ? follower_of(*solution, translates(), geometry_.rises()) : std::nullopt;
             if (!found) {
                 ++not_solved_;
@@ -154,7 +154,7 @@ private:
     // -----------------------------------------------------------------------------------------------
     Words turn_text(double turn) const {
         std::array<char, 32> text{};
-        std::snprintf(text.data(), text.size(), "%.4g°", turn * 180 / pi_);
+        std::snprintf(text.data(), text.size(), "%.4g°", turn * 180 / std::numbers::pi);
         return decimal(text.data());
     }
     Words length_text(double length) const {
@@ -260,7 +260,7 @@ private:
     CycleTable table(const Solution& drawn) const {
         CycleTable table;
         table.driver = drawn.mechanism.bodies[1].name;
-        table.travel.to = 2 * pi_;
+        table.travel.to = 2 * std::numbers::pi;
         table.is_of_cam = true;
         const auto add = [&](Column::Kind kind, const Quantity& quantity, std::string name, QuantityKind unit) {
             table.columns.push_back({kind, quantity, std::move(name), unit});
@@ -326,7 +326,7 @@ private:
         pitch.label_at = base.label_at = samples * 5 / 8;
         for (const Spot& place : working_profile(cam_, geometry_, samples)) profile.places.push_back(placed(place));
         for (int i = 0; i <= samples; ++i) {
-            const double turn = 2 * pi_ * i / samples;
+            const double turn = 2 * std::numbers::pi * i / samples;
             const CamState state = geometry_.at(turn);
             pitch.places.push_back(placed(state, state.trace));
             base.places.push_back(circle_about({0, 0}, cam_.base_circle.to_double(), turn));
@@ -346,7 +346,7 @@ private:
         constexpr int positions = 12, corners = 48;
         std::vector<render::Way> ways;
         for (int k = 0; k < positions; ++k) {
-            const CamState state = geometry_.at(2 * pi_ * k / positions);
+            const CamState state = geometry_.at(2 * std::numbers::pi * k / positions);
             render::Way way{
                 .name = "3", .places = line_of_follower(state), .label = render::one_piece(std::to_string(k))};
             for (Spot& place : way.places) place = placed(state, place);
@@ -355,8 +355,8 @@ private:
             if (cam_.follower.face != Follower::Face::roller) continue;
             render::Way roller{.name = "3", .places = {}};
             for (int i = 0; i <= corners; ++i)
-                roller.places.push_back(
-                    placed(state, circle_about(state.trace, cam_.follower.radius.to_double(), 2 * pi_ * i / corners)));
+                roller.places.push_back(placed(state, circle_about(state.trace, cam_.follower.radius.to_double(),
+                                                                   2 * std::numbers::pi * i / corners)));
             ways.push_back(std::move(roller));
         }
         return ways;

@@ -36,7 +36,7 @@ Status fails(const Side& side, const Words& why, Status status = Status::bad_inp
 }
 
 /// The bytes, and what they show if that is a PNG.
-Status read(Side& side, const std::string& path) {
+Status read_side(Side& side, const std::string& path) {
     side.name = spoken(path);
     auto bytes = read_whole(path, {"picture", "disegno"});
     if (!bytes) return fails(side, bytes.error());
@@ -125,8 +125,8 @@ Status diff_command(const DiffRequest& request) {
                           language);
     Side expected, actual;
     expected.language = actual.language = language;
-    if (const Status status = read(expected, request.expected); status != Status::done) return status;
-    if (const Status status = read(actual, request.actual); status != Status::done) return status;
+    if (const Status status = read_side(expected, request.expected); status != Status::done) return status;
+    if (const Status status = read_side(actual, request.actual); status != Status::done) return status;
     double dpi = request.dpi;
     for (const Side* side : {&expected, &actual})
         if (dpi == 0 && side->picture && side->picture->dpi) dpi = std::min(*side->picture->dpi, 1200.0);

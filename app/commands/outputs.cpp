@@ -36,7 +36,7 @@ Words listed(std::span<const Format> formats, const std::string& before) {
 }
 
 /// Where a path's last dot is, or its end: "out/sheet.svg" → 9, "a.b/sheet" → 9.
-std::size_t ending_of(const std::string& path) {
+std::size_t ending_begins(const std::string& path) {
     const std::size_t name = path.rfind('/') + 1;  // 0 where there is no slash
     const std::size_t dot = path.rfind('.');
     return dot == std::string::npos || dot <= name ? path.size() : dot;
@@ -50,7 +50,7 @@ std::string plain(const std::string& path) { return std::filesystem::path(path).
 std::string Target::path_of_page(std::size_t page) const {
     if (page == 0) return path;
     std::string numbered = path;
-    return numbered.insert(ending_of(path), '-' + std::to_string(page + 1));
+    return numbered.insert(ending_begins(path), '-' + std::to_string(page + 1));
 }
 
 tl::expected<std::vector<Target>, Words> targets_of(const std::vector<std::string>& outputs, const std::string& format,
@@ -61,7 +61,7 @@ tl::expected<std::vector<Target>, Words> targets_of(const std::vector<std::strin
     for (const std::string& path : paths) {
         if (path.empty() || path.ends_with('/'))
             return tl::unexpected(Words("-o \"{0}\" names no file", "-o \"{0}\" non indica un file", path));
-        const std::size_t ending = ending_of(path);
+        const std::size_t ending = ending_begins(path);
         std::optional<Format> found;
         if (path != "-" && ending < path.size()) found = format_named(path.substr(ending + 1), formats);
         if (!found) found = format_named(format, formats);

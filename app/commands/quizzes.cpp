@@ -16,7 +16,7 @@
 namespace kinegraph::app {
 namespace {
 
-double read(const std::string& decimal) {
+double value_of_decimal(const std::string& decimal) {
     double value = 0;
     std::from_chars(decimal.data(), decimal.data() + decimal.size(), value);
     return value;
@@ -26,7 +26,8 @@ double read(const std::string& decimal) {
 std::vector<std::string> unreadable(const std::vector<render::QuizBlank>& blanks) {
     std::vector<std::string> names;
     for (const render::QuizBlank& each : blanks)
-        if (each.value != "0" && read(each.tolerance) >= std::abs(read(each.value))) names.push_back(each.name);
+        if (each.value != "0" && value_of_decimal(each.tolerance) >= std::abs(value_of_decimal(each.value)))
+            names.push_back(each.name);
     return names;
 }
 

@@ -32,9 +32,6 @@
 namespace kinegraph::app {
 namespace {
 
-/// What programs read is English whatever the sheet speaks.
-std::string in_english(const Message& message) { return render::tell(message, render::Language::en); }
-
 /// Why Joukowsky's lever cannot be drawn; empty where it can.
 Words why_no_lever(const Solution& solution) {
     switch (render::no_lever(solution)) {
@@ -51,7 +48,7 @@ Words why_no_lever(const Solution& solution) {
 }
 
 /// Positions asked for, as the driver's coordinates: exactly, and as they are told.
-struct Asked {
+struct AskedPosition {
     Exact coordinate;
     Words text;
     std::optional<Rates> rates;  ///< of a driver with a law
@@ -70,18 +67,18 @@ tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanis
                                 text(rates.error().second)));
 }
 /// A time of a law, zero as drawn; nothing where the text is no time.
-std::optional<Asked> asked_by_time(const Law& law, const std::string& text) {
+std::optional<AskedPosition> asked_by_time(const Law& law, const std::string& text) {
     const auto written = read_quantity(text, QuantityKind::time);
     if (!written || written->unit->kind != QuantityKind::time) return std::nullopt;
     const double drawn = law.drawn.to_double();
     const LawState here = law.at(drawn + written->in_si().to_double());
-    return Asked{Exact::from_double(here.s - law.at(drawn).s), time_text(written->in_si().to_double()),
-                 Rates{Exact::from_double(here.first), Exact::from_double(here.second)}};
+    return AskedPosition{Exact::from_double(here.s - law.at(drawn).s), time_text(written->in_si().to_double()),
+                         Rates{Exact::from_double(here.first), Exact::from_double(here.second)}};
 }
-tl::expected<std::vector<Asked>, Words> positions_asked(const SolveRequest& request, const Mechanism& mechanism,
-                                                        int driver) {
+tl::expected<std::vector<AskedPosition>, Words> positions_asked(const SolveRequest& request, const Mechanism& mechanism,
+                                                                int driver) {
     constexpr std::size_t most = 720;
-    std::vector<Asked> all;
+    std::vector<AskedPosition> all;
     std::optional<Words> beyond;
     const auto add = [&](const Exact& coordinate) {
         const auto rates = rates_of_law(mechanism, driver, coordinate);
@@ -128,8 +125,8 @@ void name_position(Mechanism& mechanism, const std::string& driver, const Words&
 }
 
 /// The mechanism solved in the positions asked for; else it has been said what is wrong.
-tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism, const SolveRequest& request,
-                                                      Arithmetic arithmetic) {
+tl::expected<std::vector<Solution>, Status> solved_positions(const Mechanism& mechanism, const SolveRequest& request,
+                                                             Arithmetic arithmetic) {
     const Words file = spoken(request.file);
     const auto wrong = [&](const Words& why, Status status = Status::bad_input) {
         say(file, why, request.language);
@@ -205,7 +202,7 @@ tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& req
     }
     if (wants(request, "equations")) mechanism->find.equations = true;
     if (wants(request, "virtual work")) mechanism->find.virtual_work = true;
-    if (!request.at.empty()) return solved_at(*mechanism, request, arithmetic);
+    if (!request.at.empty()) return solved_positions(*mechanism, request, arithmetic);
     auto solution = solve(*std::move(mechanism), arithmetic);
     if (!solution) return tl::unexpected(say(spoken(request.file), solution.error(), request.language));
     std::vector<Solution> solutions;
@@ -395,7 +392,8 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
         }
         for (std::size_t i = 0; i < solutions.size(); ++i)
             if (i == 0 || !target.standard())
-                outputs.push_back({target.path_of_page(i), results_json(solutions[i], request.exact, in_english)});
+                outputs.push_back(
+                    {target.path_of_page(i), results_json(solutions[i], request.exact, render::in_english)});
         if (target.standard() && solutions.size() > 1)
             remarks.push_back(in({"standard output carries the first position only; -o with a name writes them all",
                                   "l’uscita standard porta solo la prima posizione; -o con un nome le scrive tutte"},

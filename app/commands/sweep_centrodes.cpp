@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/commands/row_file.hpp"
 #include "engine/file/spelling.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 
@@ -15,14 +16,6 @@ std::string number(double value) {
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value == 0 ? 0.0 : value);
     return {digits.data(), end.ptr};
-}
-std::string in_json(const std::string& name) {
-    std::string text = "\"";
-    for (const char c : name) {
-        if (c == '"' || c == '\\') text += '\\';
-        text += c;
-    }
-    return text + '"';
 }
 std::string list(const std::vector<double>& values) {
     std::string text = "[";

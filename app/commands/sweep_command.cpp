@@ -50,13 +50,13 @@ std::string ended(const Cycle& cycle, const std::string& centrodes) {
 }
 
 /// What a sweep is asked for, read against the mechanism.
-struct Asked {
+struct AskedCourse {
     Course course;
     std::optional<Exact> from, to;  ///< coordinates, or times where the driver has a law
 };
 
 /// The drivers that go along with the first, each by its --step.
-std::optional<Words> add_along(const SweepRequest& request, const Mechanism& mechanism, Asked& asked) {
+std::optional<Words> add_along(const SweepRequest& request, const Mechanism& mechanism, AskedCourse& asked) {
     const std::size_t more = request.drivers.empty() ? 0 : request.drivers.size() - 1;
     if (more != request.step.size())
         return Words(
@@ -94,8 +94,8 @@ std::optional<Words> add_along(const SweepRequest& request, const Mechanism& mec
     return std::nullopt;
 }
 
-tl::expected<Asked, Words> asked_of(const SweepRequest& request, const Mechanism& mechanism) {
-    Asked asked;
+tl::expected<AskedCourse, Words> asked_of(const SweepRequest& request, const Mechanism& mechanism) {
+    AskedCourse asked;
     const auto driver = driver_named(mechanism, request.drivers.empty() ? "" : request.drivers.front());
     if (!driver) return tl::unexpected(driver.error());
     asked.course = course_of(*driver, request.branch);
@@ -439,7 +439,8 @@ private:
 };
 
 /// How far it goes, or why it cannot.
-tl::expected<Travel, Words> travel_asked(const Positions& positions, const Mechanism& mechanism, const Asked& asked) {
+tl::expected<Travel, Words> travel_asked(const Positions& positions, const Mechanism& mechanism,
+                                         const AskedCourse& asked) {
     const int driver = asked.course.driver;
     const auto in_doubles = [](const std::optional<Exact>& value) {
         return value ? std::optional(value->to_double()) : std::nullopt;

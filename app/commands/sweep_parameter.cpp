@@ -298,7 +298,7 @@ Words of_another_kind(const Variation& values, JsonValue parameter) {
 }
 
 /// Why a parameter cannot be swept so; empty where it can.
-Words meaningless(const SweepRequest& request, JsonValue parameters) {
+Words meaningless_sweep(const SweepRequest& request, JsonValue parameters) {
     if (!request.drivers.empty() || request.branch != 0 || !request.traces.empty() || !request.centrodes.empty() ||
         request.poses != 0)
         return {
@@ -349,7 +349,7 @@ Status sweep_parameter(const SweepRequest& request) {
         return Status::bad_input;
     }
     const auto source = JsonSource::read(*text);
-    if (const Words why = meaningless(request, source->root()["parameters"]); !why.empty())
+    if (const Words why = meaningless_sweep(request, source->root()["parameters"]); !why.empty())
         return refuse(why, language);
     auto values = values_of(request);
     if (!values) return refuse(values.error(), language);

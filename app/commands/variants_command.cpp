@@ -33,8 +33,6 @@
 namespace kinegraph::app {
 namespace {
 
-std::string in_english(const Message& message) { return render::tell(message, render::Language::en); }
-
 // --- stopping
 // -----------------------------------------------------------------------------------------------------------------
 
@@ -279,12 +277,12 @@ private:
         set.insert(set.end(), request_.set.begin(), request_.set.end());
         constexpr std::array<std::string_view, 2> without{"vary", "require"};
         outputs.push_back({path(number + ".json"), file_with(source_, set, without)});
-        outputs.push_back({path(number + "-results.json"), results_json(variant.solution, false, in_english)});
+        outputs.push_back({path(number + "-results.json"), results_json(variant.solution, false, render::in_english)});
         std::vector<std::string> paths;
         for (const Output& each : outputs) paths.push_back(each.path);
         const std::vector<std::string> before = receipt.files_of(number, drawn);
         if (const auto failure = receipt.make_room()) return not_put(*failure);
-        outputs.push_back(receipt.of(outputs, "{\"files\": " + quoted(paths) + ", \"of\": \"" + drawn + "\"}"));
+        outputs.push_back(receipt.of(outputs, "{\"files\": " + json_quoted(paths) + ", \"of\": \"" + drawn + "\"}"));
         if (const auto status = put(outputs)) return status;
         // Sheets in another format of what this number no longer is; those of what it still is stay beside the new
         // ones.

@@ -76,8 +76,8 @@ std::string as_json(const Watched& watched) {
         if (fault.place)
             faults += "\"line\": " + std::to_string(fault.place->line) +
                       ", \"column\": " + std::to_string(fault.place->column) + ", ";
-        faults += "\"where\": " + quoted(fault.error.where) + ", \"en\": " + quoted(fault.error.message.en) +
-                  ", \"it\": " + quoted(fault.error.message.it) + "}";
+        faults += "\"where\": " + json_quoted(fault.error.where) + ", \"en\": " + json_quoted(fault.error.message.en) +
+                  ", \"it\": " + json_quoted(fault.error.message.it) + "}";
     }
     return "{\"page\": " + std::to_string(watched.pages) + ", \"faults\": [" + faults + "]}\n";
 }

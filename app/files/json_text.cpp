@@ -30,14 +30,14 @@ void copy(JsonValue value, std::string& json) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string json_quoted(std::string_view text) {
     std::string json;
     json.reserve(text.size() + 2);
     quote(text, json);
     return json;
 }
 
-std::string quoted(const std::vector<std::string>& texts) {
+std::string json_quoted(const std::vector<std::string>& texts) {
     std::string json = "[";
     for (const std::string& text : texts) {
         if (json.size() > 1) json += ", ";

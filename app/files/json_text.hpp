@@ -10,9 +10,9 @@
 namespace kinegraph::app {
 
 /// A text in quotes; it is UTF-8 already.
-std::string quoted(std::string_view text);
+std::string json_quoted(std::string_view text);
 /// ["…", "…"]
-std::string quoted(const std::vector<std::string>& texts);
+std::string json_quoted(const std::vector<std::string>& texts);
 /// A value and all in it, numbers with the digits they were written with, keys in their order, given twice or not.
 std::string copied(JsonValue value);
 /// A document of several lines, whose texts hold no line feed (JSON's never do), on one.

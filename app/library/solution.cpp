@@ -34,8 +34,6 @@ std::optional<ExactNumber> exact_of(const Exact& value) {
     }
     return number;
 }
-/// What is told in English whatever the reader speaks.
-std::string in_english(const Message& message) { return render::tell(message, render::Language::en); }
 
 }  // namespace
 
@@ -101,7 +99,7 @@ std::vector<CheckedValue> Solved::checks() const {
     return all;
 }
 
-std::string Solved::json(bool exact) const { return results_json(state().solution, exact, in_english); }
+std::string Solved::json(bool exact) const { return results_json(state().solution, exact, render::in_english); }
 
 std::string Solved::table(Language language) const {
     return render::results_table(state().solution, language_of(language));

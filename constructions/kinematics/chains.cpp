@@ -6,20 +6,16 @@
 #include "engine/number/assert.hpp"
 
 namespace kinegraph {
-namespace {
-
-std::size_t at(auto index) { return at_index(index); }
-
-}  // namespace
+namespace {}  // namespace
 
 bool Chains::rolls_known(JointIndex index) const {
-    const Joint& joint = mechanism_.joints[at(index)];
+    const Joint& joint = mechanism_.joints[at_index(index)];
     const auto& before = motion_.velocity;
     return before.turns(joint.bodies[0]) && before.turns(joint.bodies[1]) && structure_.has_curvatures(index);
 }
 
 VectorOn<Plane::acceleration> Chains::rolling_offset(JointIndex index, BodyIndex body_of) {
-    const Joint& joint = mechanism_.joints[at(index)];
+    const Joint& joint = mechanism_.joints[at_index(index)];
     const BodyIndex other = joint.bodies[0] == body_of ? joint.bodies[1] : joint.bodies[0];
     const auto contact = board_.place(joint.point);
     const auto centre = [&](BodyIndex of) -> std::optional<PointOn<Plane::drawing>> {
@@ -131,7 +127,7 @@ void Chains::start_rotation(const Track<plane>& track, const Locus& locus, Chain
 
 template <Plane plane>
 void Chains::start_slide(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
-    const Joint& joint = mechanism_.joints[at(locus.joint)];
+    const Joint& joint = mechanism_.joints[at_index(locus.joint)];
     result.base = locus.base;
     result.start = track.tip(locus.base);
     result.from_rest = at_rest(locus.base);
@@ -165,17 +161,17 @@ void Chains::start_slide(const Track<plane>& track, const Locus& locus, Chain<pl
 }
 
 LineReason Chains::line_reason(const Locus& locus) const {
-    const Joint& joint = mechanism_.joints[at(locus.joint)];
-    const std::string& place = mechanism_.points[at(joint.point)].name;
+    const Joint& joint = mechanism_.joints[at_index(locus.joint)];
+    const std::string& place = mechanism_.points[at_index(joint.point)].name;
     if (locus.kind == Locus::Kind::mesh) return {LineReason::Kind::parallel_to_normal, place, {}};
     if (joint.pair().touches()) return {LineReason::Kind::parallel_to_tangent, place, {}};
     return along_guide(mechanism_, locus.joint, false);
 }
 
 LineReason Chains::normal_reason(const Locus& locus) const {
-    const Joint& joint = mechanism_.joints[at(locus.joint)];
+    const Joint& joint = mechanism_.joints[at_index(locus.joint)];
     if (joint.pair().touches())
-        return {LineReason::Kind::parallel_to_normal, mechanism_.points[at(joint.point)].name, {}};
+        return {LineReason::Kind::parallel_to_normal, mechanism_.points[at_index(joint.point)].name, {}};
     return along_guide(mechanism_, locus.joint, true);
 }
 
@@ -248,7 +244,7 @@ void Chains::shift(const Track<plane>& track, const Carry& carry, Chain<plane>& 
     if (carry.kind == Carry::Kind::roll) {
         if constexpr (!is_velocity<plane>) {
             add(rolling_offset(carry.joint, carry.body), "n",
-                {LineReason::Kind::parallel_to_normal, mechanism_.joints[at(carry.joint)].name, {}},
+                {LineReason::Kind::parallel_to_normal, mechanism_.joints[at_index(carry.joint)].name, {}},
                 DrawnVector::Role::normal);
         }
         return;
@@ -281,7 +277,7 @@ PointOn<Plane::velocity> Chains::velocity_tip(NodeIndex index) {
             const auto join = diagram_.join(base, index);
             const auto tip =
                 board_.carry(track.tip(base), board_.scale<Plane::velocity>(track.spin(carrier), board_.turn(join)));
-            track.tips[at(index)] = tip;
+            track.tips[at_index(index)] = tip;
             return tip;
         }
     }
@@ -319,7 +315,7 @@ std::optional<Link<Plane::acceleration>> Chains::coriolis_of(BodyIndex guide_bod
 std::optional<Link<Plane::acceleration>> Chains::centripetal_of(JointIndex joint, NodeIndex slider, NodeIndex guide,
                                                                 BodyIndex guide_body) {
     Link<Plane::acceleration> link;
-    link.vector = centripetal_about(board_.place(mechanism_.joints[at(joint)].arc), guide, slider);
+    link.vector = centripetal_about(board_.place(mechanism_.joints[at_index(joint)].arc), guide, slider);
     if (board_.is_zero(link.vector)) return std::nullopt;
     link.term.symbol = relative<Plane::acceleration>(slider, guide, "n");
     link.role = DrawnVector::Role::normal;

@@ -5,16 +5,15 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(auto index) { return at_index(index); }
-
 /// ω_b/ω_reference of all other moving bodies.
 Ratios ratios_of(const Branch& branch, const Mechanism& mechanism) {
     const auto omega = [&](BodyIndex body) {
-        return Symbol{Symbol::Letter::omega, mechanism.bodies[at(body)].name, ""};
+        return Symbol{Symbol::Letter::omega, mechanism.bodies[at_index(body)].name, ""};
     };
     Ratios ratios;
     for (const BodyIndex body : indices<BodyIndex>(branch.ratios.size(), BodyIndex(1)))
-        if (body != branch.reference) ratios.push_back({omega(body), omega(branch.reference), branch.ratios[at(body)]});
+        if (body != branch.reference)
+            ratios.push_back({omega(body), omega(branch.reference), branch.ratios[at_index(body)]});
     return ratios;
 }
 
@@ -30,19 +29,19 @@ std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobil
     std::vector<Message> remarks;
     for (const Mobility::Redundant& redundant : mobility.redundant)
         remarks.push_back({Sentence::repeated_constraints,
-                           {file_name(mechanism.joints[at(redundant.joint)]), Count{redundant.rows}}});
+                           {file_name(mechanism.joints[at_index(redundant.joint)]), Count{redundant.rows}}});
     if (!motion || motion->freedoms == 0) return remarks;
 
     const auto names = [&](const std::vector<BodyIndex>& bodies) {
         Names all;
-        for (const BodyIndex body : bodies) all.push_back(mechanism.bodies[at(body)].name);
+        for (const BodyIndex body : bodies) all.push_back(mechanism.bodies[at_index(body)].name);
         return all;
     };
     if (!mobility.idle_drivers.empty()) {
         if (!motion->still.empty()) remarks.push_back({Sentence::still_bodies, {names(motion->still)}});
         std::vector<BodyIndex> asked;
         for (const int driver : mobility.idle_drivers) {
-            const auto* spin = std::get_if<SpinDriver>(&mechanism.drivers[at(driver)]);
+            const auto* spin = std::get_if<SpinDriver>(&mechanism.drivers[at_index(driver)]);
             const auto& unturning = motion->unturning;
             if (spin != nullptr && std::find(unturning.begin(), unturning.end(), spin->body) != unturning.end())
                 asked.push_back(spin->body);
@@ -62,7 +61,7 @@ std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobil
             const auto count = static_cast<int>(motion->branches.size());
             remarks.push_back({Sentence::change_point, {freedoms, Count{mobility.gruebler}, Count{count}}});
             for (int i = 0; i < count; ++i) {
-                const Branch& branch = motion->branches[at(i)];
+                const Branch& branch = motion->branches[at_index(i)];
                 if (branch.reference == none)
                     remarks.push_back({Sentence::branch_without_turning, {Count{i + 1}}});
                 else

@@ -10,7 +10,6 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(auto index) { return at_index(index); }
 using Drawing = PointOn<Plane::drawing>;
 
 /// Says where the centre of a pair lies; none where the pair alone does not tell.
@@ -43,7 +42,7 @@ InstantCentres::InstantCentres(Structure& structure, Board& board)
 std::size_t InstantCentres::index(BodyIndex i, BodyIndex j) const {
     if (i > j) std::swap(i, j);
     // Row i of the upper triangle starts after the rows before it.
-    return at(i.number() * (2 * count_ - i.number() - 1) / 2 + (j.number() - i.number() - 1));
+    return at_index(i.number() * (2 * count_ - i.number() - 1) / 2 + (j.number() - i.number() - 1));
 }
 
 Symbol InstantCentres::symbol(BodyIndex i, BodyIndex j) {
@@ -68,14 +67,14 @@ void InstantCentres::settle(Pair& entry, Drawing point, InstantCentre::How how) 
 }
 
 void InstantCentres::primary(JointIndex j) {
-    const Joint& joint = structure_.mechanism().joints[at(j)];
+    const Joint& joint = structure_.mechanism().joints[at_index(j)];
     for (std::size_t a = 0; a < joint.bodies.size(); ++a) {
         for (std::size_t b = a + 1; b < joint.bodies.size(); ++b) primary(j, joint.bodies[a], joint.bodies[b]);
     }
 }
 
 void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j) {
-    const Joint& joint = structure_.mechanism().joints[at(index_of_joint)];
+    const Joint& joint = structure_.mechanism().joints[at_index(index_of_joint)];
     Pair& entry = pair(i, j);
     const PlanePair& known = joint.pair();
     const PlanePair::Centre lies = known.centre();
@@ -87,7 +86,8 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
     const std::optional<Sentence> says = primary_sentence(known);
     if (entry.centre.everywhere || !says) return;
     const auto names = [&] {
-        return std::vector<Argument>{symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}};
+        return std::vector<Argument>{symbol(i, j),
+                                     PointName{structure_.mechanism().points[at_index(joint.point)].name}};
     };
     if (lies == PlanePair::Centre::everywhere) {
         entry.centre.everywhere = true;
@@ -132,7 +132,7 @@ LineOn<Plane::drawing> InstantCentres::line_over(BodyIndex i, BodyIndex k, BodyI
 }
 
 LineOn<Plane::drawing> InstantCentres::line_of(BodyIndex i, BodyIndex j, const Line& line) {
-    return line.by == none ? pair(i, j).normals[at(line.normal)].first : line_over(i, line.by, j);
+    return line.by == none ? pair(i, j).normals[at_index(line.normal)].first : line_over(i, line.by, j);
 }
 
 /// The first two lines that meet in one point: normals first, then Kennedy's lines.
@@ -170,9 +170,9 @@ bool InstantCentres::kennedy(BodyIndex i, BodyIndex j) {
     std::vector<Argument> names{symbol(i, j)}, normals;
     for (const Line& used : {first, second}) {
         if (used.by == none) {
-            const PointIndex point = entry.normals[at(used.normal)].second;
+            const PointIndex point = entry.normals[at_index(used.normal)].second;
             entry.centre.normals.push_back(point);
-            normals.emplace_back(PointName{structure_.mechanism().points[at(point)].name});
+            normals.emplace_back(PointName{structure_.mechanism().points[at_index(point)].name});
         } else {
             entry.centre.through.emplace_back(static_cast<int>(index(i, used.by)), static_cast<int>(index(used.by, j)));
             names.insert(names.end(), {symbol(i, used.by), symbol(used.by, j)});

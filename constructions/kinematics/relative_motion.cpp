@@ -12,8 +12,6 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(auto index) { return at_index(index); }
-
 /// The node of a point that moves with the body the question is about: any of its nodes but one of the observer's own.
 NodeIndex node_of_point(const Structure& structure, PointIndex point, BodyIndex observer) {
     NodeIndex best = none;

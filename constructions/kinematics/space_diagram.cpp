@@ -5,11 +5,7 @@
 #include "engine/number/assert.hpp"
 
 namespace kinegraph {
-namespace {
-
-std::size_t at(auto index) { return at_index(index); }
-
-}  // namespace
+namespace {}  // namespace
 
 PointOn<Plane::drawing> SpaceDiagram::place(NodeIndex node) {
     const Node& here = structure_.node(node);
@@ -38,7 +34,7 @@ DirectionHandle SpaceDiagram::direction(const Locus& locus) {
         case Locus::Kind::image: return board_.perpendicular(across_join(locus.base, locus.node));
         case Locus::Kind::sleeve: return board_.guide(locus.joint);
         case Locus::Kind::slot: {
-            const Joint& joint = structure_.mechanism().joints[at(locus.joint)];
+            const Joint& joint = structure_.mechanism().joints[at_index(locus.joint)];
             if (joint.pair().touches()) return tangent();
             return joint.arc != none ? board_.perpendicular(board_.normal(locus.joint)) : board_.guide(locus.joint);
         }

@@ -5,8 +5,6 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(auto index) { return at_index(index); }
-
 /// Profiles that are given, of the joint's first or second body.
 bool is_straight(const Joint& joint, std::size_t side) {
     return std::holds_alternative<LineProfile>(joint.profiles.at(joint.bodies[side]));
@@ -35,16 +33,16 @@ public:
         }
         // The pin of a slot is its body's; the point of a sleeve is the slider's where nothing else carries it.
         for (const Joint& joint : mechanism.joints) {
-            if (joint.pair().is_slot() || (joint.pair().is_sleeve() && groups_[at(joint.point)].empty())) {
+            if (joint.pair().is_slot() || (joint.pair().is_sleeve() && groups_[at_index(joint.point)].empty())) {
                 add(joint.point, joint.bodies.front());
             }
         }
     }
-    const std::vector<std::vector<BodyIndex>>& groups(PointIndex point) const { return groups_[at(point)]; }
+    const std::vector<std::vector<BodyIndex>>& groups(PointIndex point) const { return groups_[at_index(point)]; }
 
 private:
     std::vector<BodyIndex>& add(PointIndex point, BodyIndex body) {
-        auto& groups = groups_[at(point)];
+        auto& groups = groups_[at_index(point)];
         for (auto& group : groups) {
             if (std::find(group.begin(), group.end(), body) != group.end()) return group;
         }
@@ -53,7 +51,7 @@ private:
     void unite(PointIndex point, BodyIndex first, BodyIndex second) {
         add(point, first);
         add(point, second);
-        auto& groups = groups_[at(point)];
+        auto& groups = groups_[at_index(point)];
         const auto holding = [&](BodyIndex body) {
             return std::find_if(groups.begin(), groups.end(),
                                 [&](const auto& g) { return std::find(g.begin(), g.end(), body) != g.end(); });
@@ -102,19 +100,19 @@ Structure::Structure(const Mechanism& mechanism, Board& scratch)
     for (const JointIndex index : indices_of(mechanism.joints)) {
         const Joint& joint = mechanism.joint(index);
         if (joint.pair().is_sleeve()) {
-            sleeves_[at(joint.bodies[0])].push_back({index, joint.bodies[1], false});
-            sleeves_[at(joint.bodies[1])].push_back({index, joint.bodies[0], true});
+            sleeves_[at_index(joint.bodies[0])].push_back({index, joint.bodies[1], false});
+            sleeves_[at_index(joint.bodies[1])].push_back({index, joint.bodies[0], true});
         }
         if (joint.pair().rolls()) {
-            rollings_[at(joint.bodies[0])].push_back({index, joint.bodies[1], joint.point});
-            rollings_[at(joint.bodies[1])].push_back({index, joint.bodies[0], joint.point});
+            rollings_[at_index(joint.bodies[0])].push_back({index, joint.bodies[1], joint.point});
+            rollings_[at_index(joint.bodies[1])].push_back({index, joint.bodies[0], joint.point});
         }
         curvatures_.push_back(finds_curvatures(joint, scratch));
         add_passages(index);
         if (joint.pair().holds_rotation) {
             for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
-                same_spin_[at(joint.bodies[0])].emplace_back(joint.bodies[k], index);
-                same_spin_[at(joint.bodies[k])].emplace_back(joint.bodies[0], index);
+                same_spin_[at_index(joint.bodies[0])].emplace_back(joint.bodies[k], index);
+                same_spin_[at_index(joint.bodies[k])].emplace_back(joint.bodies[0], index);
             }
         }
     }
@@ -122,15 +120,15 @@ Structure::Structure(const Mechanism& mechanism, Board& scratch)
 
 void Structure::add_passage(Passage::Kind kind, JointIndex joint, BodyIndex slider, PointIndex place, BodyIndex guide,
                             PointIndex guides_place) {
-    passages_[at(slider)].push_back({kind, joint, guide, place, guides_place, false});
-    passages_[at(guide)].push_back({kind, joint, slider, guides_place, place, true});
+    passages_[at_index(slider)].push_back({kind, joint, guide, place, guides_place, false});
+    passages_[at_index(guide)].push_back({kind, joint, slider, guides_place, place, true});
 }
 
 /// A contact moves to second order as its equivalent linkage does: two circles as a link between their centres, a
 /// circle on a straight line as its centre in a slot parallel to the line; a tip is a circle without radius.
 void Structure::add_passages(JointIndex index) {
     using Kind = Passage::Kind;
-    const Joint& joint = mechanism_.joints[at(index)];
+    const Joint& joint = mechanism_.joints[at_index(index)];
     if (joint.pair().is_slot() || joint.pair().meshes()) {
         const Kind kind = joint.pair().meshes() ? Kind::mesh : Kind::slot;
         add_passage(kind, index, joint.bodies[0], joint.point, joint.bodies[1], joint.point);
@@ -139,7 +137,7 @@ void Structure::add_passages(JointIndex index) {
     const auto add = [&](Kind kind, std::size_t slider, PointIndex place, PointIndex guides_place) {
         add_passage(kind, index, joint.bodies[slider], place, joint.bodies[1 - slider], guides_place);
     };
-    if (!curvatures_[at(index)]) return add(Kind::tangent, 0, joint.point, joint.point);
+    if (!curvatures_[at_index(index)]) return add(Kind::tangent, 0, joint.point, joint.point);
     for (const std::size_t line : {1U, 0U}) {
         if (!is_straight(joint, line)) continue;
         const PointIndex pin = centre_of(joint, 1 - line);
@@ -158,17 +156,17 @@ bool Structure::finds_curvatures(const Joint& joint, Board& scratch) {
 NodeIndex Structure::add(Node node) {
     const NodeIndex index(nodes_.size());
     if (node.point != none) {
-        auto& here = nodes_at_[at(node.point)];
-        node.label = mechanism_.points[at(node.point)].name + std::string(here.size(), '*');
+        auto& here = nodes_at_[at_index(node.point)];
+        node.label = mechanism_.points[at_index(node.point)].name + std::string(here.size(), '*');
         here.push_back(index);
     }
-    for (const BodyIndex body : node.bodies) nodes_of_[at(body)].push_back(index);
+    for (const BodyIndex body : node.bodies) nodes_of_[at_index(body)].push_back(index);
     nodes_.push_back(std::move(node));
     return index;
 }
 
 NodeIndex Structure::find(PointIndex point, BodyIndex body) const {
-    for (const NodeIndex candidate : nodes_at_[at(point)]) {
+    for (const NodeIndex candidate : nodes_at_[at_index(point)]) {
         const auto& bodies = node(candidate).bodies;
         if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) return candidate;
     }
@@ -177,7 +175,7 @@ NodeIndex Structure::find(PointIndex point, BodyIndex body) const {
 
 NodeIndex Structure::on(PointIndex point, BodyIndex body, bool of_interest) {
     if (const NodeIndex found = find(point, body); found != none) {
-        Node& there = nodes_[at(found)];
+        Node& there = nodes_[at_index(found)];
         there.of_interest = there.of_interest || of_interest;
         return found;
     }
@@ -192,8 +190,8 @@ NodeIndex Structure::on(PointIndex point, BodyIndex body, bool of_interest) {
 void Structure::rewind(const Mark& mark) {
     while (nodes_.size() > mark.nodes) {
         const Node& last = nodes_.back();
-        if (last.point != none) nodes_at_[at(last.point)].pop_back();
-        for (const BodyIndex body : last.bodies) nodes_of_[at(body)].pop_back();
+        if (last.point != none) nodes_at_[at_index(last.point)].pop_back();
+        for (const BodyIndex body : last.bodies) nodes_of_[at_index(body)].pop_back();
         nodes_.pop_back();
     }
     auxiliaries_.resize(mark.auxiliaries);

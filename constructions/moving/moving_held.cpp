@@ -9,9 +9,9 @@
 namespace kinegraph {
 namespace {
 
-class Reader {
+class HeldReader {
 public:
-    explicit Reader(const Solution& solution) : solution_(solution) {}
+    explicit HeldReader(const Solution& solution) : solution_(solution) {}
 
     std::vector<MovingPlan::Held> read() {
         read_bodies("", solution_.free_bodies, solution_.taken_together);
@@ -90,6 +90,6 @@ private:
 
 }  // namespace
 
-std::vector<MovingPlan::Held> held_by(const Solution& solution) { return Reader(solution).read(); }
+std::vector<MovingPlan::Held> held_by(const Solution& solution) { return HeldReader(solution).read(); }
 
 }  // namespace kinegraph

@@ -76,7 +76,6 @@ Spot turned_by(const Spot& a, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
-Spot rough(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
 
 /// All numbers of a mechanism that may follow from a parameter, with their names; and those that must not.
 struct Numbers {
@@ -95,11 +94,11 @@ struct Numbers {
     bool is_like(const Numbers& other) const { return values.size() == other.values.size() && fixed == other.fixed; }
 };
 
-class Reader {
+class NumbersReader {
 public:
     using List = MovingEffect::List;
 
-    Reader(const Moving& moving, const Mechanism& mechanism, const Pose& pose)
+    NumbersReader(const Moving& moving, const Mechanism& mechanism, const Pose& pose)
         : moving_(moving), mechanism_(mechanism), pose_(pose), drawn_(directions(mechanism, pose)) {}
 
     /// Nothing where the file is not drawn with these values, or is another mechanism.
@@ -133,7 +132,7 @@ private:
         for (std::size_t b = 1; b < all.size(); ++b) {
             const std::vector<PointIndex>& points = mechanism.bodies[b].points;
             for (std::size_t i = 1; i < points.size() && !all[b]; ++i) {
-                const Spot along = rough(pose.at(points[i]) - pose.at(points[0]));
+                const Spot along = to_double(pose.at(points[i]) - pose.at(points[0]));
                 if (along.x != 0 || along.y != 0) all[b] = std::atan2(along.y, along.x);
             }
         }
@@ -218,7 +217,7 @@ private:
     /// Of one that moves freely it is the start of Newton's method alone.
     void read_bodies(const std::vector<Closure::Body>& bodies) {
         for (std::size_t b = 0; b < bodies.size(); ++b)
-            if (bodies[b].x < 0) numbers_.add(List::body, b, 0, share_ * rough(bodies[b].reference));
+            if (bodies[b].x < 0) numbers_.add(List::body, b, 0, share_ * to_double(bodies[b].reference));
     }
     void read_points(const std::vector<Positions::PointRule>& points) {
         for (std::size_t p = 0; p < points.size(); ++p)
@@ -283,7 +282,7 @@ private:
             numbers_.add(List::setting, -1, i, 0, rules.settings()[i].value);
         for (const MovingSetting& each : moving_.settings) {
             const bool is_length = each.kind == MovingSetting::Kind::bar || each.kind == MovingSetting::Kind::ground;
-            const Spot apart = is_length ? rough(pose.at(each.ends[1]) - pose.at(each.ends[0])) : Spot{0, 0};
+            const Spot apart = is_length ? to_double(pose.at(each.ends[1]) - pose.at(each.ends[0])) : Spot{0, 0};
             numbers_.lengths.push_back(std::hypot(apart.x, apart.y) / moving_.unit);
         }
     }
@@ -587,7 +586,7 @@ private:
 
     Moving& moving_;
     const Rereading& rereading_;
-    Reader reader_;
+    NumbersReader reader_;
     Numbers base_;
     std::vector<Taken> taken_;
     std::map<Delta, std::vector<double>> slopes_;                      ///< by number
@@ -606,7 +605,7 @@ std::vector<MovingSetting> lengths_of(const Mechanism& mechanism, const Pose& po
         length.name = name_of_length(mechanism, from, to);
         length.unit = QuantityKind::length;
         length.ends = {from, to};
-        const Spot along = rough(pose.at(to) - pose.at(from));
+        const Spot along = to_double(pose.at(to) - pose.at(from));
         length.value = std::hypot(along.x, along.y);
         lengths.push_back(std::move(length));
     };

@@ -5,16 +5,11 @@
 #include <cmath>
 
 #include "constructions/positions/cycle.hpp"
+#include "constructions/positions/named_results.hpp"
 #include "engine/mechanism/drivers.hpp"
 
 namespace kinegraph {
 namespace {
-
-const NamedResult* result_named(const std::vector<NamedResult>& results, const std::string& name) {
-    const auto found =
-        std::find_if(results.begin(), results.end(), [&](const NamedResult& r) { return r.column.name == name; });
-    return found == results.end() ? nullptr : &*found;
-}
 
 /// The sides of a comparison as doubles, in SI.
 class Sides {

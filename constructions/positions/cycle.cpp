@@ -26,9 +26,7 @@ namespace {
 using Spot = VectorOf<double>;
 using Kind = Quantity::Kind;
 
-Spot rough(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
 Vector exactly(const Spot& a) { return {Exact::from_double(a.x), Exact::from_double(a.y)}; }
-Spot unit_of(const Spot& a) { return (1 / std::hypot(a.x, a.y)) * a; }
 
 /// What is found at each position: the file's `find` without what has no column.
 Find found_in_rows(const Mechanism& mechanism) {
@@ -180,7 +178,7 @@ private:
         for (const Body& body : mechanism_.bodies) {
             double angle = 0;
             for (std::size_t i = 1; i < body.points.size() && angle == 0; ++i) {
-                const Spot along = rough(pose_.at(body.points[i]) - pose_.at(body.points[0]));
+                const Spot along = to_double(pose_.at(body.points[i]) - pose_.at(body.points[0]));
                 if (along.x != 0 || along.y != 0) {
                     angle = std::atan2(along.y, along.x);
                     break;
@@ -394,7 +392,7 @@ private:
         put(places_.normals, check_pose_.normals);
         put(places_.tangents, check_pose_.tangents);
         for (std::size_t i = 0; i < places_.guides.size(); ++i)
-            if (mechanism_.joints[i].along) check_pose_.guide_units[i] = exactly(unit_of(places_.guides[i]));
+            if (mechanism_.joints[i].along) check_pose_.guide_units[i] = exactly(unit_vector(places_.guides[i]));
     }
 
     /// What the check says to a column; nothing where it leaves it open.

@@ -18,7 +18,6 @@ Spot direction(const Places& places, const Bearing& bearing) {
     const auto& ends = std::get<Bearing::Between>(bearing.form);
     return direction(places, ends.from, ends.to);
 }
-Spot unit_of(const Spot& a) { return (1 / std::hypot(a.x, a.y)) * a; }
 
 }  // namespace
 
@@ -65,7 +64,7 @@ ValueOf<double> GivensHere::value(const Given& given, const Places& places, cons
     switch (given.kind) {
         case Given::Kind::place: return PointOf<double>{places.points[i].x, places.points[i].y, 1};
         case Given::Kind::guide: return places.guides[i];
-        case Given::Kind::guide_unit: return unit_of(places.guides[i]);
+        case Given::Kind::guide_unit: return unit_vector(places.guides[i]);
         case Given::Kind::normal: return places.normals[i];
         case Given::Kind::tangent: return places.tangents[i];
         case Given::Kind::push: return senses_[i] * places.normals[i];

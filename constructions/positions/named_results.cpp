@@ -18,8 +18,6 @@ namespace {
 using Spot = VectorOf<double>;
 using Kind = Quantity::Kind;
 
-Spot rough(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
-
 bool has_several_carriers(const Solution& solution, const PointMotion& motion) {
     return std::count_if(solution.points.begin(), solution.points.end(), [&](const PointMotion& other) {
                return other.point == motion.point && other.bodies.front() != frame;
@@ -49,7 +47,7 @@ std::string subject_of(const Quantity& q, const Solution& solution) {
 double angle_of(const Body& body, const Pose& pose) {
     const auto line = line_of(body, pose);
     if (!line) return 0;
-    const Spot along = rough(pose.at((*line)[1]) - pose.at((*line)[0]));
+    const Spot along = to_double(pose.at((*line)[1]) - pose.at((*line)[0]));
     return std::atan2(along.y, along.x);
 }
 
@@ -113,12 +111,6 @@ private:
     std::vector<NamedResult> results_;
 };
 
-const NamedResult* result_named(const std::vector<NamedResult>& results, const std::string& name) {
-    const auto found =
-        std::find_if(results.begin(), results.end(), [&](const NamedResult& r) { return r.column.name == name; });
-    return found == results.end() ? nullptr : &*found;
-}
-
 /// Of the whole travel of the first driver; nothing where there is none, or no coupler.
 std::optional<NamedResult> transmission_result(const Solution& solution) {
     const auto travel = own_travel(solution.mechanism, solution.pose);
@@ -134,13 +126,19 @@ std::optional<NamedResult> transmission_result(const Solution& solution) {
 
 }  // namespace
 
+const NamedResult* result_named(const std::vector<NamedResult>& results, const std::string& name) {
+    const auto found =
+        std::find_if(results.begin(), results.end(), [&](const NamedResult& r) { return r.column.name == name; });
+    return found == results.end() ? nullptr : &*found;
+}
+
 std::vector<FoundValue> found_values(const Solution& solution, bool with_reactions) {
     std::vector<FoundValue> values;
     const auto add = [&](const Quantity& quantity, const auto& found) {
         if (!found) return;
         values.push_back({quantity, found.element(), {}, 0, {}});
         if constexpr (requires { found->x; }) {
-            values.back().vector = rough(*found);
+            values.back().vector = to_double(*found);
             values.back().exact = quantity.component == Quantity::Component::x ? found->x : found->y;
         } else {
             values.back().scalar = found->to_double();

@@ -40,6 +40,8 @@ std::vector<NamedResult> named_results(const Solution& solution);
 /// The results that an exercise speaks of: all named ones, and the transmission angle where it speaks of it (that takes
 /// a whole cycle) and the mechanism has one.
 std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution);
+/// Null: none of that name.
+const NamedResult* result_named(const std::vector<NamedResult>& results, const std::string& name);
 /// What the file asks for, in its order, of results_for; of the bars of a truss the force in them, tension positive.
 /// Errors, each at its place: missing_result.
 Result<std::vector<NamedResult>> asked_of_results(const Solution& solution, const std::vector<NamedResult>& results);

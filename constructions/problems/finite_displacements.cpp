@@ -12,7 +12,7 @@
 namespace kinegraph {
 namespace {
 
-using Place = PointOn<Plane::drawing>;
+using DrawnPlace = PointOn<Plane::drawing>;
 using Line = LineOn<Plane::drawing>;
 using By = Displacement::By;
 
@@ -43,13 +43,13 @@ public:
     }
 
 private:
-    Place laid_off(const Vector& place) {
-        const Place origin = board_.pole<Plane::drawing>();
+    DrawnPlace laid_off(const Vector& place) {
+        const DrawnPlace origin = board_.pole<Plane::drawing>();
         if (place.is_zero()) return origin;
         return board_.carry(origin, board_.scale<Plane::drawing>(board_.number(1), board_.own_direction(place)));
     }
-    Place middle(std::size_t point, std::size_t from, std::size_t to) {
-        const Place &a = places_[from].at(point), &b = places_[to].at(point);
+    DrawnPlace middle(std::size_t point, std::size_t from, std::size_t to) {
+        const DrawnPlace &a = places_[from].at(point), &b = places_[to].at(point);
         return board_.carry(a, board_.scale<Plane::drawing>(board_.number(Exact::ratio(1, 2)), board_.vector(a, b)));
     }
     Line bisector(std::size_t point, std::size_t from, std::size_t to) {
@@ -152,7 +152,7 @@ private:
 
     const PositionsProblem& problem_;
     Board board_;
-    std::vector<std::array<Place, 2>> places_;
+    std::vector<std::array<DrawnPlace, 2>> places_;
     std::vector<ElementIndex> poles_, pivots_;
     PositionsSolution found_;
 };

@@ -11,8 +11,6 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(auto index) { return at_index(index); }
-
 /// The same drivers, all at rest but the one at `moving`, which has the rate one.
 std::vector<Driver> at_unit_rate(std::vector<Driver> drivers, std::size_t moving) {
     for (std::size_t i = 0; i < drivers.size(); ++i)
@@ -121,7 +119,7 @@ private:
                     return each.point == mass.centre &&
                            std::find(each.bodies.begin(), each.bodies.end(), mass.body) != each.bodies.end();
                 });
-            const auto& alpha = solution_.bodies[at(mass.body)].alpha;
+            const auto& alpha = solution_.bodies[at_index(mass.body)].alpha;
             if (motion == solution_.points.end() || !motion->acceleration || !alpha) {
                 found_.why_not =
                     Words("the acceleration of body {0} is not known, so its force of inertia is not",
@@ -176,11 +174,11 @@ private:
             std::vector<Exact>& row = drawn.rows.emplace_back(count + 1);
             std::vector<Exact>& other = by_ratios.rows.emplace_back(count + 1);
             for (const VirtualWork::Share& share : work.shares) {
-                row[at(share.effort)] = share.rests ? Exact(0) : *share.power;
+                row[at_index(share.effort)] = share.rests ? Exact(0) : *share.power;
                 const auto ratio =
                     work_by_ratios(*freedom.equations, freedom.moved->mechanism, freedom.moved->pose, share.effort);
                 have_ratios = have_ratios && ratio;
-                other[at(share.effort)] = share.rests ? Exact(0) : Exact::from_double(ratio.value_or(0));
+                other[at_index(share.effort)] = share.rests ? Exact(0) : Exact::from_double(ratio.value_or(0));
             }
             row[count] = -work.total;
             double total = 0;
@@ -228,8 +226,8 @@ void hold_against_check(Solution& solution, const Displacements& found) {
     const NumericForces numeric =
         check_forces(solution.mechanism, solution.pose, check_motion(solution.mechanism, solution.pose));
     for (const Displacements::Effort& effort : found.efforts) {
-        if (!effort.value || !numeric.effort_known[at(effort.given)]) continue;
-        const double value = effort.value->to_double(), other = numeric.efforts[at(effort.given)];
+        if (!effort.value || !numeric.effort_known[at_index(effort.given)]) continue;
+        const double value = effort.value->to_double(), other = numeric.efforts[at_index(effort.given)];
         solution.checks.push_back(
             {{.kind = Quantity::Kind::virtual_effort, .given = effort.given}, value, other, value - other});
     }

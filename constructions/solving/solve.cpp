@@ -27,8 +27,6 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(auto index) { return at_index(index); }
-
 /// What is to be found: what the file asks, else all that its data allow.
 struct Wanted {
     bool centres = false, velocities = false, accelerations = false, forces = false;
@@ -146,7 +144,7 @@ private:
         for_each_drawn(protocol, [&](ElementIndex& element) { wanted.push_back(element); });
         for_each_found(solution_, [&](ElementIndex& element, auto&) { wanted.push_back(element); });
         Cut record = cut(protocol.program, wanted, static_cast<int>(protocol.program.strokes.size()));
-        const auto renumber = [&](ElementIndex& element) { element = record.element[at(element)]; };
+        const auto renumber = [&](ElementIndex& element) { element = record.element[at_index(element)]; };
         for_each_drawn(protocol, renumber);
         for_each_found(solution_, [&](ElementIndex& element, auto&) { renumber(element); });
         for (int* settled :
@@ -201,7 +199,7 @@ private:
             return Amount{share.to_double() * length(*differing.join), unit.symbol};
         };
         const Amount first = measure(*differing.of_first), second = measure(*differing.of_second);
-        auto& said = solution_.protocol.statements[at(differing.statement)].message.arguments;
+        auto& said = solution_.protocol.statements[at_index(differing.statement)].message.arguments;
         said.insert(said.end(), {first, second});
         for (Unsolved& missing : solution_.unsolved) {
             if (missing.why.sentence != Sentence::unequal_projections) continue;
@@ -239,7 +237,7 @@ private:
         }
     }
 
-    const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[at(body)].name; }
+    const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[at_index(body)].name; }
     BodyName named(BodyIndex body) const { return {body_name(body)}; }
     void unsolved(Message what, Message why) { solution_.unsolved.push_back({std::move(what), std::move(why)}); }
 
@@ -271,7 +269,7 @@ private:
 
     void draw_motion_of_bodies() {
         std::vector<bool> use(mechanism_.drivers.size(), true);
-        for (const int idle : solution_.mobility.idle_drivers) use[at(idle)] = false;
+        for (const int idle : solution_.mobility.idle_drivers) use[at_index(idle)] = false;
         // Against a dead point or a lock nothing is tried: what is not reached then has no motion to be found.
         const bool tries = !mechanism_.drivers.empty() && solution_.mobility.idle_drivers.empty();
         plan_ = plan_motion(structure_, scratch_, use, tries ? solution_.mobility.determined : std::vector<bool>());
@@ -287,14 +285,14 @@ private:
         const Message what = std::visit(
             [&](const auto& given) -> Message {
                 if constexpr (requires { given.joint; }) {
-                    return {Sentence::drive_of_joint, {file_name(mechanism_.joints[at(given.joint)])}};
+                    return {Sentence::drive_of_joint, {file_name(mechanism_.joints[at_index(given.joint)])}};
                 } else {
                     return {Sentence::drive_of_body, {named(given.body)}};
                 }
             },
-            mechanism_.drivers[at(driver)]);
-        const bool agrees =
-            std::visit([&](const auto& given) { return asks_the_same(given, driver); }, mechanism_.drivers[at(driver)]);
+            mechanism_.drivers[at_index(driver)]);
+        const bool agrees = std::visit([&](const auto& given) { return asks_the_same(given, driver); },
+                                       mechanism_.drivers[at_index(driver)]);
         if (!agrees) unsolved(what, {idle_reason(), {}});
     }
 
@@ -309,7 +307,7 @@ private:
     }
 
     bool asks_the_same(const SlideDriver& slide, int driver) {
-        const Joint& joint = mechanism_.joints[at(slide.joint)];
+        const Joint& joint = mechanism_.joints[at_index(slide.joint)];
         const NodeIndex slider = structure_.find(joint.point, joint.bodies[0]),
                         guide = structure_.find(joint.point, joint.bodies[1]);
         const auto& v = motion_.velocity;
@@ -359,7 +357,7 @@ private:
 
     void collect_motion() {
         for (const BodyIndex body : indices_of(mechanism_.bodies)) {
-            BodyMotion& found = solution_.bodies[at(body)];
+            BodyMotion& found = solution_.bodies[at_index(body)];
             if (motion_.velocity.turns(body)) found.omega = Recorded<Exact>::at(motion_.velocity.spin(body).element);
             if (wanted_.accelerations && motion_.acceleration.polygon >= 0 && motion_.acceleration.turns(body))
                 found.alpha = Recorded<Exact>::at(motion_.acceleration.spin(body).element);
@@ -454,7 +452,7 @@ private:
     Message reason_for(BodyIndex body) const {
         const Mobility& mobility = solution_.mobility;
         if (mechanism_.drivers.empty()) return {Sentence::nothing_drives, {Count{mobility.effective}}};
-        if (at(body) < mobility.determined.size() && !mobility.determined[at(body)]) {
+        if (at_index(body) < mobility.determined.size() && !mobility.determined[at_index(body)]) {
             if (!mobility.idle_drivers.empty()) return {Sentence::stays_free, {}};
             for (const DeadPoint& dead : plan_.dead_points) {
                 if (carries(dead.node, body))

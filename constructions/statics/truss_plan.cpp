@@ -193,11 +193,11 @@ void TrussPlan::name_spaces(Truss& truss, const std::vector<OuterForce>& outer) 
 
 void TrussPlan::draw_sides(Truss& truss, const std::vector<OuterForce>& outer,
                            const std::vector<std::optional<Force>>& pulls, StatementIndex opening) {
-    using Corner = PointOn<Plane::force>;
-    std::vector<std::optional<Corner>> corner(truss.spaces.size());
+    using SpaceCorner = PointOn<Plane::force>;
+    std::vector<std::optional<SpaceCorner>> corner(truss.spaces.size());
     corner[0] = board_.pole<Plane::force>();
-    const auto side = [&](Symbol symbol, const Quantity& quantity, StatementIndex statement, Corner tail, Corner tip,
-                          bool from_outside) {
+    const auto side = [&](Symbol symbol, const Quantity& quantity, StatementIndex statement, SpaceCorner tail,
+                          SpaceCorner tip, bool from_outside) {
         DrawnVector drawn;
         drawn.symbol = std::move(symbol);
         drawn.polygon = truss.polygon;
@@ -210,7 +210,7 @@ void TrussPlan::draw_sides(Truss& truss, const std::vector<OuterForce>& outer,
     };
     for (std::size_t i = 0; i < outer.size(); ++i) {
         const Truss::External& told = truss.externals[i];
-        const Corner before = *corner[at(told.before)], after = board_.carry(before, outer[i].force);
+        const SpaceCorner before = *corner[at(told.before)], after = board_.carry(before, outer[i].force);
         if (told.after == 0)
             KG_ASSERT(board_.coincide(after, *corner[0]), "forces from outside in equilibrium close");
         else
@@ -226,7 +226,7 @@ void TrussPlan::draw_sides(Truss& truss, const std::vector<OuterForce>& outer,
         }
     for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {
         if (!pulls[bar]) continue;
-        const Corner left = *corner[at(truss.bars[bar].left)], right = *corner[at(truss.bars[bar].right)];
+        const SpaceCorner left = *corner[at(truss.bars[bar].left)], right = *corner[at(truss.bars[bar].right)];
         const Quantity quantity{.kind = Quantity::Kind::bar, .body = truss_.bars[bar].body};
         side({Symbol::Letter::F, truss_.bars[bar].name, {}}, quantity, truss.bars[bar].statement, left, right, false);
     }

@@ -18,7 +18,6 @@ namespace {
 
 using Pair = std::array<double, 2>;
 
-std::size_t at(auto index) { return at_index(index); }
 Pair minus(const Pair& a, const Pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
 double length(const Pair& a) { return std::hypot(a[0], a[1]); }
 
@@ -55,8 +54,8 @@ private:
     }
 
     void compare_turning(BodyIndex body) {
-        const auto& state = numeric_.bodies[at(body)];
-        const BodyMotion& found = solution_.bodies[at(body)];
+        const auto& state = numeric_.bodies[at_index(body)];
+        const BodyMotion& found = solution_.bodies[at_index(body)];
         if (found.omega && state.velocity_known)
             add({.kind = Kind::omega, .body = body}, found.omega->to_double(), state.omega);
         if (found.alpha && state.acceleration_known)
@@ -66,7 +65,7 @@ private:
     void compare_point(const PointMotion& point) {
         const BodyIndex body = point.bodies.front();
         if (body == frame) return;
-        const auto& state = numeric_.bodies[at(body)];
+        const auto& state = numeric_.bodies[at_index(body)];
         const Vector& place = solution_.pose.at(point.point);
         if (point.velocity && state.velocity_known)
             add(velocity_of(point), *point.velocity, numeric_.velocity(body, place));
@@ -75,10 +74,10 @@ private:
     }
 
     void compare_sliding(const Sliding& sliding) {
-        const Joint& joint = mechanism_.joints[at(sliding.joint)];
+        const Joint& joint = mechanism_.joints[at_index(sliding.joint)];
         const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
-        const auto& slider = numeric_.bodies[at(i)];
-        const auto& guide = numeric_.bodies[at(j)];
+        const auto& slider = numeric_.bodies[at_index(i)];
+        const auto& guide = numeric_.bodies[at_index(j)];
         const Vector& place = solution_.pose.at(joint.point);
         if (!slider.velocity_known || !guide.velocity_known) return;
         const Pair velocity = minus(numeric_.velocity(i, place), numeric_.velocity(j, place));
@@ -95,8 +94,8 @@ private:
     /// A finite centre against the place where the numeric relative velocity vanishes: P = X + z ∧ v_rel / ω_rel.
     void compare_centre(const InstantCentre& centre) {
         if (!centre.at || centre.at->at_infinity() || centre.everywhere) return;
-        const auto& first = numeric_.bodies[at(centre.first)];
-        const auto& second = numeric_.bodies[at(centre.second)];
+        const auto& first = numeric_.bodies[at_index(centre.first)];
+        const auto& second = numeric_.bodies[at_index(centre.second)];
         if (!first.velocity_known || !second.velocity_known) return;
         const double omega = second.omega - first.omega;
         // Below this the two bodies hardly turn against each other, and the quotient says nothing about the place.
@@ -112,7 +111,7 @@ private:
 
     /// P and what the accelerations say of it: J = P + a_P/ω², K by a = 0, ρ = v²/a_n.
     void compare_curvature(const Curvature& found) {
-        const auto& state = numeric_.bodies[at(found.body)];
+        const auto& state = numeric_.bodies[at_index(found.body)];
         if (!state.velocity_known || !state.acceleration_known) return;
         for (const PathCentre& path : found.points) {
             if (!path.centre || path.centre->at_infinity()) continue;
@@ -157,8 +156,8 @@ private:
         const std::vector<Vector>& places = solution_.pose.points;
         for (std::size_t b = 0; b < truss.bars.size(); ++b) {
             const TrussStructure::Bar& bar = truss.structure.bars[b];
-            const PointIndex first = truss.structure.pins[at(bar.pins[0])].point,
-                             second = truss.structure.pins[at(bar.pins[1])].point;
+            const PointIndex first = truss.structure.pins[at_index(bar.pins[0])].point,
+                             second = truss.structure.pins[at_index(bar.pins[1])].point;
             Pair end{};
             bool known = true;
             for (const NumericForces::Action& action : numeric.actions) {
@@ -171,7 +170,7 @@ private:
                 end = {end[0] + given[0], end[1] + given[1]};
             }
             if (!known || !truss.bars[b].force) continue;
-            const Vector along = places[at(second)] - places[at(first)];
+            const Vector along = places[at_index(second)] - places[at_index(first)];
             const Pair unit{along.x.to_double() / kinegraph::length(along),
                             along.y.to_double() / kinegraph::length(along)};
             const double pull = -(end[0] * unit[0] + end[1] * unit[1]);
@@ -202,7 +201,7 @@ private:
     void compare_resultant(const Resultant& found, const NumericForces& numeric) {
         NumericForces::Sum sum;
         for (const BodyIndex body : found.bodies) {
-            const NumericForces::Sum& on = numeric.given[at(body)];
+            const NumericForces::Sum& on = numeric.given[at_index(body)];
             for (const std::size_t axis : {0U, 1U}) sum.force[axis] += on.force[axis];
             sum.couple += on.couple;
         }
@@ -249,20 +248,22 @@ private:
                 return {length(action->force), -action->couple};
             }
             case AppliedForce::Kind::effort:
-                if (!numeric.effort_known[at(applied.given)]) return {};
-                return effort_on(body, mechanism_.efforts[at(applied.given)], numeric.efforts[at(applied.given)]);
+                if (!numeric.effort_known[at_index(applied.given)]) return {};
+                return effort_on(body, mechanism_.efforts[at_index(applied.given)],
+                                 numeric.efforts[at_index(applied.given)]);
             case AppliedForce::Kind::weight:
-                return {mechanism_.masses[at(applied.given)].mass.to_double() * kinegraph::length(*mechanism_.gravity),
+                return {mechanism_.masses[at_index(applied.given)].mass.to_double() *
+                            kinegraph::length(*mechanism_.gravity),
                         {}};
-            case AppliedForce::Kind::inertia: return inertia_of(mechanism_.masses[at(applied.given)]);
+            case AppliedForce::Kind::inertia: return inertia_of(mechanism_.masses[at_index(applied.given)]);
             case AppliedForce::Kind::resultant: {
-                const NumericForces::Sum& sum = numeric.given[at(body.body)];
+                const NumericForces::Sum& sum = numeric.given[at_index(body.body)];
                 if (applied.force.is_zero()) return {{}, sum.couple};
                 return {length(sum.force), {}};
             }
             case AppliedForce::Kind::load:
             case AppliedForce::Kind::spring: {
-                const Load& load = mechanism_.loads[at(applied.given)];
+                const Load& load = mechanism_.loads[at_index(applied.given)];
                 Comparison::Action size = std::visit([&](const auto& form) { return size_of(form); }, load);
                 const auto* torsion = std::get_if<TorsionLoad>(&load);
                 if (torsion != nullptr && body.body == torsion->bodies[1]) size.couple = -*size.couple;
@@ -278,7 +279,7 @@ private:
         return {{}, body.body == couple->body ? value : -value};
     }
     Comparison::Action inertia_of(const Mass& mass) const {
-        const auto& state = numeric_.bodies[at(mass.body)];
+        const auto& state = numeric_.bodies[at_index(mass.body)];
         if (!state.acceleration_known) return {};
         const Pair acceleration = numeric_.acceleration(mass.body, solution_.pose.at(mass.centre));
         return {mass.mass.to_double() * length(acceleration), -mass.inertia.to_double() * state.alpha};
@@ -317,7 +318,7 @@ private:
         for (const VirtualWork::Entry& entry : solution_.virtual_work->entries) {
             const Pair velocity = numeric_.velocity(entry.body, entry.at);
             power += entry.force.x.to_double() * velocity[0] + entry.force.y.to_double() * velocity[1] +
-                     entry.couple.to_double() * numeric_.bodies[at(entry.body)].omega;
+                     entry.couple.to_double() * numeric_.bodies[at_index(entry.body)].omega;
         }
         return power;
     }
@@ -327,7 +328,7 @@ private:
     std::optional<double> modulus(const DrawnVector& vector) {
         using Role = DrawnVector::Role;
         const auto& [of, to, about] = vector.seen;
-        const bool is_velocity = solution_.protocol.polygons[at(vector.polygon)].plane == Plane::velocity;
+        const bool is_velocity = solution_.protocol.polygons[at_index(vector.polygon)].plane == Plane::velocity;
         if (!is_known(of, is_velocity)) return std::nullopt;
         const Pair arm = arm_of(of), own_velocity = numeric_.velocity_at_arm(of.body, arm),
                    own_acceleration = numeric_.acceleration_at_arm(of.body, arm);
@@ -337,7 +338,7 @@ private:
         const Pair other = arm_of(to), v = minus(own_velocity, numeric_.velocity_at_arm(to.body, other));
         if (is_velocity) return length(v);
         const Pair a = minus(own_acceleration, numeric_.acceleration_at_arm(to.body, other));
-        const double turning = 2 * numeric_.bodies[at(to.body)].omega;
+        const double turning = 2 * numeric_.bodies[at_index(to.body)].omega;
         const Pair coriolis{-turning * v[1], turning * v[0]};
         Pair radius{};
         if (about != none) {
@@ -358,7 +359,7 @@ private:
     }
     bool is_known(const CarriedPlace& carried, bool velocity) const {
         if (carried.body == none) return false;
-        const auto& state = numeric_.bodies[at(carried.body)];
+        const auto& state = numeric_.bodies[at_index(carried.body)];
         return velocity ? state.velocity_known : state.acceleration_known;
     }
     /// Many vectors are of few places.
@@ -402,7 +403,7 @@ std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
         case Kind::resultant_couple: return "N m";
         case Kind::effort:
         case Kind::virtual_effort:
-            return std::holds_alternative<CoupleEffort>(mechanism.efforts[at(quantity.given)]) ? "N m" : "N";
+            return std::holds_alternative<CoupleEffort>(mechanism.efforts[at_index(quantity.given)]) ? "N m" : "N";
         case Kind::virtual_power: return "W";
         default: return "N";
     }
@@ -450,7 +451,7 @@ private:
 
 /// Whether anything of a body moves by the construction.
 bool moves(const Solution& solution, BodyIndex body) {
-    const auto& omega = solution.bodies[at(body)].omega;
+    const auto& omega = solution.bodies[at_index(body)].omega;
     if (!omega) return false;
     return !omega->is_zero() ||
            std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& point) {

@@ -10,8 +10,6 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(auto index) { return at_index(index); }
-
 ProjectivePoint point_at(const Vector& place) { return {place.x, place.y, 1}; }
 
 Vector act_vector(const GivenMotion& given, const Pose& pose) {
@@ -57,7 +55,7 @@ Magnitude<Exact> Magnitude<Exact>::of(const Exact& value) {
 
 Value given_value(const Given& given, const Mechanism& mechanism, const Pose& pose) {
     using Kind = Given::Kind;
-    const std::size_t i = given.index < 0 ? 0 : at(given.index);
+    const std::size_t i = given.index < 0 ? 0 : at_index(given.index);
     switch (given.kind) {
         case Kind::place: return point_at(pose.points[i]);
         case Kind::guide: return pose.guides[i];
@@ -89,7 +87,7 @@ Value given_value(const Given& given, const Mechanism& mechanism, const Pose& po
 
 std::string name_of_given(Given::Kind kind, int index, const Mechanism& mechanism) {
     using Kind = Given::Kind;
-    const std::size_t i = index < 0 ? 0 : at(index);
+    const std::size_t i = index < 0 ? 0 : at_index(index);
     const auto driver = [&](const char* of_spin, const char* of_slide) {
         const bool spins = turns(mechanism.drivers[i]);
         return where_of(mechanism.drivers[i]) + (spins ? of_spin : of_slide);
@@ -139,7 +137,7 @@ ValueOf<double> to_double(const Value& value) {
 }
 
 bool is_at_infinity(const Program& program, ElementIndex element) {
-    const Stroke& stroke = program.strokes[at(element)];
+    const Stroke& stroke = program.strokes[at_index(element)];
     switch (stroke.verb) {
         case Verb::point_at_infinity:
         case Verb::meet_at_infinity: return true;
@@ -150,7 +148,7 @@ bool is_at_infinity(const Program& program, ElementIndex element) {
 }
 
 ElementIndex before_turning(const Program& program, ElementIndex element) {
-    const Stroke& stroke = program.strokes[at(element)];
+    const Stroke& stroke = program.strokes[at_index(element)];
     const bool turns = stroke.verb == Verb::perpendicular || stroke.verb == Verb::turn || stroke.verb == Verb::negate;
     return turns ? before_turning(program, stroke.inputs[0]) : element;
 }
@@ -176,7 +174,7 @@ void mark_inputs(const Program& program, std::vector<bool>& marked) {
     for (std::size_t i = marked.size(); i-- > 0;) {
         if (!marked[i]) continue;
         for (const ElementIndex input : program.strokes[i].inputs)
-            if (input != none) marked[at(input)] = true;
+            if (input != none) marked[at_index(input)] = true;
     }
 }
 
@@ -184,7 +182,7 @@ void mark_inputs(const Program& program, std::vector<bool>& marked) {
 
 std::vector<int> hangs_on(const Program& program, ElementIndex element) {
     std::vector<bool> needed(program.strokes.size(), false);
-    needed[at(element)] = true;
+    needed[at_index(element)] = true;
     mark_inputs(program, needed);
     std::vector<int> givens;
     for (std::size_t i = 0; i < needed.size(); ++i)
@@ -195,13 +193,13 @@ std::vector<int> hangs_on(const Program& program, ElementIndex element) {
 
 Cut cut(const Program& program, const std::vector<ElementIndex>& wanted, int settled) {
     std::vector<bool> needed(program.strokes.size(), false);
-    for (const ElementIndex element : wanted) needed[at(element)] = true;
+    for (const ElementIndex element : wanted) needed[at_index(element)] = true;
     const auto decides = [&](const Guard& guard) {
         return guard.before <= settled && guard.how != Guard::How::by_choice;
     };
     for (const Guard& guard : program.guards)
         for (const ElementIndex input : guard.inputs)
-            if (input != none && decides(guard)) needed[at(input)] = true;
+            if (input != none && decides(guard)) needed[at_index(input)] = true;
     mark_inputs(program, needed);
 
     Cut result;
@@ -213,9 +211,9 @@ Cut cut(const Program& program, const std::vector<ElementIndex>& wanted, int set
         if (!needed[i]) continue;
         Stroke stroke = program.strokes[i];
         for (ElementIndex& input : stroke.inputs)
-            if (input != none) input = result.element[at(input)];
+            if (input != none) input = result.element[at_index(input)];
         if (stroke.given >= 0) {
-            result.program.givens.push_back(program.givens[at(stroke.given)]);
+            result.program.givens.push_back(program.givens[at_index(stroke.given)]);
             stroke.given = static_cast<int>(result.program.givens.size()) - 1;
         }
         result.element[i] = ElementIndex(result.program.strokes.size());
@@ -224,8 +222,8 @@ Cut cut(const Program& program, const std::vector<ElementIndex>& wanted, int set
     for (Guard guard : program.guards) {
         if (!decides(guard)) continue;
         for (ElementIndex& input : guard.inputs)
-            if (input != none) input = result.element[at(input)];
-        guard.before = made[at(guard.before)];
+            if (input != none) input = result.element[at_index(input)];
+        guard.before = made[at_index(guard.before)];
         result.program.guards.push_back(guard);
     }
     return result;
@@ -237,11 +235,11 @@ struct ExactMemory {
     using Number = Exact;
     std::vector<Value>& values;
 
-    const ProjectivePoint& point(ElementIndex i) const { return std::get<ProjectivePoint>(values[at(i)]); }
-    const ProjectiveLine& line(ElementIndex i) const { return std::get<ProjectiveLine>(values[at(i)]); }
-    const Vector& vector(ElementIndex i) const { return std::get<Vector>(values[at(i)]); }
-    const Exact& scalar(ElementIndex i) const { return std::get<Exact>(values[at(i)]); }
-    bool is_line(ElementIndex i) const { return std::holds_alternative<ProjectiveLine>(values[at(i)]); }
+    const ProjectivePoint& point(ElementIndex i) const { return std::get<ProjectivePoint>(values[at_index(i)]); }
+    const ProjectiveLine& line(ElementIndex i) const { return std::get<ProjectiveLine>(values[at_index(i)]); }
+    const Vector& vector(ElementIndex i) const { return std::get<Vector>(values[at_index(i)]); }
+    const Exact& scalar(ElementIndex i) const { return std::get<Exact>(values[at_index(i)]); }
+    bool is_line(ElementIndex i) const { return std::holds_alternative<ProjectiveLine>(values[at_index(i)]); }
     void put(ElementIndex, Value value) { values.push_back(std::move(value)); }
 };
 
@@ -262,7 +260,7 @@ Evaluation evaluate(const Program& program, const std::vector<Value>& givens, co
     };
     std::size_t next = 0;
     for (std::size_t i = 0; i <= program.strokes.size(); ++i) {
-        for (; next < program.guards.size() && at(program.guards[next].before) <= i; ++next) {
+        for (; next < program.guards.size() && at_index(program.guards[next].before) <= i; ++next) {
             if (holds(program.guards[next])) continue;
             result.flipped = static_cast<int>(next);
             return result;
@@ -270,7 +268,7 @@ Evaluation evaluate(const Program& program, const std::vector<Value>& givens, co
         if (i == program.strokes.size()) break;
         const Stroke& stroke = program.strokes[i];
         if (stroke.given >= 0) {
-            result.values.push_back(givens[at(stroke.given)]);
+            result.values.push_back(givens[at_index(stroke.given)]);
         } else {
             carry_out(stroke, ElementIndex(i), memory);
         }
@@ -297,7 +295,7 @@ std::vector<Value> trimmed_values(const Program& program, const std::vector<Valu
     ExactMemory memory{values};
     for (const Stroke& stroke : program.strokes) {
         if (stroke.given >= 0) {
-            values.push_back(givens[at(stroke.given)]);
+            values.push_back(givens[at_index(stroke.given)]);
         } else {
             carry_out(stroke, ElementIndex(values.size()), memory);
         }

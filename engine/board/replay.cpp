@@ -3,8 +3,6 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(auto index) { return at_index(index); }
-
 /// What is this much smaller than what it is small beside may be zero in doubles: 2^-30, a millionth of a millimetre in
 /// a drawing of a metre, and some six orders above what rounding leaves of the deepest constructions met (chains of ten
 /// dyads).
@@ -56,7 +54,7 @@ Replay::Replay(const Program& program, const std::vector<Value>& givens, double 
                             : kind == Kind::scalar                     ? Noted::scalar
                                                                        : Noted::vector;
         if (stroke.given >= 0) {
-            element_of_given_[at(stroke.given)] = element;
+            element_of_given_[at_index(stroke.given)] = element;
             if (noted != Noted::nothing) noted_givens_.push_back({stroke, element, noted});
         } else if (stroke.verb == Verb::pole) {
             carry_out(stroke, element, memory_);
@@ -66,7 +64,7 @@ Replay::Replay(const Program& program, const std::vector<Value>& givens, double 
         made[i + 1] = static_cast<int>(steps_.size());
     }
     for (Guard guard : program.guards) {
-        guard.before = made[at(guard.before)];
+        guard.before = made[at_index(guard.before)];
         guards_.push_back(guard);
     }
     at_start_.vector[static_cast<std::size_t>(Plane::drawing)] = {size};
@@ -74,7 +72,7 @@ Replay::Replay(const Program& program, const std::vector<Value>& givens, double 
 }
 
 void Replay::give(int given, const ValueOf<double>& value) {
-    const ElementIndex element = element_of_given_[at(given)];
+    const ElementIndex element = element_of_given_[at_index(given)];
     std::visit([&](const auto& number) { memory_.put(element, number); }, value);
 }
 
@@ -85,7 +83,7 @@ void Replay::give(int given, const ValueOf<double>& value) {
     next_ = 0;
     const std::size_t count = guards_.size();
     for (std::size_t i = 0; i < count; ++i) {
-        carry_out_until(at(guards_[i].before));
+        carry_out_until(at_index(guards_[i].before));
         if (!holds(guards_[i])) return static_cast<int>(i);
     }
     carry_out_until(steps_.size());

@@ -171,9 +171,9 @@ private:
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> orthogonal_;
 };
 
-class Check {
+class CheckOfMotion {
 public:
-    Check(const Mechanism& mechanism, const Pose& pose)
+    CheckOfMotion(const Mechanism& mechanism, const Pose& pose)
         : mechanism_(mechanism),
           pose_(pose),
           size_(pose.size.to_double()),
@@ -239,7 +239,7 @@ private:
     std::vector<Eigen::MatrixXd> shifted_matrices() const {
         std::vector<Eigen::MatrixXd> matrices;
         for (const ShiftedDrawing& each : *pose_.shifted) {
-            Check other(each.mechanism, each.pose);
+            CheckOfMotion other(each.mechanism, each.pose);
             other.write_all();
             matrices.push_back(System::matrix_of(other.rows_, columns_));
         }
@@ -532,7 +532,9 @@ private:
 
 }  // namespace
 
-NumericMotion check_motion(const Mechanism& mechanism, const Pose& pose) { return Check(mechanism, pose).run(); }
+NumericMotion check_motion(const Mechanism& mechanism, const Pose& pose) {
+    return CheckOfMotion(mechanism, pose).run();
+}
 
 std::array<double, 2> NumericMotion::arm(BodyIndex body, const Vector& place) const {
     const Vector reference = exactly(bodies[at_index(body)].reference);

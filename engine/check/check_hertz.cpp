@@ -60,9 +60,9 @@ std::pair<double, double> summit(double from, double to, Function f) {
     return {0.5 * (from + to), f(0.5 * (from + to))};
 }
 
-class Check {
+class CheckOfContact {
 public:
-    explicit Check(const HertzProblem& problem) : problem_(problem), load_(problem.force.to_double()) {
+    explicit CheckOfContact(const HertzProblem& problem) : problem_(problem), load_(problem.force.to_double()) {
         double compliance = 0;
         for (const HertzBody& body : problem.bodies) {
             const double nu = body.poisson.to_double();
@@ -238,6 +238,6 @@ Datum datum_of(const HertzProblem& problem, std::size_t body) {
     return {false, (own.depth ? *own.depth : other.radii[0]).to_double()};
 }
 
-HertzCheck check_hertz(const HertzProblem& problem) { return Check(problem).found(); }
+HertzCheck check_hertz(const HertzProblem& problem) { return CheckOfContact(problem).found(); }
 
 }  // namespace kinegraph

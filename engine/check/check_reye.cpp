@@ -21,9 +21,9 @@ double over(double from, double to, const Function& f) {
     return sum * h / 3;
 }
 
-class Check {
+class CheckOfWear {
 public:
-    explicit Check(const ReyeProblem& problem) : problem_(problem), force_(problem.force.to_double()) {
+    explicit CheckOfWear(const ReyeProblem& problem) : problem_(problem), force_(problem.force.to_double()) {
         if (problem.friction) friction_ = problem.friction->to_double();
         Function way = [](double) { return 1.0; };
         if (problem.kind == Kind::disc) {
@@ -139,6 +139,6 @@ private:
 
 }  // namespace
 
-ReyeCheck check_reye(const ReyeProblem& problem) { return Check(problem).found(); }
+ReyeCheck check_reye(const ReyeProblem& problem) { return CheckOfWear(problem).found(); }
 
 }  // namespace kinegraph

@@ -8,12 +8,11 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 using Bits = std::vector<bool>;
 
 Bits bits_of(const ClosedWalk& cycle, std::size_t edges) {
     Bits bits(edges, false);
-    for (const int edge : cycle.edges) bits[at(edge)] = true;
+    for (const int edge : cycle.edges) bits[at_index(edge)] = true;
     return bits;
 }
 void add(Bits& to, const Bits& more) {
@@ -25,23 +24,24 @@ struct Forest {
     std::vector<int> parent, edge, depth;
 
     Forest(int nodes, const GraphEdges& edges, int first)
-        : parent(at(nodes), -1), edge(at(nodes), -1), depth(at(nodes), -1) {
-        std::vector<std::vector<int>> touching(at(nodes));
+        : parent(at_index(nodes), -1), edge(at_index(nodes), -1), depth(at_index(nodes), -1) {
+        std::vector<std::vector<int>> touching(at_index(nodes));
         for (std::size_t e = 0; e < edges.size(); ++e)
-            for (const int node : edges[e]) touching[at(node)].push_back(static_cast<int>(e));
+            for (const int node : edges[e]) touching[at_index(node)].push_back(static_cast<int>(e));
         for (int k = 0; k < nodes; ++k) {
             const int root = (first + k) % nodes;
-            if (depth[at(root)] >= 0) continue;
-            depth[at(root)] = 0;
+            if (depth[at_index(root)] >= 0) continue;
+            depth[at_index(root)] = 0;
             std::vector<int> queue{root};
             for (std::size_t i = 0; i < queue.size(); ++i) {
                 const int node = queue[i];
-                for (const int each : touching[at(node)]) {
-                    const int other = edges[at(each)][0] == node ? edges[at(each)][1] : edges[at(each)][0];
-                    if (depth[at(other)] >= 0) continue;
-                    depth[at(other)] = depth[at(node)] + 1;
-                    parent[at(other)] = node;
-                    edge[at(other)] = each;
+                for (const int each : touching[at_index(node)]) {
+                    const int other =
+                        edges[at_index(each)][0] == node ? edges[at_index(each)][1] : edges[at_index(each)][0];
+                    if (depth[at_index(other)] >= 0) continue;
+                    depth[at_index(other)] = depth[at_index(node)] + 1;
+                    parent[at_index(other)] = node;
+                    edge[at_index(other)] = each;
                     queue.push_back(other);
                 }
             }
@@ -50,12 +50,12 @@ struct Forest {
     /// The loop that an edge closes.
     Bits closed_by(int closing, const GraphEdges& edges) const {
         Bits bits(edges.size(), false);
-        bits[at(closing)] = true;
-        int a = edges[at(closing)][0], b = edges[at(closing)][1];
+        bits[at_index(closing)] = true;
+        int a = edges[at_index(closing)][0], b = edges[at_index(closing)][1];
         while (a != b) {
-            int& lower = depth[at(a)] >= depth[at(b)] ? a : b;
-            bits[at(edge[at(lower)])] = true;
-            lower = parent[at(lower)];
+            int& lower = depth[at_index(a)] >= depth[at_index(b)] ? a : b;
+            bits[at_index(edge[at_index(lower)])] = true;
+            lower = parent[at_index(lower)];
         }
         return bits;
     }
@@ -63,14 +63,14 @@ struct Forest {
 
 /// The walk along these edges, where they make one that meets no node twice.
 std::optional<ClosedWalk> walk_of(const Bits& bits, int nodes, const GraphEdges& edges) {
-    std::vector<std::vector<int>> touching(at(nodes));
+    std::vector<std::vector<int>> touching(at_index(nodes));
     std::size_t count = 0;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         if (!bits[e]) continue;
         ++count;
         for (const int node : edges[e]) {
-            touching[at(node)].push_back(static_cast<int>(e));
-            if (touching[at(node)].size() > 2) return std::nullopt;
+            touching[at_index(node)].push_back(static_cast<int>(e));
+            if (touching[at_index(node)].size() > 2) return std::nullopt;
         }
     }
     if (count < 2) return std::nullopt;
@@ -83,8 +83,8 @@ std::optional<ClosedWalk> walk_of(const Bits& bits, int nodes, const GraphEdges&
     do {
         cycle.nodes.push_back(node);
         cycle.edges.push_back(edge);
-        node = edges[at(edge)][0] == node ? edges[at(edge)][1] : edges[at(edge)][0];
-        const std::vector<int>& here = touching[at(node)];
+        node = edges[at_index(edge)][0] == node ? edges[at_index(edge)][1] : edges[at_index(edge)][0];
+        const std::vector<int>& here = touching[at_index(node)];
         if (here.size() != 2) return std::nullopt;
         edge = here[0] == edge ? here[1] : here[0];
     } while (node != cycle.nodes.front());
@@ -96,7 +96,8 @@ std::vector<int> closing_edges(const Forest& forest, const GraphEdges& edges) {
     std::vector<int> closing;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const auto own = static_cast<int>(e);
-        if (forest.edge[at(edges[e][0])] != own && forest.edge[at(edges[e][1])] != own) closing.push_back(own);
+        if (forest.edge[at_index(edges[e][0])] != own && forest.edge[at_index(edges[e][1])] != own)
+            closing.push_back(own);
     }
     return closing;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -27,5 +28,7 @@ using Errors = std::vector<Error>;
 
 template <class Value>
 using Result = tl::expected<Value, Errors>;
+
+inline auto refused(Words why) { return tl::make_unexpected(std::move(why)); }
 
 }  // namespace kinegraph

@@ -8,21 +8,20 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/file/error.hpp"
 #include "engine/file/scanner.hpp"
 
 namespace kinegraph {
 namespace {
 
 using Kind = Expression::Kind;
-using Outcome = tl::expected<Expression, Words>;
+using ParsedExpression = tl::expected<Expression, Words>;
 
-constexpr std::size_t longest_text = 1000;
-constexpr int deepest = 100;
+constexpr std::size_t longest_expression = 1000;
+constexpr int deepest_expression = 100;
 constexpr double highest_degree = 1000;
-constexpr std::size_t most_bits = 2000;
+constexpr std::size_t most_bits_folded = 2000;
 constexpr double longest_derivative = 4000;
-
-auto refused(Words why) { return tl::make_unexpected(std::move(why)); }
 
 constexpr std::array<std::pair<std::string_view, Elementary>, 12> functions{{{"sin", Elementary::sin},
                                                                              {"cos", Elementary::cos},
@@ -40,10 +39,9 @@ constexpr std::array<std::pair<std::string_view, Elementary>, 12> functions{{{"s
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<signed char>(c) < 0;
 }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Greek and accented letters are letters of names; signs of units (`°`, `²`, `·`) are not.
-std::size_t name_length(std::string_view text) {
+std::size_t known_name_length(std::string_view text) {
     std::size_t length = 0;
     for (std::size_t k = 1; k <= text.size(); ++k) {
         if (!is_letter(text[k - 1]) && !is_digit(text[k - 1])) break;
@@ -146,8 +144,8 @@ public:
     Reader(std::string_view text, std::string_view variable, const LookUp& look_up, NamedConstants& constants)
         : Scanner(text), variable_(variable), look_up_(look_up), constants_(constants) {}
 
-    Outcome whole() {
-        Outcome result = sum();
+    ParsedExpression whole() {
+        ParsedExpression result = sum();
         if (!result) return result;
         skip();
         if (at_ < text_.size()) return unexpected_here();
@@ -170,23 +168,23 @@ private:
                         quoted(rest())});
     }
     bool too_deep() {
-        if (++depth_ <= deepest) return false;
+        if (++depth_ <= deepest_expression) return false;
         return true;
     }
     static tl::unexpected<Words> deeper_than_read() {
         return refused({"an expression with more than {0} brackets within each other; write it shorter, with constants",
                         "un’espressione con più di {0} parentesi una dentro l’altra; scriverla più corta, con costanti",
-                        std::to_string(deepest)});
+                        std::to_string(deepest_expression)});
     }
 
-    Outcome sum() {
+    ParsedExpression sum() {
         if (too_deep()) return deeper_than_read();
-        Outcome first = product();
+        ParsedExpression first = product();
         std::vector<Expression> terms;
         while (first) {
             const bool plus = takes('+');
             if (!plus && !takes('-')) break;
-            Outcome other = product();
+            ParsedExpression other = product();
             if (!other) return other;
             terms.push_back(plus ? *std::move(other) : negated(*std::move(other)));
         }
@@ -195,13 +193,13 @@ private:
         terms.insert(terms.begin(), *std::move(first));
         return folded(Expression::of(Kind::sum, std::move(terms)));
     }
-    Outcome product() {
-        Outcome first = factor();
+    ParsedExpression product() {
+        ParsedExpression first = factor();
         std::vector<Expression> factors;
         while (first) {
             const bool times = takes('*');
             if (!times && !takes('/')) break;
-            Outcome other = factor();
+            ParsedExpression other = factor();
             if (!other) return other;
             if (!times) {
                 if (other->is_number(0)) return by_zero();
@@ -230,7 +228,7 @@ private:
         }
         return Expression::of(Kind::product, {Expression::number(-1), std::move(of)});
     }
-    Outcome factor() {
+    ParsedExpression factor() {
         bool negative = false;
         for (;;) {
             if (takes('-')) {
@@ -239,20 +237,20 @@ private:
                 break;
             }
         }
-        Outcome result = power();
+        ParsedExpression result = power();
         if (result && negative) return negated(*std::move(result));
         return result;
     }
-    Outcome power() {
-        Outcome base = operand();
+    ParsedExpression power() {
+        ParsedExpression base = operand();
         if (!base || !takes('^')) return base;
         if (too_deep()) return deeper_than_read();
-        Outcome exponent = factor();
+        ParsedExpression exponent = factor();
         --depth_;
         if (!exponent) return exponent;
         return raised(*std::move(base), *std::move(exponent));
     }
-    static Outcome raised(Expression base, Expression exponent) {
+    static ParsedExpression raised(Expression base, Expression exponent) {
         if (const auto number = number_of(exponent)) {
             if (abs(*number) > Exact(static_cast<int>(highest_degree)) || number->bits() > 64)
                 return refused({"an exponent must be a fraction from −{0} to {0}",
@@ -264,7 +262,7 @@ private:
         return folded(Expression::of(Kind::power, {std::move(base), std::move(exponent)}));
     }
     /// Numbers alone are worked out, as long as they stay numbers that a page can hold.
-    static Outcome folded(Expression of) {
+    static ParsedExpression folded(Expression of) {
         if (degree_of(of) > highest_degree)
             return refused({"powers upon each other that come to a degree above {0}",
                             "potenze che insieme superano il grado {0}",
@@ -277,31 +275,31 @@ private:
             if (exponent.rational().get_den() != 1) return of;
             const long times = std::labs(exponent.rational().get_num().get_si());
             value = 1;
-            if (static_cast<double>(of.parts[0].value.bits()) * static_cast<double>(times) > 4.0 * most_bits)
+            if (static_cast<double>(of.parts[0].value.bits()) * static_cast<double>(times) > 4.0 * most_bits_folded)
                 return too_long();
             for (long i = 0; i < times; ++i) value *= of.parts[0].value;
             if (exponent.sign() < 0) value = 1 / value;
         } else {
             for (const Expression& part : of.parts) of.kind == Kind::sum ? value += part.value : value *= part.value;
         }
-        if (value.bits() > most_bits) return too_long();
+        if (value.bits() > most_bits_folded) return too_long();
         return Expression::number(std::move(value));
     }
     static tl::unexpected<Words> too_long() {
         return refused({"a number of more than {0} digits; such numbers are not computed with",
                         "un numero di oltre {0} cifre; con tali numeri non si calcola",
-                        std::to_string(most_bits * 3 / 20)});
+                        std::to_string(most_bits_folded * 3 / 20)});
     }
 
-    Outcome operand() {
+    ParsedExpression operand() {
         skip();
         if (takes('(')) {
-            Outcome inner = sum();
+            ParsedExpression inner = sum();
             if (inner && !takes(')')) return refused({"a bracket is not closed", "una parentesi non è chiusa"});
             return inner;
         }
         if (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.')) return number();
-        const std::size_t length = name_length(rest());
+        const std::size_t length = known_name_length(rest());
         if (length == 0) return unexpected_here();
         const std::string_view name = text_.substr(at_, length);
         at_ += length;
@@ -311,7 +309,7 @@ private:
         if (name == "pi") return Expression::of(Kind::pi);
         return constant(name);
     }
-    Outcome function(std::string_view name) {
+    ParsedExpression function(std::string_view name) {
         const auto known = elementary_called(name);
         if (!known && name != "sqrt" && name != "ln") {
             if (name == variable_ || look_up_(name)) return unexpected_here();
@@ -323,13 +321,13 @@ private:
                  quoted(name)});
         }
         takes('(');
-        Outcome argument = sum();
+        ParsedExpression argument = sum();
         if (!argument) return argument;
         if (!takes(')')) return refused({"a bracket is not closed", "una parentesi non è chiusa"});
         if (name == "sqrt") return raised(*std::move(argument), Expression::number(Exact::ratio(1, 2)));
         return Expression::of(known.value_or(Elementary::log), *std::move(argument));
     }
-    Outcome constant(std::string_view name) {
+    ParsedExpression constant(std::string_view name) {
         const auto found = std::find_if(constants_.begin(), constants_.end(),
                                         [&](const NamedConstant& each) { return each.name == name; });
         if (found != constants_.end()) return Expression::named(static_cast<std::size_t>(found - constants_.begin()));
@@ -346,7 +344,7 @@ private:
         constants_.push_back({std::move(name), std::move(as_written), std::move(in_radians), value.dimension});
     }
 
-    Outcome number() {
+    ParsedExpression number() {
         std::size_t end = at_;
         const auto digits = [&] {
             while (end < text_.size() && is_digit(text_[end])) ++end;
@@ -551,10 +549,10 @@ bool depends_on_variable(const Expression& of) {
 
 tl::expected<Expressed, Words> read_expression(std::string_view text, const ExpressionForm& form, const LookUp& look_up,
                                                NamedConstants& constants) {
-    if (text.size() > longest_text)
+    if (text.size() > longest_expression)
         return refused({"an expression of more than {0} characters; shorten it",
-                        "un’espressione di oltre {0} caratteri; accorciarla", std::to_string(longest_text)});
-    Outcome tree = Reader(text, form.variable, look_up, constants).whole();
+                        "un’espressione di oltre {0} caratteri; accorciarla", std::to_string(longest_expression)});
+    ParsedExpression tree = Reader(text, form.variable, look_up, constants).whole();
     if (!tree) return refused(std::move(tree.error()));
     if (size_of(*tree).second > longest_derivative)
         return refused({"its derivatives would fill pages; write it shorter, with constants",

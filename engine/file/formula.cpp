@@ -9,13 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "engine/file/error.hpp"
 #include "engine/file/scanner.hpp"
 #include "engine/number/assert.hpp"
 
 namespace kinegraph {
 namespace {
 
-using Outcome = tl::expected<Measured, Words>;
+using Evaluated = tl::expected<Measured, Words>;
 
 /// What a formula hands on.
 constexpr int kept_bits = 200;
@@ -23,18 +24,16 @@ constexpr int kept_bits = 200;
 /// leave open here, while one that is not stays far above it.
 constexpr int working_bits = 600;
 /// More than these, and a number is rounded to twice the bits that count: a power of a power would grow without use.
-constexpr std::size_t most_bits = 4096;
+constexpr std::size_t bits_before_rounding = 4096;
 constexpr int guard_bits = 60;
-constexpr int deepest = 100;
-
-auto refused(Words why) { return tl::make_unexpected(std::move(why)); }
+constexpr int deepest_formula = 100;
 
 const Exact& degree() {
     static const Exact size = pi() / 180;
     return size;
 }
 
-Exact power_of(const Exact& base, int exponent) {
+Exact exact_power(const Exact& base, int exponent) {
     Exact result = 1;
     for (int i = 0; i < std::abs(exponent); ++i) result *= base;
     return exponent < 0 ? 1 / result : result;
@@ -115,8 +114,8 @@ void scale(Measured& of, const Exact& factor) {
 }
 
 /// The same quantity without its angle: each degree has become a number, that of radians.
-Measured without_angle(Measured of) {
-    scale(of, power_of(degree(), of.dimension.angle));
+Measured in_radians(Measured of) {
+    scale(of, exact_power(degree(), of.dimension.angle));
     of.dimension.angle = 0;
     return of;
 }
@@ -126,7 +125,7 @@ Exact handed_on(const Measured& of) { return of.is_approximate ? rounded_to_size
 
 Measured measured(const WrittenQuantity& written) {
     const Dimension dimension = dimension_of(written.unit->kind);
-    Exact value = written.value * (written.unit->si / power_of(degree(), dimension.angle));
+    Exact value = written.value * (written.unit->si / exact_power(degree(), dimension.angle));
     return {.value = std::move(value), .dimension = dimension};
 }
 
@@ -218,8 +217,8 @@ class Descent : Scanner {
 public:
     Descent(std::string_view text, const LookUp& look_up) : Scanner(text), look_up_(look_up) {}
 
-    Outcome whole() {
-        Outcome result = sum();
+    Evaluated whole() {
+        Evaluated result = sum();
         if (!result) return result;
         skip();
         if (at_ < text_.size()) return unexpected_here();
@@ -263,35 +262,35 @@ private:
         return std::nullopt;
     }
 
-    Outcome sum() {
-        if (++depth_ > deepest)
+    Evaluated sum() {
+        if (++depth_ > deepest_formula)
             return refused(
                 {"a formula with more than {0} brackets within each other; name a part of it as a parameter",
                  "una formula con più di {0} parentesi una dentro l’altra; dare un nome a una parte come parametro",
-                 std::to_string(deepest)});
-        Outcome result = product();
+                 std::to_string(deepest_formula)});
+        Evaluated result = product();
         while (result) {
             const bool plus = takes('+');
             if (!plus && !takes('-')) break;
-            Outcome other = product();
+            Evaluated other = product();
             if (!other) return other;
             result = added(*result, *other, plus);
         }
         --depth_;
         return result;
     }
-    Outcome product() {
-        Outcome result = factor();
+    Evaluated product() {
+        Evaluated result = factor();
         while (result) {
             const bool times = takes('*');
             if (!times && !takes('/')) break;
-            Outcome other = factor();
+            Evaluated other = factor();
             if (!other) return other;
             result = times ? multiplied(*result, *other) : divided(*result, *other);
         }
         return result;
     }
-    Outcome factor() {
+    Evaluated factor() {
         bool negative = false;
         for (;;) {
             if (takes('-')) {
@@ -300,23 +299,24 @@ private:
                 break;
             }
         }
-        Outcome result = power();
+        Evaluated result = power();
         if (result && negative) result->value = -result->value;
         return result;
     }
-    Outcome power() {
-        Outcome base = operand();
+    Evaluated power() {
+        Evaluated base = operand();
         if (!base || !takes('^')) return base;
-        if (++depth_ > deepest) return refused({"too many powers upon each other", "troppe potenze una sull’altra"});
-        Outcome exponent = factor();
+        if (++depth_ > deepest_formula)
+            return refused({"too many powers upon each other", "troppe potenze una sull’altra"});
+        Evaluated exponent = factor();
         --depth_;
         if (!exponent) return exponent;
         return raised(*base, *exponent);
     }
-    Outcome operand() {
+    Evaluated operand() {
         skip();
         if (takes('(')) {
-            Outcome inner = sum();
+            Evaluated inner = sum();
             if (inner && !takes(')')) return refused({"a bracket is not closed", "una parentesi non è chiusa"});
             return inner;
         }
@@ -336,7 +336,7 @@ private:
     }
 
     /// A number with the longest unit that follows it.
-    Outcome number() {
+    Evaluated number() {
         std::size_t end = at_;
         const auto digits = [&] {
             while (end < text_.size() && std::isdigit(static_cast<unsigned char>(text_[end])) != 0) ++end;
@@ -406,12 +406,12 @@ private:
         return nullptr;
     }
 
-    Outcome function(std::string_view name) {
+    Evaluated function(std::string_view name) {
         if (!takes('('))
             return refused({"{0} is a function; write {0}(…)", "{0} è una funzione; scrivere {0}(…)", name});
         std::vector<Measured> arguments;
         do {
-            Outcome argument = sum();
+            Evaluated argument = sum();
             if (!argument) return argument;
             arguments.push_back(std::move(*argument));
         } while (takes(','));
@@ -435,12 +435,12 @@ private:
 
     // ----- operations
 
-    Outcome settled(Measured result) const {
+    Evaluated settled(Measured result) const {
         if (result.error.sign() > 0) heed_error(result);
         if (!result.value.is_zero() && std::abs(order_of(result.value)) > 1000)
             return refused({"a value of the formula lies outside 1e-300 … 1e300",
                             "un valore della formula è fuori da 1e-300 … 1e300"});
-        if (result.value.bits() > most_bits) {
+        if (result.value.bits() > bits_before_rounding) {
             const int places = 2 * working_bits - order_of(result.value);
             result.value = rounded(result.value, places);
             result.error = result.error + Exact::power_of_two(-places);
@@ -476,13 +476,13 @@ private:
         turn(b, a);
         if (a.dimension == b.dimension) return std::nullopt;
         if (same_but_for_angle(a.dimension, b.dimension) && !same_but_for_angle(a.dimension, Dimension{})) {
-            a = without_angle(std::move(a));
-            b = without_angle(std::move(b));
+            a = in_radians(std::move(a));
+            b = in_radians(std::move(b));
             return std::nullopt;
         }
         return Words("{0} and {1} do not go together", "{0} e {1} non vanno insieme", described(a), described(b));
     }
-    Outcome added(Measured a, Measured b, bool plus) const {
+    Evaluated added(Measured a, Measured b, bool plus) const {
         if (auto why = match(a, b)) {
             Words message(plus ? "{0} in a sum" : "{0} in a difference",
                           plus ? "{0} in una somma" : "{0} in una differenza", *why);
@@ -495,7 +495,7 @@ private:
         join(a, b);
         return settled(std::move(a));
     }
-    Outcome multiplied(Measured a, const Measured& b) const {
+    Evaluated multiplied(Measured a, const Measured& b) const {
         if (a.is_approximate || b.is_approximate) a.error = abs(a.value) * b.error + (abs(b.value) + b.error) * a.error;
         a.value *= b.value;
         a.dimension = {a.dimension.length + b.dimension.length, a.dimension.mass + b.dimension.mass,
@@ -503,7 +503,7 @@ private:
         join(a, b);
         return within_reason(std::move(a));
     }
-    Outcome divided(Measured a, const Measured& b) const {
+    Evaluated divided(Measured a, const Measured& b) const {
         if (b.value.is_zero()) return refused({"the formula divides by zero", "la formula divide per zero"});
         auto [value, error] = quotient({a.value, a.error}, {b.value, b.error});
         a.value = std::move(value);
@@ -513,7 +513,7 @@ private:
         join(a, b);
         return within_reason(std::move(a));
     }
-    Outcome within_reason(Measured result) const {
+    Evaluated within_reason(Measured result) const {
         constexpr int highest = 1000;
         const Dimension& d = result.dimension;
         for (const int exponent : {d.length, d.mass, d.time, d.angle})
@@ -522,7 +522,7 @@ private:
                     {"a power of a unit beyond {0}", "una potenza di un’unità oltre {0}", std::to_string(highest)});
         return settled(std::move(result));
     }
-    Outcome raised(const Measured& base, const Measured& exponent) const {
+    Evaluated raised(const Measured& base, const Measured& exponent) const {
         constexpr int highest = 1000, finest = 60;
         if (!exponent.dimension.is_a_number())
             return refused({"an exponent must be a bare number, not {0}",
@@ -534,25 +534,25 @@ private:
                             "un esponente deve essere una frazione fino a {0} con denominatore fino a {1}",
                             std::to_string(highest), std::to_string(finest)});
         const long whole = power.get_num().get_si();
-        Outcome result = root(base, static_cast<unsigned>(power.get_den().get_ui()));
+        Evaluated result = root(base, static_cast<unsigned>(power.get_den().get_ui()));
         if (!result) return result;
         if (whole < 0 && result->value.is_zero())
             return refused({"the formula divides by zero", "la formula divide per zero"});
         const Measured one = *result;
         Measured product = bare(Exact(1));
         product.is_bare = one.is_bare;
-        Outcome grown = product;
+        Evaluated grown = product;
         for (long i = 0; i < std::abs(whole) && grown; ++i)
             grown = whole > 0 ? multiplied(*grown, one) : divided(*grown, one);
         if (grown) join(*grown, exponent.is_bare ? bare(Exact(1)) : one);
         return grown;
     }
-    Outcome root(Measured of, unsigned order) const {
+    Evaluated root(Measured of, unsigned order) const {
         if (order == 1) return of;
         if (of.value.sign() < 0)
             return refused({"the root of a negative value is not real", "la radice di un valore negativo non è reale"});
         const int n = static_cast<int>(order);
-        if (of.dimension.angle % n != 0) of = without_angle(std::move(of));
+        if (of.dimension.angle % n != 0) of = in_radians(std::move(of));
         Dimension& d = of.dimension;
         if (d.length % n != 0 || d.mass % n != 0 || d.time % n != 0)
             return refused({"no quantity is the root of {0}", "nessuna grandezza è la radice di {0}", described(of)});
@@ -565,7 +565,7 @@ private:
         of.error = std::move(error);
         return settled(std::move(of));
     }
-    Outcome circular(std::string_view name, Measured angle) const {
+    Evaluated circular(std::string_view name, Measured angle) const {
         if (angle.dimension.is_a_number()) {
             scale(angle, 1 / degree());  // a bare number is in radians here, as everywhere in mathematics
         } else if (angle.dimension != Dimension{.angle = 1}) {
@@ -595,7 +595,7 @@ private:
         result.error = std::move(found.error);
         return settled(std::move(result));
     }
-    Outcome arc(Measured y, Measured x) const {
+    Evaluated arc(Measured y, Measured x) const {
         if (const auto why = match(y, x)) return refused({"{0} in atan2(y, x)", "{0} in atan2(y, x)", *why});
         if (x.value.is_zero() && y.value.is_zero())
             return refused({"atan2(0, 0) has no value", "atan2(0, 0) non ha valore"});
@@ -609,7 +609,7 @@ private:
                         .dimension = {.angle = 1},
                         .is_approximate = y.is_approximate || !exact});
     }
-    Outcome extreme(bool least, std::vector<Measured> of) const {
+    Evaluated extreme(bool least, std::vector<Measured> of) const {
         Measured best = std::move(of.front());
         for (std::size_t i = 1; i < of.size(); ++i) {
             if (auto why = match(best, of[i]))
@@ -660,7 +660,7 @@ tl::expected<WrittenQuantity, Words> as_quantity(const Measured& value, Quantity
         if (value.dimension == wanted) return WrittenQuantity{handed_on(value), degrees};
         if (value.dimension.is_a_number()) return WrittenQuantity{handed_on(value), radians};
     } else if (same_but_for_angle(value.dimension, wanted)) {
-        return WrittenQuantity{handed_on(without_angle(value)) / bare_unit.si, &bare_unit};
+        return WrittenQuantity{handed_on(in_radians(value)) / bare_unit.si, &bare_unit};
     }
     return refused({"the formula gives {0}; {1} is wanted here", "la formula dà {0}; qui serve {1}", described(value),
                     with_article(kind)});

@@ -14,8 +14,8 @@
 namespace kinegraph {
 namespace {
 
-constexpr std::size_t deepest = 64;
-constexpr std::size_t longest_text = std::size_t{1} << 30U;
+constexpr std::size_t deepest_nesting = 64;
+constexpr std::size_t longest_file = std::size_t{1} << 30U;
 constexpr std::size_t longest_segment = 200;
 
 /// "line 3, column 5" of the byte at `offset`; columns count characters.
@@ -225,13 +225,13 @@ private:
         const auto self = static_cast<std::uint32_t>(source_.nodes_.size());
         add(kind);
         open_.push_back({self, JsonSource::none});
-        if (open_.size() <= deepest) return true;
+        if (open_.size() <= deepest_nesting) return true;
         // The place: no deeper than a reader can follow.
         constexpr std::size_t readable = 3;
         fault_ = Error{ErrorCode::bad_input, JsonValue(&source_, open_[readable].node).pointer(),
                        Words("nested deeper than {0} levels; no mechanism file needs more than ten",
                              "annidato oltre {0} livelli; a nessun file di meccanismi ne servono più di dieci",
-                             std::to_string(deepest))};
+                             std::to_string(deepest_nesting))};
         return false;
     }
     bool close() {
@@ -262,7 +262,7 @@ private:
 };
 
 Result<JsonSource> JsonSource::read(std::string_view text) {
-    if (text.size() > longest_text) {
+    if (text.size() > longest_file) {
         return tl::make_unexpected(Errors{{ErrorCode::bad_input,
                                            "",
                                            {"the file is larger than 1 GiB; no mechanism file is",

@@ -7,6 +7,8 @@
 
 namespace kinegraph {
 
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 class Scanner {
 protected:
     explicit Scanner(std::string_view text) : text_(text) {}

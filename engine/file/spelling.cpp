@@ -4,22 +4,16 @@
 #include "engine/number/assert.hpp"
 
 namespace kinegraph {
-namespace {
-
-using Kind = JsonValue::Kind;
-
-}  // namespace
-
 Words described(JsonValue value) {
     switch (value.kind()) {
-        case Kind::null: return std::string_view("null");
-        case Kind::boolean: return value.text();
-        case Kind::number: return {"the number {0}", "il numero {0}", shown(value.text(), 40)};
-        case Kind::string: return quoted(value.text());
-        case Kind::array:
+        case JsonValue::Kind::null: return std::string_view("null");
+        case JsonValue::Kind::boolean: return value.text();
+        case JsonValue::Kind::number: return {"the number {0}", "il numero {0}", shown(value.text(), 40)};
+        case JsonValue::Kind::string: return quoted(value.text());
+        case JsonValue::Kind::array:
             if (value.size() == 0) return {"an empty array", "un array vuoto"};
             return {"an array of {0}", "un array di {0}", std::to_string(value.size())};
-        case Kind::object: return {"an object", "un oggetto"};
+        case JsonValue::Kind::object: return {"an object", "un oggetto"};
     }
     KG_ASSERT(false, "every kind of value has a description");
 }
@@ -32,7 +26,7 @@ bool is_whole_number(JsonValue value) {
     return std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-bool is_true(JsonValue value) { return value.kind() == Kind::boolean && value.text() == "true"; }
+bool is_true(JsonValue value) { return value.kind() == JsonValue::Kind::boolean && value.text() == "true"; }
 
 Words listed(std::span<const std::string_view> words) {
     Words list;

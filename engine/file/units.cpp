@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "engine/file/scanner.hpp"
 #include "engine/number/assert.hpp"
 
 namespace kinegraph {
@@ -17,8 +18,6 @@ constexpr std::size_t most_digits = 1000;
 constexpr int largest_order = 60;
 /// The largest unit or its inverse is far below 1e10: beyond this margin no unit brings a number back into range.
 constexpr std::int64_t order_margin = largest_order + 10;
-
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 Exact decimal(std::string_view text) {
     const std::optional<Exact> value = Exact::from_decimal(text);

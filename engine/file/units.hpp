@@ -79,6 +79,10 @@ tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, Quanti
 /// Text of a user as a message may show it: in quotes, control characters and broken UTF-8 spelt out, long text cut
 /// short.
 std::string quoted(std::string_view text);
+/// Each by itself, or std::quoted, which headers of the standard library bring, would be the better match of strings.
+inline std::string quoted(const char* text) { return quoted(std::string_view(text)); }
+inline std::string quoted(const std::string& text) { return quoted(std::string_view(text)); }
+inline std::string quoted(std::string& text) { return quoted(std::string_view(text)); }
 /// The same without the quotes; `longest` in bytes.
 std::string shown(std::string_view text, std::size_t longest);
 

@@ -10,7 +10,6 @@ namespace kinegraph {
 namespace {
 
 using Spot = VectorOf<double>;
-constexpr double pi_ = std::numbers::pi;
 
 Spot direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 Spot turned_back(const Spot& a) { return {a.y, -a.x}; }
@@ -60,8 +59,8 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
             Errors{fault("/cam/follower", {"the follower does not reach the base circle from its pivot",
                                            "la punteria non raggiunge la circonferenza di base dal suo perno"})});
     const double to_pivot = std::atan2(made.pivot_.y, made.pivot_.x);
-    made.first_angle_ =
-        is_trace(follower) ? to_pivot + pi_ - side * std::acos(cosine) : to_pivot + side * std::acos(cosine);
+    made.first_angle_ = is_trace(follower) ? to_pivot + std::numbers::pi - side * std::acos(cosine)
+                                           : to_pivot + side * std::acos(cosine);
     // Away from the cam's centre: |C| grows, or the face's distance.
     const double grows = cross(direction(made.first_angle_), made.pivot_);
     made.rises_ = grows > 0 ? 1 : -1;
@@ -165,7 +164,7 @@ std::string in_quotes(const std::string& text) {
     return quoted + '"';
 }
 std::string title_of(const Cam& cam, double turn) {
-    const std::string at = " (" + written(turn * 180 / pi_) + "°)";
+    const std::string at = " (" + written(turn * 180 / std::numbers::pi) + "°)";
     const std::string en = (cam.title.en.empty() ? "Disc cam" : cam.title.en) + at;
     const std::string it = (cam.title.it.empty() ? "Camma a disco" : cam.title.it) + at;
     return "{\"en\": " + in_quotes(en) + ", \"it\": " + in_quotes(it) + "}";

@@ -8,8 +8,6 @@
 namespace kinegraph {
 namespace {
 
-constexpr double pi_ = std::numbers::pi;
-
 constexpr std::array<std::pair<LawForm, std::string_view>, 7> spellings{
     {{LawForm::rest, "rest"},
      {LawForm::constant_speed, "constant speed"},
@@ -23,13 +21,13 @@ constexpr std::array<std::pair<LawForm, std::string_view>, 7> spellings{
 double sin_pi(double x) {
     x -= 2 * std::round(x / 2);
     if (std::abs(x) > 0.5) x = std::copysign(1, x) - x;
-    return std::sin(pi_ * x);
+    return std::sin(std::numbers::pi * x);
 }
 double cos_pi(double x) { return sin_pi(0.5 - std::abs(x)); }
 
 /// The first half of the modified trapezoid: a ramp of an eighth, constant for a quarter, down again for an eighth.
 LawState first_half_of_trapezoid(double x) {
-    const double most = 8 * pi_ / (2 + pi_), four_pi = 4 * pi_;
+    const double most = 8 * std::numbers::pi / (2 + std::numbers::pi), four_pi = 4 * std::numbers::pi;
     const double speed_1 = most / four_pi, way_1 = speed_1 * (1.0 / 8 - 1 / four_pi);
     if (x <= 1.0 / 8) {
         return {speed_1 * (x - sin_pi(4 * x) / four_pi), speed_1 * (1 - cos_pi(4 * x)), most * sin_pi(4 * x)};
@@ -51,8 +49,12 @@ LawState unit_state(LawForm form, double x) {
         case LawForm::constant_acceleration:
             if (x < 0.5) return {2 * x * x, 4 * x, 4};
             return {1 - 2 * (1 - x) * (1 - x), 4 * (1 - x), -4};
-        case LawForm::harmonic: return {(1 - cos_pi(x)) / 2, pi_ / 2 * sin_pi(x), pi_ * pi_ / 2 * cos_pi(x)};
-        case LawForm::cycloidal: return {x - sin_pi(2 * x) / (2 * pi_), 1 - cos_pi(2 * x), 2 * pi_ * sin_pi(2 * x)};
+        case LawForm::harmonic:
+            return {(1 - cos_pi(x)) / 2, std::numbers::pi / 2 * sin_pi(x),
+                    std::numbers::pi * std::numbers::pi / 2 * cos_pi(x)};
+        case LawForm::cycloidal:
+            return {x - sin_pi(2 * x) / (2 * std::numbers::pi), 1 - cos_pi(2 * x),
+                    2 * std::numbers::pi * sin_pi(2 * x)};
         case LawForm::polynomial_345:
             return {x * x * x * (10 - 15 * x + 6 * x * x), 30 * x * x * (1 - x) * (1 - x),
                     60 * x * (1 - x) * (1 - 2 * x)};

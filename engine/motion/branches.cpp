@@ -11,7 +11,7 @@
 namespace kinegraph {
 namespace {
 
-using Row = std::vector<Exact>;
+using DenseRow = std::vector<Exact>;
 
 /// What is zero, and how long a number may grow.
 class Arithmetic {
@@ -68,8 +68,9 @@ public:
         }
         for (const BodyIndex body : mechanism_.moving_bodies()) {
             const auto rests = [&](int from, int to) {
-                return std::all_of(velocities_.begin(), velocities_.end(), [&](const Row& u) {
-                    const auto first = u.begin() + static_cast<Row::difference_type>(3 * at_index(body.number() - 1));
+                return std::all_of(velocities_.begin(), velocities_.end(), [&](const DenseRow& u) {
+                    const auto first =
+                        u.begin() + static_cast<DenseRow::difference_type>(3 * at_index(body.number() - 1));
                     return std::all_of(first + from, first + to,
                                        [&](const Exact& value) { return arithmetic_.is_zero(value); });
                 });
@@ -93,9 +94,9 @@ private:
     /// Gauss–Jordan on [J | 1]: the rows that vanish leave the states of self-stress, the pivots the null space.
     void eliminate(const Analysis* leader) {
         const std::size_t columns = at_index(columns_), count = rows_.size();
-        std::vector<std::pair<std::size_t, Row>> kept;
+        std::vector<std::pair<std::size_t, DenseRow>> kept;
         for (std::size_t i = 0; i < count; ++i) {
-            Row row = coefficients(rows_[i]);
+            DenseRow row = coefficients(rows_[i]);
             row.resize(columns + count);
             row[columns + i] = 1;
             for (const auto& [pivot, other] : kept) subtract(row, pivot, other);
@@ -115,29 +116,29 @@ private:
         for (const auto& each : kept) is_pivot[each.first] = true;
         for (std::size_t free = 0; free < columns; ++free) {
             if (is_pivot[free]) continue;
-            Row u(columns);
+            DenseRow u(columns);
             u[free] = 1;
             for (const auto& [pivot, row] : kept) u[pivot] = -row[free];
             velocities_.push_back(std::move(u));
         }
     }
     /// The largest of a row's coefficients; none where it vanishes.
-    std::optional<std::size_t> pivot_of(const Row& row) const {
+    std::optional<std::size_t> pivot_of(const DenseRow& row) const {
         const auto smaller = [](const Exact& a, const Exact& b) { return abs(a) < abs(b); };
         const auto pivot = std::max_element(row.begin(), row.begin() + columns_, smaller);
         if (columns_ == 0 || arithmetic_.is_zero(*pivot)) return std::nullopt;
         return static_cast<std::size_t>(pivot - row.begin());
     }
     /// `column`: of `from`, where the factor stands before the row changes.
-    void subtract(Row& from, std::size_t column, const Row& other) const {
+    void subtract(DenseRow& from, std::size_t column, const DenseRow& other) const {
         const Exact factor = from[column];
         if (factor.is_zero()) return;
         for (std::size_t k = 0; k < from.size(); ++k)
             if (!other[k].is_zero()) from[k] = arithmetic_.trimmed(from[k] - factor * other[k]);
     }
 
-    Row coefficients(const ConstraintRow& row) const {
-        Row entries(at_index(columns_));
+    DenseRow coefficients(const ConstraintRow& row) const {
+        DenseRow entries(at_index(columns_));
         const auto add = [&](BodyIndex body, int sign) {
             if (body == frame) return;
             const std::size_t first = 3 * at_index(body.number() - 1);
@@ -157,7 +158,7 @@ private:
     // --- the second order
     // --------------------------------------------------------------------------------------------------
 
-    State state(const Row& u, BodyIndex body) const {
+    State state(const DenseRow& u, BodyIndex body) const {
         if (body == frame) return {};
         const std::size_t first = 3 * at_index(body.number() - 1);
         return {{u[first], u[first + 1]}, u[first + 2]};
@@ -177,7 +178,7 @@ private:
 
     /// Of two profiles that touch: n · (a_i(P) − a_j(P)) for the material points at P, by the equivalent linkage
     /// through the centres of curvature. Nothing where the file does not say enough.
-    std::optional<Exact> normal_difference(const Joint& joint, const Row& u, const Vector& normal) const {
+    std::optional<Exact> normal_difference(const Joint& joint, const DenseRow& u, const Vector& normal) const {
         const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
         bool known_i = false, known_j = false;
         const auto c_i = centre(joint, i, known_i), c_j = centre(joint, j, known_j);
@@ -205,7 +206,7 @@ private:
 
     /// q of the row: its time derivative is (row) · a + q(u) = 0, a the accelerations of the bodies' points at the
     /// origin.
-    std::optional<Exact> quadratic(const ConstraintRow& row, const Row& u) const {
+    std::optional<Exact> quadratic(const ConstraintRow& row, const DenseRow& u) const {
         if (row.turn) return Exact();
         const Joint& joint = mechanism_.joint(row.joint);
         const State i = state(u, row.i), j = state(u, row.j);
@@ -228,7 +229,7 @@ private:
     }
 
     /// s·q(u); nothing where a row with a share in s has no second order.
-    std::optional<Exact> stress_times_quadratic(const Row& stress, const Row& u) const {
+    std::optional<Exact> stress_times_quadratic(const DenseRow& stress, const DenseRow& u) const {
         Exact sum;
         for (std::size_t i = 0; i < rows_.size(); ++i) {
             if (arithmetic_.is_zero(stress[i])) continue;
@@ -240,22 +241,22 @@ private:
     }
 
     /// Its coefficients on the basis: of x_a x_b for a ≤ b, in order.
-    std::optional<Row> form(const Row& stress) const {
+    std::optional<DenseRow> form(const DenseRow& stress) const {
         const std::size_t k = velocities_.size();
-        Row squares;
-        for (const Row& u : velocities_) {
+        DenseRow squares;
+        for (const DenseRow& u : velocities_) {
             auto value = stress_times_quadratic(stress, u);
             if (!value) return std::nullopt;
             squares.push_back(std::move(*value));
         }
-        Row coefficients;
+        DenseRow coefficients;
         for (std::size_t a = 0; a < k; ++a) {
             for (std::size_t b = a; b < k; ++b) {
                 if (a == b) {
                     coefficients.push_back(squares[a]);
                     continue;
                 }
-                Row sum = velocities_[a];
+                DenseRow sum = velocities_[a];
                 for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += velocities_[b][c];
                 const auto both = stress_times_quadratic(stress, sum);
                 if (!both) return std::nullopt;
@@ -266,21 +267,21 @@ private:
     }
 
     /// Of the stress of this index. On rounded data also where their precision explains every coefficient.
-    bool vanishes(const Row& form_here, std::size_t stress) const {
-        std::vector<Row> elsewhere;
+    bool vanishes(const DenseRow& form_here, std::size_t stress) const {
+        std::vector<DenseRow> elsewhere;
         for (const Analysis& each : shifted_)
             if (auto found = each.form(each.stresses_[stress])) elsewhere.push_back(*std::move(found));
         for (std::size_t i = 0; i < form_here.size(); ++i) {
             if (arithmetic_.is_zero(form_here[i])) continue;
             std::vector<Vector> shifted;
-            for (const Row& each : elsewhere) shifted.push_back({each[i], 0});
+            for (const DenseRow& each : elsewhere) shifted.push_back({each[i], 0});
             if (!is_zero_within({form_here[i], 0}, shifted)) return false;
         }
         return true;
     }
 
     void second_order(InstantMotion& motion) const {
-        std::vector<Row> forms;
+        std::vector<DenseRow> forms;
         for (std::size_t s = 0; s < stresses_.size(); ++s) {
             auto found = form(stresses_[s]);
             if (!found) {
@@ -310,10 +311,10 @@ private:
     };
 
     /// The directions in which A x² + B x y + C y² vanishes for every form.
-    std::vector<Root> common_roots(const std::vector<Row>& forms) const {
+    std::vector<Root> common_roots(const std::vector<DenseRow>& forms) const {
         std::vector<Root> roots;
         for (Root& root : roots_of(forms.front())) {
-            const bool common = std::all_of(forms.begin() + 1, forms.end(), [&](const Row& form) {
+            const bool common = std::all_of(forms.begin() + 1, forms.end(), [&](const DenseRow& form) {
                 const Exact value = form[0] * square(root.x) + form[1] * root.x * root.y + form[2] * square(root.y);
                 // An irrational root is known to 2^-200.
                 return root.exact ? arithmetic_.is_zero(value) : arithmetic_.is_nearly_zero(value);
@@ -322,7 +323,7 @@ private:
         }
         return roots;
     }
-    std::vector<Root> roots_of(const Row& form) const {
+    std::vector<Root> roots_of(const DenseRow& form) const {
         const Exact &a = form[0], &b = form[1], &c = form[2];
         if (arithmetic_.is_zero(a)) {
             std::vector<Root> roots{{1, 0}};
@@ -369,8 +370,8 @@ private:
     std::vector<ConstraintRow> rows_;
     std::vector<std::optional<std::size_t>> pivots_;  ///< by row; none where it depends on those before
     std::vector<Analysis> shifted_;                   ///< on the shifted drawings of rounded data, with the same pivots
-    std::vector<Row> velocities_;                     ///< a basis of the null space
-    std::vector<Row> stresses_;                       ///< a basis of the left null space
+    std::vector<DenseRow> velocities_;                ///< a basis of the null space
+    std::vector<DenseRow> stresses_;                  ///< a basis of the left null space
 };
 
 }  // namespace

@@ -122,7 +122,7 @@ public:
 
 /// Coefficients of one constraint; unknowns of body b > 0 are columns 3(b−1): v_x, v_y of the origin's place, +2: ω.
 template <class Number>
-using Row = std::vector<std::pair<int, Number>>;
+using SparseRow = std::vector<std::pair<int, Number>>;
 
 /// Whose row: a joint or a driver, by index; a given motion's is neither.
 struct Owner {
@@ -134,7 +134,7 @@ template <class Field>
 class Constraints {
 public:
     using Number = typename Field::Number;
-    std::vector<Row<Number>> rows;
+    std::vector<SparseRow<Number>> rows;
     std::vector<Owner> owners;  ///< joints first, then drivers
 
     Constraints(Field& field, const Mechanism& mechanism, const Pose& pose)
@@ -176,7 +176,7 @@ private:
     /// Σ ± (n·v_b at the point) = 0: n·v = n_x v_x + n_y v_y + ω (P × n).
     void equal_speeds(BodyIndex i, BodyIndex j, PointIndex point, const Pair& n) {
         if (i == j) return enter({});  // says nothing
-        Row<Number> row;
+        SparseRow<Number> row;
         const Pair& place = points_[at_index(point)];
         Number moment = field_.product(place[0], n[1]);
         field_.subtract_product(moment, place[1], n[0]);
@@ -196,12 +196,12 @@ private:
     }
     void equal_turns(BodyIndex i, BodyIndex j) {
         if (i == j) return enter({});
-        Row<Number> row;
+        SparseRow<Number> row;
         if (i != frame) row.emplace_back(3 * (i.number() - 1) + 2, field_.from(1));
         if (j != frame) row.emplace_back(3 * (j.number() - 1) + 2, field_.from(-1));
         enter(std::move(row));
     }
-    void enter(Row<Number> row) {
+    void enter(SparseRow<Number> row) {
         rows.push_back(std::move(row));
         owners.push_back(owner_);
     }
@@ -257,7 +257,7 @@ public:
     Echelon(Field& field, int columns) : field_(field), row_(at_index(columns), field.zero()) {}
 
     /// Takes a row and removes what the kept rows say already.
-    void reduce(const Row<Number>& row) {
+    void reduce(const SparseRow<Number>& row) {
         for (Number& entry : row_) entry = 0;
         for (const auto& [column, value] : row) row_[at_index(column)] = value;
         for (const auto& [pivot, kept] : kept_) {
@@ -286,7 +286,7 @@ public:
     }
     void keep(int pivot) {
         const Number scale = row_[at_index(pivot)];
-        Row<Number> kept;
+        SparseRow<Number> kept;
         for (std::size_t i = 0; i < row_.size(); ++i) {
             if (static_cast<int>(i) == pivot || row_[i] == 0) continue;
             Number entry = row_[i];
@@ -302,7 +302,7 @@ private:
     Field& field_;
     std::vector<Number> row_;
     Number factor_{field_.zero()};
-    std::vector<std::pair<int, Row<Number>>> kept_;  ///< pivot column, and the row but for its one there
+    std::vector<std::pair<int, SparseRow<Number>>> kept_;  ///< pivot column, and the row but for its one there
 };
 
 /// Which rows add to the rank of those before them, and which bodies all rows together determine.
@@ -350,7 +350,7 @@ std::optional<Verdict> judge_exactly(const Mechanism& mechanism, const Pose& pos
         if (pivot >= 0) echelon.keep(pivot);
         return pivot >= 0;
     };
-    const auto spanned = [&](const Row<std::uint64_t>& row) {
+    const auto spanned = [&](const SparseRow<std::uint64_t>& row) {
         echelon.reduce(row);
         return echelon.largest().first < 0;
     };
@@ -390,7 +390,7 @@ std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& po
     bool decided = false;
 
     // Reduces in both; the pivot column, or −1 where what is left is zero.
-    const auto left_of = [&](const Row<mpf_class>& row, const Row<mpf_class>& finer_row) {
+    const auto left_of = [&](const SparseRow<mpf_class>& row, const SparseRow<mpf_class>& finer_row) {
         echelon.reduce(row);
         const auto [pivot, size] = echelon.largest();
         if (finer != nullptr) finer_echelon.reduce(finer_row);
@@ -411,7 +411,7 @@ std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& po
         if (finer != nullptr) finer_echelon.keep(pivot);
         return true;
     };
-    const auto spanned = [&](const Row<mpf_class>& row) { return needs_finer || left_of(row, row) < 0; };
+    const auto spanned = [&](const SparseRow<mpf_class>& row) { return needs_finer || left_of(row, row) < 0; };
     Verdict verdict = judge(field, rows, bodies, keep, spanned);
     if (needs_finer) return std::nullopt;
     verdict.decided_by_finer_pose = decided;
@@ -465,7 +465,7 @@ Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
         for (Elimination& each : all) each.echelon.keep(pivot);
         return true;
     };
-    const auto spanned = [&](const Row<mpf_class>& row) {
+    const auto spanned = [&](const SparseRow<mpf_class>& row) {
         return left_of([&](const Elimination&) -> const auto& { return row; }) < 0;
     };
     Verdict verdict = judge(field, given.rows, bodies, keep, spanned);

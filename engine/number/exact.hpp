@@ -4,6 +4,7 @@
 
 #include <gmpxx.h>
 
+#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <optional>
@@ -132,6 +133,10 @@ struct VectorOf {
     friend VectorOf quarter_turn(const VectorOf& a) { return {-a.y, a.x}; }
 };
 using Vector = VectorOf<Exact>;
+/// The nearest doubles.
+inline VectorOf<double> to_double(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
+/// Of length one along a ≠ 0.
+inline VectorOf<double> unit_vector(const VectorOf<double>& a) { return (1 / std::hypot(a.x, a.y)) * a; }
 
 /// Length as a double, for printing and drawing only.
 double length(const Vector& a);

@@ -11,8 +11,6 @@ namespace {
 
 using Kind = Quantity::Kind;
 
-std::size_t at(auto index) { return at_index(index); }
-
 void raise(double& largest, double value) {
     if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
 }
@@ -27,7 +25,7 @@ std::vector<std::optional<double>> moduli_of_motion(const Protocol& protocol) {
     std::vector<std::optional<double>> moduli;
     moduli.reserve(protocol.vectors.size());
     for (const DrawnVector& vector : protocol.vectors) {
-        if (protocol.polygons[at(vector.polygon)].plane == Plane::force)
+        if (protocol.polygons[at_index(vector.polygon)].plane == Plane::force)
             moduli.emplace_back();
         else
             moduli.emplace_back(protocol.modulus_of(vector));
@@ -132,11 +130,12 @@ double Magnitudes::of(const Quantity& quantity) const {
         case Kind::bar: return force_;
         case Kind::couple:
         case Kind::resultant_couple: return couple_;
-        case Kind::load: return acts_as_couple(mechanism_.loads[at(quantity.given)]) ? couple_ : force_;
+        case Kind::load: return acts_as_couple(mechanism_.loads[at_index(quantity.given)]) ? couple_ : force_;
         case Kind::inertia: return force_;
         case Kind::effort:
         case Kind::virtual_effort:
-            return std::holds_alternative<CoupleEffort>(mechanism_.efforts[at(quantity.given)]) ? couple_ : force_;
+            return std::holds_alternative<CoupleEffort>(mechanism_.efforts[at_index(quantity.given)]) ? couple_
+                                                                                                      : force_;
         case Kind::virtual_power: return power_;
     }
     KG_ASSERT(false, "a quantity has a kind");

@@ -10,8 +10,6 @@ namespace {
 
 using Spot = VectorOf<double>;
 
-Spot rough(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
-
 /// A name that is one letter with digits reads well beside another such: BA, O2A.
 bool is_short(const std::string& name) {
     const auto digit = [](char c) { return c == '*' || std::isdigit(static_cast<unsigned char>(c)) != 0; };
@@ -36,7 +34,7 @@ Spot direction_of_sliding(const Spot& guide, const Spot& tangent, const Spot& no
 
 Spot direction_of_sliding(const Pose& pose, JointIndex joint) {
     const std::size_t i = at_index(joint);
-    return direction_of_sliding(rough(pose.guides[i]), rough(pose.tangents[i]), rough(pose.normals[i]));
+    return direction_of_sliding(to_double(pose.guides[i]), to_double(pose.tangents[i]), to_double(pose.normals[i]));
 }
 
 std::string relative_name(const std::string& of, const std::string& to) {

@@ -11,8 +11,6 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(auto index) { return at_index(index); }
-
 /// Reads a truss off a mechanism; what a truss has not ends the reading.
 class TrussReader {
 public:
@@ -42,7 +40,7 @@ private:
             if (joint.pair().holds_rotation) rollers_.insert(joint.other_than(frame));
             if (is_hinge)
                 for (const BodyIndex body : joint.bodies)
-                    if (body != frame) ends_[at(body)].insert(joint.point);
+                    if (body != frame) ends_[at_index(body)].insert(joint.point);
         }
         std::set<PointIndex> points;
         for (const auto& ends : ends_) points.insert(ends.begin(), ends.end());
@@ -54,7 +52,7 @@ private:
     }
     bool read_bars() {
         for (const BodyIndex body : mechanism_.moving_bodies()) {
-            const auto& ends = ends_[at(body)];
+            const auto& ends = ends_[at_index(body)];
             if (rollers_.count(body) > 0) {
                 if (!is_roller(body)) return false;
                 continue;
@@ -62,7 +60,7 @@ private:
             if (ends.size() != 2 || mechanism_.body(body).circle) return false;
             const int bar = static_cast<int>(truss_.bars.size());
             truss_.bars.push_back({body, {pin_at_.at(*ends.begin()), pin_at_.at(*std::next(ends.begin()))}, {}});
-            for (const int pin : truss_.bars.back().pins) truss_.pins[at(pin)].bars.push_back(bar);
+            for (const int pin : truss_.bars.back().pins) truss_.pins[at_index(pin)].bars.push_back(bar);
         }
         constexpr std::size_t least = 3;
         if (truss_.bars.size() < least) return false;
@@ -70,8 +68,9 @@ private:
             if (!joint.connects(frame)) continue;
             const auto pin = pin_at_.find(joint.point);
             if (pin == pin_at_.end()) return false;
-            if (!joint.pair().is_hinge() && ends_[at(joint.other_than(frame))].count(joint.point) == 0) return false;
-            auto& held = truss_.pins[at(pin->second)];
+            if (!joint.pair().is_hinge() && ends_[at_index(joint.other_than(frame))].count(joint.point) == 0)
+                return false;
+            auto& held = truss_.pins[at_index(pin->second)];
             (joint.pair().is_hinge() ? held.hinges : held.supports).push_back(mechanism_.index_of(joint));
         }
         return true;
@@ -79,7 +78,7 @@ private:
 
     /// Hinged to the bars at one point, where its one guide holds it.
     bool is_roller(BodyIndex body) const {
-        const auto& ends = ends_[at(body)];
+        const auto& ends = ends_[at_index(body)];
         const auto holds = [&](const Joint& joint) { return joint.connects(body) && !joint.pair().is_hinge(); };
         const auto guide = std::find_if(mechanism_.joints.begin(), mechanism_.joints.end(), holds);
         return ends.size() == 1 && guide->point == *ends.begin() &&
@@ -91,7 +90,7 @@ private:
 
     bool bears_at_pins() const {
         const auto at_end = [&](BodyIndex body, PointIndex point) {
-            return body == none || body == frame || ends_[at(body)].count(point) > 0;
+            return body == none || body == frame || ends_[at_index(body)].count(point) > 0;
         };
         return std::all_of(mechanism_.loads.begin(), mechanism_.loads.end(), [&](const Load& load) {
             if (const auto* force = std::get_if<ForceLoad>(&load)) return at_end(force->body, force->at);
@@ -162,11 +161,11 @@ std::vector<std::vector<int>> sides_of_cut(const TrussStructure& truss, const st
         std::vector<int> pins{static_cast<int>(first)};
         part[first] = number;
         for (std::size_t next = 0; next < pins.size(); ++next)
-            for (const int bar : truss.pins[at(pins[next])].bars) {
+            for (const int bar : truss.pins[at_index(pins[next])].bars) {
                 if (among(bars, bar) || among(passed, bar)) continue;
                 const int other = truss.other_end(bar, pins[next]);
-                if (part[at(other)] >= 0) continue;
-                part[at(other)] = number;
+                if (part[at_index(other)] >= 0) continue;
+                part[at_index(other)] = number;
                 pins.push_back(other);
             }
         std::sort(pins.begin(), pins.end());
@@ -175,14 +174,14 @@ std::vector<std::vector<int>> sides_of_cut(const TrussStructure& truss, const st
     std::vector<std::vector<int>> sides;
     for (std::size_t p = 0; p < parts.size(); ++p) {
         const bool all_leave = std::all_of(bars.begin(), bars.end(), [&](int bar) {
-            const auto& ends = truss.bars[at(bar)].pins;
-            return (part[at(ends[0])] == static_cast<int>(p)) != (part[at(ends[1])] == static_cast<int>(p));
+            const auto& ends = truss.bars[at_index(bar)].pins;
+            return (part[at_index(ends[0])] == static_cast<int>(p)) != (part[at_index(ends[1])] == static_cast<int>(p));
         });
         if (all_leave) sides.push_back(parts[p]);
     }
     const auto reactions = [&](const std::vector<int>& side) {
         return std::accumulate(side.begin(), side.end(), std::size_t{0}, [&](std::size_t sum, int pin) {
-            const TrussStructure::Pin& held = truss.pins[at(pin)];
+            const TrussStructure::Pin& held = truss.pins[at_index(pin)];
             return sum + 2 * held.hinges.size() + held.supports.size();
         });
     };
@@ -194,8 +193,9 @@ std::vector<std::vector<int>> sides_of_cut(const TrussStructure& truss, const st
 namespace {
 
 std::array<Vector, 2> ends_of(const TrussStructure& truss, int bar, const std::vector<Vector>& places) {
-    const auto& pins = truss.bars[at(bar)].pins;
-    return {places[at(truss.pins[at(pins[0])].point)], places[at(truss.pins[at(pins[1])].point)]};
+    const auto& pins = truss.bars[at_index(bar)].pins;
+    return {places[at_index(truss.pins[at_index(pins[0])].point)],
+            places[at_index(truss.pins[at_index(pins[1])].point)]};
 }
 
 }  // namespace
@@ -215,7 +215,8 @@ Truss::CutNumbers Truss::numbers_of(const Cut& cut, const std::vector<Vector>& p
 double Truss::tension(std::size_t bar, const std::vector<Vector>& places) const {
     const Vector& force = *bars[bar].force;
     const auto& ends = structure.bars[bar].pins;
-    const Vector along = places[at(structure.pins[at(ends[1])].point)] - places[at(structure.pins[at(ends[0])].point)];
+    const Vector along = places[at_index(structure.pins[at_index(ends[1])].point)] -
+                         places[at_index(structure.pins[at_index(ends[0])].point)];
     const double size = length(force);
     return dot(force, along).sign() < 0 ? -size : size;
 }

@@ -5,26 +5,13 @@
 
 #include "engine/number/assert.hpp"
 #include "render/backends/live_text.hpp"
+#include "render/backends/quiz_files.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
 namespace {
 
 constexpr std::size_t face_count = 4;
-
-std::string base64(std::string_view bytes) {
-    static constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t at = 0; at < bytes.size(); at += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            group = (group << 8) | (at + i < bytes.size() ? static_cast<std::uint8_t>(bytes[at + i]) : 0U);
-        for (std::size_t i = 0; i < 4; ++i)
-            text += at + i <= bytes.size() ? digits[(group >> (18 - 6 * i)) & 63U] : '=';
-    }
-    return text;
-}
 
 /// FNV-1a: the same bytes, the same name.
 std::uint32_t mixed(std::uint32_t sum, std::string_view bytes) {

@@ -51,7 +51,7 @@ constexpr double apart(Colour a, Colour b) {
 }
 
 /// Of red and cyan: no two colours are farther apart.
-constexpr double farthest = apart({255, 0, 0}, {0, 255, 255});
+constexpr double farthest_colours = apart({255, 0, 0}, {0, 255, 255});
 
 /// What lies around a pixel, itself included, as far as the picture reaches.
 struct Surroundings {
@@ -150,7 +150,7 @@ std::string encode_png(const Picture& picture) {
 
 PictureDifference compare(const Picture& expected, const Picture& actual, double tolerance) {
     using Verdict = PictureDifference::Verdict;
-    const double distance = tolerance * tolerance * farthest;
+    const double distance = tolerance * tolerance * farthest_colours;
     PictureDifference difference;
     difference.width = std::max(expected.width, actual.width);
     difference.height = std::max(expected.height, actual.height);

@@ -23,9 +23,9 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr int digits = 4;              // of mm and degrees: 0.1 µm
-constexpr double blank = 0.25;         // between words, em
-constexpr double farthest = 4000;      // mm; TeX's longest length is 5.7 m
+constexpr int digits = 4;                     // of mm and degrees: 0.1 µm
+constexpr double blank = 0.25;                // between words, em
+constexpr double farthest_coordinate = 4000;  // mm; TeX's longest length is 5.7 m
 constexpr double longest_text = 1500;  // mm, from end to end and to either side of the page: TikZ adds such lengths
 constexpr double largest_arc = 500;    // mm; TikZ turns by its own sines, which are good to five digits
 
@@ -43,7 +43,7 @@ std::string number(double value, int decimals = digits) {
     return written;
 }
 
-double within_reach(double value) { return std::clamp(value, -farthest, farthest); }
+double within_reach(double value) { return std::clamp(value, -farthest_coordinate, farthest_coordinate); }
 
 /// Text of any file as a comment of one line.
 std::string comment(std::string_view words) {
@@ -173,7 +173,7 @@ private:
 
     /// The first name of a point counts.
     void add(Spot spot, std::string name) {
-        if (std::abs(spot.x) > farthest || std::abs(spot.y) > farthest) return;
+        if (std::abs(spot.x) > farthest_coordinate || std::abs(spot.y) > farthest_coordinate) return;
         // An id has letters, digits, "-", "." and "_"; a full stop would mean an anchor.
         std::replace(name.begin(), name.end(), '.', '-');
         if (names_.try_emplace(key(spot), Named{std::move(name)}).second) order_.emplace_back(key(spot), spot);
@@ -254,9 +254,9 @@ Spot turned(const TextMark& mark, Spot spot) {
     return mark.pivot + Spot{from.x * c - from.y * s, from.x * s + from.y * c};
 }
 
-class Picture {
+class TikzPicture {
 public:
-    Picture(const Page& page, const Glyphs& glyphs, Styles& styles, LetterWidths& widths)
+    TikzPicture(const Page& page, const Glyphs& glyphs, Styles& styles, LetterWidths& widths)
         : page_(page), glyphs_(glyphs), styles_(styles), widths_(widths), points_(page.marks) {}
 
     std::string write() {
@@ -539,7 +539,7 @@ std::string to_tex(const std::vector<Page>& pages, const Glyphs& glyphs) {
     Styles styles;
     LetterWidths widths;
     std::string pictures;
-    for (const Page& page : pages) pictures += Picture(page, glyphs, styles, widths).write();
+    for (const Page& page : pages) pictures += TikzPicture(page, glyphs, styles, widths).write();
     return std::string(document_head) + widths.definitions() + styles.definitions() + pictures + "\\kgfinish\n";
 }
 

@@ -12,9 +12,9 @@ namespace {
 using Kind = EquationItem::Kind;
 using Apart = RelativeMotion::Apart;
 
-class Text {
+class ApartText {
 public:
-    Text(const Solution& solution, const RelativeMotion& motion, Language language)
+    ApartText(const Solution& solution, const RelativeMotion& motion, Language language)
         : mechanism_(solution.mechanism),
           pose_(solution.pose),
           motion_(motion),
@@ -198,7 +198,7 @@ private:
 }  // namespace
 
 std::vector<EquationItem> apart_items(const Solution& solution, std::size_t index, Language language) {
-    return Text(solution, solution.relative_motion[index], language).items();
+    return ApartText(solution, solution.relative_motion[index], language).items();
 }
 
 }  // namespace kinegraph::render

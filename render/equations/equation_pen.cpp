@@ -12,7 +12,7 @@
 namespace kinegraph::render::closure {
 namespace {
 
-constexpr int digits = 5;
+constexpr int digits_of_terms = 5;
 
 /// Without zeros that only fill: "200.00 mm" is 200 mm.
 std::string trimmed(const std::string& text) {
@@ -41,9 +41,11 @@ Formula joined(const std::vector<Signed>& terms) {
     return sum;
 }
 
-std::string EquationPen::number_text(double number) const { return trimmed(render::number(number, digits, language_)); }
+std::string EquationPen::number_text(double number) const {
+    return trimmed(render::number(number, digits_of_terms, language_));
+}
 std::string EquationPen::amount_text(double si, QuantityKind kind) const {
-    return trimmed(amount(si, kind, mechanism_.units, language_, digits));
+    return trimmed(amount(si, kind, mechanism_.units, language_, digits_of_terms));
 }
 
 std::string EquationPen::spoken(LetterIndex index) const {

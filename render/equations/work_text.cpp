@@ -13,7 +13,7 @@ using Kind = EquationItem::Kind;
 using Entry = VirtualWork::Entry;
 using Share = VirtualWork::Share;
 
-constexpr int digits = 4;
+constexpr int digits_of_work = 4;
 
 /// The subscript of a coordinate's δ: the body that turns, the joint that slides, the point that is moved.
 std::pair<std::string, std::string> letter_of(const Mechanism& mechanism, const Driver& driver) {
@@ -25,9 +25,9 @@ std::pair<std::string, std::string> letter_of(const Mechanism& mechanism, const 
     return {"s", mechanism.point(std::get<PointDriver>(driver).at).name};
 }
 
-class Text {
+class WorkText {
 public:
-    Text(const Solution& solution, Language language)
+    WorkText(const Solution& solution, Language language)
         : solution_(solution), mechanism_(solution.mechanism), found_(*solution.displacements), language_(language) {}
 
     std::vector<EquationItem> items() {
@@ -48,8 +48,8 @@ private:
     void say(const Words& words) { items_.push_back({Kind::words, in(words), {}, {}}); }
     void set(Formula formula) { items_.push_back({Kind::formula, {}, std::move(formula), {}}); }
     Formula upright(const std::string& text) const { return Formula::upright(text); }
-    Formula number_of(double value) const { return upright(render::number(value, digits, language_)); }
-    std::string written(double value) const { return render::number(value, digits, language_); }
+    Formula number_of(double value) const { return upright(render::number(value, digits_of_work, language_)); }
+    std::string written(double value) const { return render::number(value, digits_of_work, language_); }
 
     /// "O_2".
     static Formula named(const std::string& name) {
@@ -397,7 +397,7 @@ private:
 
 std::vector<EquationItem> virtual_work_items(const Solution& solution, Language language) {
     if (!solution.displacements) return {};
-    return Text(solution, language).items();
+    return WorkText(solution, language).items();
 }
 
 RichText displaced_coordinate(const Mechanism& mechanism, const Driver& driver) {

@@ -16,12 +16,12 @@ namespace {
 using namespace drawing;
 using Found = ActFigure::Found;
 
-constexpr double corner = 1.8;           // of the mark of a right angle, mm
+constexpr double corner_mark = 1.8;      // of the mark of a right angle, mm
 constexpr double longest_velocity = 34;  // mm
 constexpr double shortest_drawn = 0.2;   // mm: a velocity that nobody would see
 
 /// A velocity as an arrow at its point.
-struct Shown {
+struct VelocityArrow {
     PointIndex point = none;
     std::string name;
     Spot tip;  ///< from the point, in the unit of velocity, y downwards
@@ -56,7 +56,7 @@ public:
         }
         for (const PointMotion& motion : solution_.points) {
             const bool already = std::any_of(shown_.begin(), shown_.end(),
-                                             [&](const Shown& shown) { return shown.point == motion.point; });
+                                             [&](const VelocityArrow& shown) { return shown.point == motion.point; });
             if (motion.point != none && motion.velocity && !already) add(motion.point, *motion.velocity, false);
         }
     }
@@ -85,11 +85,11 @@ public:
 
 private:
     Pen thin() const { return {context_.theme.thin, context_.theme.secondary, {}, false}; }
-    static Spot tip_of(const Sketch& sketch, const Shown& shown, double scale) {
+    static Spot tip_of(const Sketch& sketch, const VelocityArrow& shown, double scale) {
         return sketch.spot(shown.point) + (1 / scale) * shown.tip;
     }
-    const Shown* shown_at(PointIndex point) const {
-        for (const Shown& shown : shown_)
+    const VelocityArrow* shown_at(PointIndex point) const {
+        for (const VelocityArrow& shown : shown_)
             if (shown.point == point) return &shown;
         return nullptr;
     }
@@ -97,7 +97,7 @@ private:
     std::optional<Spot> direction_at(PointIndex point) const {
         for (const auto& [at, along] : directions_)
             if (at == point) return along;
-        const Shown* const shown = shown_at(point);
+        const VelocityArrow* const shown = shown_at(point);
         if (shown == nullptr || !(length(shown->tip) > 0)) return std::nullopt;
         return unit(shown->tip);
     }
@@ -115,14 +115,14 @@ private:
     // --- the statements that find what is drawn
     // ------------------------------------------------------------------------------
     /// None: the velocity is given, or none finds it.
-    StatementIndex statement_of(const Shown& shown) const {
+    StatementIndex statement_of(const VelocityArrow& shown) const {
         return shown.given ? none : statement_of_motion(solution_, Quantity::Kind::velocity, act_.body, shown.point);
     }
 
     void draw_velocities(Sketch& sketch, double scale) const {
         const Theme& theme = context_.theme;
         const BodyColour body = theme.body(act_.body);
-        for (const Shown& shown : shown_) {
+        for (const VelocityArrow& shown : shown_) {
             const Spot at = sketch.spot(shown.point), tip = tip_of(sketch, shown, scale);
             if (length(tip - at) < shortest_drawn) continue;
             const Symbol symbol{Symbol::Letter::v, shown.name, ""};
@@ -174,7 +174,7 @@ private:
             const std::size_t ray = sketch.construction.size();
             if (act_.found != Found::tips || !by) draw_ray(sketch, point, at, near, by, far_ends);
             // The rays that found the centre come with it, each other one with the velocity that is normal to it.
-            const Shown* const shown = by ? nullptr : shown_at(point);
+            const VelocityArrow* const shown = by ? nullptr : shown_at(point);
             belong(sketch.construction, ray, std::max(act_.centre_statement, shown ? statement_of(*shown) : none));
         }
         if (!near) return name_far_centre(sketch, at, far_ends);
@@ -196,8 +196,8 @@ private:
         if (!(whole > 2 * same_place)) return;
         const Spot along = unit(centre - from);
         const auto velocity = direction_at(point);
-        if (velocity && whole > 3 * corner && found_it) {
-            const Spot r = corner * along, v = corner * *velocity;
+        if (velocity && whole > 3 * corner_mark && found_it) {
+            const Spot r = corner_mark * along, v = corner_mark * *velocity;
             sketch.construction.emplace_back(polyline({from + r, from + r + v, from + v}, thin()));
         }
         if (near) {
@@ -217,7 +217,7 @@ private:
         for (std::size_t i = 0; i < 2; ++i) *ends[i] = sketch.spot(act_.points[i]);
         Spot tips[2];
         for (std::size_t i = 0; i < 2; ++i) {
-            const Shown* const shown = shown_at(act_.points[i]);
+            const VelocityArrow* const shown = shown_at(act_.points[i]);
             KG_ASSERT(shown, "velocities that give the centre are shown");
             tips[i] = tip_of(sketch, *shown, scale);
         }
@@ -254,7 +254,7 @@ private:
             const auto velocity = direction_at(point);
             end = from + reach * towards;
             if (velocity) {
-                const Spot r = corner * towards, v = corner * *velocity;
+                const Spot r = corner_mark * towards, v = corner_mark * *velocity;
                 sketch.construction.emplace_back(polyline({from + r, from + r + v, from + v}, thin()));
             }
             draw_arrow(sketch.construction, from, end, context_.theme.thin, context_.theme.secondary);
@@ -380,12 +380,12 @@ private:
             const Spot foot = at + (1 / scale) * paper_spot(in_unit);
             from = std::min(from, dot(foot - first, along));
             to = std::max(to, dot(foot - first, along));
-            if (const Shown* const shown = shown_at(point)) {
+            if (const VelocityArrow* const shown = shown_at(point)) {
                 const Spot tip = tip_of(sketch, *shown, scale);
                 if (length(tip - foot) > shortest_drawn) {
                     sketch.construction.emplace_back(line(tip, foot, thin()));
-                    if (length(tip - foot) > 2 * corner && length(foot - at) > 2 * corner) {
-                        const Spot up = corner * unit(tip - foot), back = corner * unit(at - foot);
+                    if (length(tip - foot) > 2 * corner_mark && length(foot - at) > 2 * corner_mark) {
+                        const Spot up = corner_mark * unit(tip - foot), back = corner_mark * unit(at - foot);
                         sketch.construction.emplace_back(polyline({foot + up, foot + up + back, foot + back}, thin()));
                     }
                 }
@@ -414,7 +414,7 @@ private:
     const ActFigure& act_;
     const Unit& unit_;
     const InstantCentre* centre_ = nullptr;
-    std::vector<Shown> shown_;
+    std::vector<VelocityArrow> shown_;
     std::vector<std::pair<PointIndex, Spot>> directions_;
     double longest_ = 0;  ///< in the unit of velocity
 };

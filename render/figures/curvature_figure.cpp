@@ -18,16 +18,16 @@ namespace {
 using namespace drawing;
 using Form = Holds::Form;
 
-constexpr double beyond = 6;         // of a line past what it joins, mm
+constexpr double past_ends = 6;      // of a line past what it joins, mm
 constexpr double shortest_arc = 16;  // of an osculating circle to either side of its point, mm
 constexpr double tick = 14;          // half of a straight path, mm
 
 /// A place on paper before the scale, m; none where it lies at infinity or past the range of doubles.
-std::optional<Spot> spot_of(const Recorded<ProjectivePoint>& place) {
+std::optional<Spot> known_spot(const Recorded<ProjectivePoint>& place) {
     if (!place || place->at_infinity()) return std::nullopt;
     return paper_spot(place->place());
 }
-std::optional<Spot> spot_of(const Recorded<Vector>& place) {
+std::optional<Spot> known_spot(const Recorded<Vector>& place) {
     if (!place) return std::nullopt;
     return paper_spot(*place);
 }
@@ -49,20 +49,20 @@ void include(Box& box, const Round& round) {
 }
 
 /// The mechanism, the inflection circle and every centre that is not far.
-Box extent_of(const Subject& subject, const Curvature& found) {
+Box extent_of_curvature(const Subject& subject, const Curvature& found) {
     Box extent = subject.box;
     const auto take = [&](std::optional<Spot> place) {
         if (place && is_near(subject.box, *place)) extent.include(*place);
     };
     // Everything hangs on the pole: it is fetched from farther away.
-    if (const auto pole = spot_of(found.pole); pole && contains(grown(subject.box, 1.6 * subject.size()), *pole))
+    if (const auto pole = known_spot(found.pole); pole && contains(grown(subject.box, 1.6 * subject.size()), *pole))
         extent.include(*pole);
-    take(spot_of(found.inflection_pole));
-    take(spot_of(found.acceleration_pole));
+    take(known_spot(found.inflection_pole));
+    take(known_spot(found.acceleration_pole));
     for (const PathCentre& path : found.points)
-        if (!path.is_pin) take(spot_of(path.centre));
-    for (const EnvelopeCentre& envelope : found.envelopes) take(spot_of(envelope.centre));
-    const auto pole = spot_of(found.pole), end = spot_of(found.inflection_pole);
+        if (!path.is_pin) take(known_spot(path.centre));
+    for (const EnvelopeCentre& envelope : found.envelopes) take(known_spot(envelope.centre));
+    const auto pole = known_spot(found.pole), end = known_spot(found.inflection_pole);
     if (pole && end && length(*end - *pole) < 1.5 * subject.size()) include(extent, between(*pole, *end));
     return extent;
 }
@@ -116,11 +116,11 @@ private:
         if (length(b - a) < same_place) return;
         const Spot along = unit(b - a);
         const Interval seen = within(view_, a, along);
-        const double from = std::max(-beyond, seen.from), to = std::min(length(b - a) + beyond, seen.to);
+        const double from = std::max(-past_ends, seen.from), to = std::min(length(b - a) + past_ends, seen.to);
         // As far as the figure shows it: elsewhere it may be seen whole.
         if (from < to)
             stroke(line(a + from * along, a + to * along, pen), statement,
-                   {Form::segment, {std::move(from_place), std::move(to_place)}, beyond});
+                   {Form::segment, {std::move(from_place), std::move(to_place)}, past_ends});
     }
     void name(RichText text, Spot at, StatementIndex statement, const std::string& place) {
         sketch_.add_label(std::move(text), theme_.text, at, 1.6, statement).holds = {Form::at, {place}};
@@ -160,15 +160,15 @@ private:
 
     /// Bobillier: the two rays, the join of their points and that of their centres, the axis.
     void draw_rays() {
-        const auto pole = on_paper(spot_of(found_.pole));
+        const auto pole = on_paper(known_spot(found_.pole));
         if (!pole || found_.rays.size() != 2) return;
         std::array<Spot, 2> points;
         std::array<std::optional<Spot>, 2> centres;
         std::array<std::string, 2> at, to;  // held
         for (std::size_t i = 0; i < 2; ++i) {
             const Curvature::Ray& ray = found_.rays[i];
-            points[i] = *on_paper(spot_of(ray.at));
-            centres[i] = on_paper(spot_of(ray.centre));
+            points[i] = *on_paper(known_spot(ray.at));
+            centres[i] = on_paper(known_spot(ray.centre));
             at[i] = held("ray " + std::to_string(i));
             to[i] = held("ray centre " + std::to_string(i));
             draw_segment(*pole, points[i], sketch_.thin(), found_.pole_statement, held("pole"), at[i]);
@@ -176,7 +176,7 @@ private:
                 draw_segment(*pole, *centres[i], sketch_.thin(), found_.pole_statement, held("pole"), to[i]);
         }
         const Pen pen{theme_.thin, theme_.secondary, dashes(), false};
-        const auto meet = on_paper(spot_of(found_.axis_point));
+        const auto meet = on_paper(known_spot(found_.axis_point));
         draw_line(points[0], points[1], pen, found_.tangent_statement, {Form::through, {at[0], at[1]}});
         if (centres[0] && centres[1])
             draw_line(*centres[0], *centres[1], pen, found_.tangent_statement, {Form::through, {to[0], to[1]}});
@@ -189,7 +189,7 @@ private:
     }
 
     void draw_tangent() {
-        const auto pole = on_paper(spot_of(found_.pole)), end = on_paper(spot_of(found_.inflection_pole));
+        const auto pole = on_paper(known_spot(found_.pole)), end = on_paper(known_spot(found_.inflection_pole));
         if (!pole || !end) return;
         const Spot normal = unit(*end - *pole), along{-normal.y, normal.x};
         draw_line(*pole, *pole + along, {theme_.outline, theme_.text, dash_dot(), false}, found_.tangent_statement,
@@ -206,9 +206,9 @@ private:
     }
 
     void draw_circles() {
-        const auto pole = on_paper(spot_of(found_.pole)), end = on_paper(spot_of(found_.inflection_pole)),
-                   second = on_paper(spot_of(found_.tangential_pole)),
-                   still = on_paper(spot_of(found_.acceleration_pole));
+        const auto pole = on_paper(known_spot(found_.pole)), end = on_paper(known_spot(found_.inflection_pole)),
+                   second = on_paper(known_spot(found_.tangential_pole)),
+                   still = on_paper(known_spot(found_.acceleration_pole));
         if (!pole || !end) return;
         const Round inflection = between(*pole, *end);
         draw_circle(inflection, {theme_.outline, theme_.accent, {}, false}, "inflection", found_.inflection_statement);
@@ -271,7 +271,7 @@ private:
     }
 
     void draw_path(const PathCentre& path) {
-        const auto pole = on_paper(spot_of(found_.pole));
+        const auto pole = on_paper(known_spot(found_.pole));
         if (path.is_pin || !path.centre) return;
         const Spot at = sketch_.spot(path.point);
         if (path.centre->at_infinity()) {
@@ -281,7 +281,7 @@ private:
                    path.statement);
             return;
         }
-        const auto centre = on_paper(spot_of(path.centre));
+        const auto centre = on_paper(known_spot(path.centre));
         if (!centre) return;
         const std::string here = held_point(path.point), about = held(held_of(path));
         if (pole) draw_segment(*pole, at, sketch_.thin(), path.statement, held("pole"), here);
@@ -335,7 +335,7 @@ private:
 
     /// The foot on the line and the centre beyond the pole.
     void draw_envelope(const EnvelopeCentre& envelope) {
-        const auto touches = on_paper(spot_of(envelope.touches)), centre = on_paper(spot_of(envelope.centre));
+        const auto touches = on_paper(known_spot(envelope.touches)), centre = on_paper(known_spot(envelope.centre));
         if (!touches || !centre) return;
         const std::string joint = std::to_string(envelope.joint.number()), about = held("envelope " + joint);
         draw_segment(*touches, *centre, sketch_.thin(), envelope.statement, held("touches " + joint), about);
@@ -345,7 +345,7 @@ private:
     }
 
     void draw_pole() {
-        const auto pole = on_paper(spot_of(found_.pole));
+        const auto pole = on_paper(known_spot(found_.pole));
         if (!shows(pole)) return;
         draw_dot(*pole, found_.pole_statement, held("pole"));
         name(name_of_pole(), *pole, found_.pole_statement, held("pole"));
@@ -372,7 +372,7 @@ bool has_curvature_figure(const Curvature& found) {
 }
 
 Box extent_of_curvature(const Solution& solution, std::size_t index) {
-    return extent_of(Subject(solution), solution.curvature[index]);
+    return extent_of_curvature(Subject(solution), solution.curvature[index]);
 }
 
 Figure curvature_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y) {
@@ -380,7 +380,7 @@ Figure curvature_figure(const DrawingContext& context, std::size_t index, double
     const Subject subject(context.solution);
     const Mechanism& mechanism = subject.mechanism;
     const std::string& body = mechanism.body(found.body).name;
-    const Box extent = extent_of(subject, found);
+    const Box extent = extent_of_curvature(subject, found);
     const double first = choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0),
                                       std::max(room_y - 30, 10.0), std::nullopt);
     const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .names_stay_in_room = true};

@@ -22,14 +22,14 @@ const Displacements::Freedom& freedom_of(const Solution& solution, std::size_t i
 }
 
 /// A point that moves, in the colour of the first body that carries it.
-struct Shown {
+struct DisplacedPoint {
     std::string name;
     PointIndex point;
     BodyIndex body;
     Vector displacement;
 };
-std::vector<Shown> shown_displacements(const Solution& moved) {
-    std::vector<Shown> shown;
+std::vector<DisplacedPoint> shown_displacements(const Solution& moved) {
+    std::vector<DisplacedPoint> shown;
     for (const PointMotion& motion : moved.points) {
         if (motion.point == none || !motion.velocity || motion.velocity->is_zero()) continue;
         const auto body =
@@ -41,7 +41,7 @@ std::vector<Shown> shown_displacements(const Solution& moved) {
     return shown;
 }
 
-void draw_displacement(Sketch& sketch, const Shown& shown, double scale) {
+void draw_displacement(Sketch& sketch, const DisplacedPoint& shown, double scale) {
     const Spot at = sketch.spot(shown.point), way = paper_spot(shown.displacement);
     const Spot tip = at + Spot{way.x / scale, way.y / scale};
     if (coincide(at, tip)) return;
@@ -75,7 +75,7 @@ void draw_force(Sketch& sketch, const Symbol& symbol, Spot at, Spot along) {
     label.size = sketch.theme.equation;
     label.toward = tail;
 }
-void draw_couple(Sketch& sketch, RichText text, Spot at, bool counter_clockwise, double radius, Colour colour) {
+void draw_turn(Sketch& sketch, RichText text, Spot at, bool counter_clockwise, double radius, Colour colour) {
     constexpr double from = -0.5, by = 1.7;
     draw_arc_arrow(sketch.arrows, at, radius, counter_clockwise ? -from : from - by,
                    counter_clockwise ? -from - by : from, sketch.theme.outline, colour);
@@ -95,14 +95,14 @@ void draw_actions(Sketch& sketch, const Solution& moved) {
         if (!entry.force.is_zero()) {
             draw_force(sketch, entry.symbol, sketch.spot(entry.at), unit(paper_spot(entry.force)));
         } else if (!entry.couple.is_zero()) {
-            draw_couple(sketch, typeset(entry.symbol, sketch.context.language), pivot_of(sketch, entry.body),
-                        entry.couple.sign() > 0, 9, sketch.theme.text);
+            draw_turn(sketch, typeset(entry.symbol, sketch.context.language), pivot_of(sketch, entry.body),
+                      entry.couple.sign() > 0, 9, sketch.theme.text);
         }
     }
     for (const Effort& effort : moved.mechanism.efforts) {
         if (const auto* couple = std::get_if<CoupleEffort>(&effort)) {
-            draw_couple(sketch, typeset(Symbol{Symbol::Letter::M, couple->name, {}}, sketch.context.language),
-                        pivot_of(sketch, couple->body), true, 12, sketch.theme.text);
+            draw_turn(sketch, typeset(Symbol{Symbol::Letter::M, couple->name, {}}, sketch.context.language),
+                      pivot_of(sketch, couple->body), true, 12, sketch.theme.text);
         } else if (const auto* force = std::get_if<ForceEffort>(&effort)) {
             draw_force(sketch, {Symbol::Letter::F, force->name, {}}, sketch.spot(force->at),
                        unit(paper_spot(direction_of(force->along, moved.pose))));
@@ -135,9 +135,9 @@ Figure displacement_figure(const DrawingContext& context, std::size_t index, dou
     const Solution& moved = *freedom.moved;
     const DrawingContext displaced{moved, context.theme, context.fonts, context.language, context.dimensions};
     const Subject subject(moved);
-    const std::vector<Shown> shown = shown_displacements(moved);
+    const std::vector<DisplacedPoint> shown = shown_displacements(moved);
     double longest = 0;
-    for (const Shown& each : shown) longest = std::max(longest, length(each.displacement));
+    for (const DisplacedPoint& each : shown) longest = std::max(longest, length(each.displacement));
     const Unit unit = unit_of(freedom, moved.mechanism.units);
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
                                       std::max(room_y - 36, 10.0), std::nullopt);
@@ -148,11 +148,11 @@ Figure displacement_figure(const DrawingContext& context, std::size_t index, dou
         draw_in_grey(sketch);
         const double reach = std::clamp(0.4 * sketch.size(), 12.0, 40.0);
         const double scale = choose_scale(longest, 0, reach, reach, std::nullopt);
-        for (const Shown& each : shown) draw_displacement(sketch, each, scale);
+        for (const DisplacedPoint& each : shown) draw_displacement(sketch, each, scale);
         draw_actions(sketch, moved);
         if (const auto* spin = std::get_if<SpinDriver>(&freedom.driver))
-            draw_couple(sketch, displaced_coordinate(moved.mechanism, freedom.driver), pivot_of(sketch, spin->body),
-                        true, 6, sketch.theme.colour_of(spin->body).letter);
+            draw_turn(sketch, displaced_coordinate(moved.mechanism, freedom.driver), pivot_of(sketch, spin->body), true,
+                      6, sketch.theme.colour_of(spin->body).letter);
         name_points(sketch);
         Figure figure = sketch.finish("displacements", name, is_turn(freedom.driver) ? "m/rad" : "m/m");
         figure.scale = scale;

@@ -196,7 +196,7 @@ Box intersection(const Box& a, const Box& b) {
     return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
             {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
-bool holds(const Box& outer, const Box& inner) {
+bool encloses(const Box& outer, const Box& inner) {
     constexpr double rounding = 1e-6;  // mm
     const Box air = grown(outer, rounding);
     return contains(air, inner.min) && contains(air, inner.max);
@@ -243,7 +243,7 @@ std::set<std::string> dimensions_outside(const Figure& figure, const std::option
         std::vector<Mark> own;
         for (std::size_t k = i + 1; !std::holds_alternative<GroupEnd>(figure.marks[k]); ++k)
             own.push_back(figure.marks[k]);
-        if (!own.empty() && !holds(place, box_of(own))) outside.insert(group->id);
+        if (!own.empty() && !encloses(place, box_of(own))) outside.insert(group->id);
     }
     return outside;
 }
@@ -255,7 +255,7 @@ Theme theme_of(const DrawingContext& context) {
     return theme;
 }
 
-Figure fitted(const DrawingContext& of, const Ground& ground) {
+Figure fitted_exercise(const DrawingContext& of, const Ground& ground) {
     constexpr int most_rounds = 8;
     const Theme theme = theme_of(of);
     const DrawingContext context{of.solution, theme, of.fonts, of.language, of.dimensions};
@@ -281,13 +281,13 @@ Figure fitted(const DrawingContext& of, const Ground& ground) {
 }  // namespace
 
 Figure exercise_figure(const DrawingContext& context, double scale, double room_x, double room_y) {
-    return fitted(context, {scale, {room_x, room_y}, std::nullopt});
+    return fitted_exercise(context, {scale, {room_x, room_y}, std::nullopt});
 }
 
 Figure exercise_figure_within(const DrawingContext& context, double scale, const Box& within) {
     const Spot room{within.width(), within.height()};
-    Figure figure = fitted(context, {scale, room, within, true});
-    return figure.has_key ? fitted(context, {scale, room, within}) : figure;
+    Figure figure = fitted_exercise(context, {scale, room, within, true});
+    return figure.has_key ? fitted_exercise(context, {scale, room, within}) : figure;
 }
 
 }  // namespace kinegraph::render

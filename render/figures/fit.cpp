@@ -6,7 +6,7 @@
 namespace kinegraph::render {
 namespace {
 
-bool holds(const FitPolicy& policy, const Figure& figure) {
+bool has_room(const FitPolicy& policy, const Figure& figure) {
     return !policy.room || (figure.box.width() <= policy.room->x && figure.box.height() <= policy.room->y);
 }
 bool is_last(const FitPolicy& policy, const Trial& trial) {
@@ -19,7 +19,7 @@ bool is_last(const FitPolicy& policy, const Trial& trial) {
 Figure fit(const FitPolicy& policy, const std::function<std::optional<Figure>(const Trial&)>& draw) {
     if (policy.asked) {
         auto figure = draw({*policy.asked, 0, false, false, true});
-        if (figure && (policy.keeps_asked || holds(policy, *figure))) return *std::move(figure);
+        if (figure && (policy.keeps_asked || has_room(policy, *figure))) return *std::move(figure);
     }
     double half = 0;  // of the scale at which the figure itself has room; 0: not met yet
     Trial trial;
@@ -31,7 +31,7 @@ Figure fit(const FitPolicy& policy, const std::function<std::optional<Figure>(co
             return Figure::empty_at(any_scale);
         auto figure = draw(trial);
         KG_ASSERT(figure || !trial.last, "the last trial has a figure");
-        if (figure && (as_it_comes || holds(policy, *figure))) return *std::move(figure);
+        if (figure && (as_it_comes || has_room(policy, *figure))) return *std::move(figure);
         const bool labelled = figure && figure->labels.empty();
         if (policy.names_stay_in_room && labelled && half == 0) half = 2 * trial.scale;
     }

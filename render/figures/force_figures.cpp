@@ -94,7 +94,7 @@ std::vector<PointIndex> points_of(const Mechanism& mechanism, const FreeBody& bo
 struct FreeExtent {
     Box own, all;
 };
-FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
+FreeExtent extent_of_body(const Subject& subject, const FreeBody& body) {
     const std::vector<PointIndex> points = points_of(subject.mechanism, body);
     Box box;
     if (!points.empty()) box = {subject.points[at_index(points.front())], subject.points[at_index(points.front())]};
@@ -811,7 +811,7 @@ RichText caption_of_lines(const DrawingContext& context, const std::string& load
 }  // namespace
 
 Box extent_of_free_body(const Solution& solution, std::size_t index) {
-    return extent_of(Subject(solution), solution.free_bodies[index]).all;
+    return extent_of_body(Subject(solution), solution.free_bodies[index]).all;
 }
 
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y, bool at_pairs,
@@ -823,7 +823,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const std::string id =
         legal_id((body.body != none ? "body-" : "pin-") + name + (load.empty() ? "" : "-load-" + load));
     Subject subject(solution);
-    const auto [own_box, box] = extent_of(subject, body);
+    const auto [own_box, box] = extent_of_body(subject, body);
     subject.box = box;
     show_only(subject, body);
 

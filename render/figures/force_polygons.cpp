@@ -18,7 +18,8 @@ namespace {
 using namespace drawing;
 
 constexpr double label_reach = 7;  // what labels may add beyond the strokes on each side
-constexpr double least_shown = 8;  // mm of the longest polygon: letters that have no room beside it need a wider room
+constexpr double least_force_polygon =
+    8;  // mm of the longest polygon: letters that have no room beside it need a wider room
 
 void append(std::vector<Mark>& to, const std::vector<Mark>& more) { to.insert(to.end(), more.begin(), more.end()); }
 
@@ -234,7 +235,7 @@ std::vector<int> polygons_of_sums(const Solution& solution) {
         for (const Superposition::Sum& sum : solution.superposition->sums) polygons.push_back(sum.polygon);
     return polygons;
 }
-Box extent_of(const Solution& solution, const std::vector<int>& polygons) {
+Box extent_of_polygons(const Solution& solution, const std::vector<int>& polygons) {
     Box all;
     for (const int p : polygons) {
         const PolygonScene scene = polygon_scene(solution, p);
@@ -489,7 +490,7 @@ private:
 };
 
 /// The rows at the best scale that fits the room.
-Figure fitted(const Rows& with_tables, Spot room, std::optional<double> least, bool fixed) {
+Figure fitted_rows(const Rows& with_tables, Spot room, std::optional<double> least, bool fixed) {
     const Rows plain_rows = with_tables.without_tables();
     KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
     const auto fitting = [&](const Rows& rows, double scale) { return rows.at(scale, room.x, room.y, false); };
@@ -497,7 +498,7 @@ Figure fitted(const Rows& with_tables, Spot room, std::optional<double> least, b
                      .first = plain_rows.least_scale(room.x, room.y),
                      .most_trials = 14,
                      .extent = plain_rows.largest(),
-                     .least_shown = least_shown};
+                     .least_shown = least_force_polygon};
     if (fixed) policy.asked = least;
     if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
@@ -526,18 +527,21 @@ bool has_force_polygon(const Solution& solution, const FreeBody& body) {
 }
 int force_polygon_count(const Solution& solution) { return static_cast<int>(shown_polygons(solution).size()); }
 
-Box extent_of_forces(const Solution& solution) { return extent_of(solution, shown_polygons(solution)); }
-Box extent_of_partial_sums(const Solution& solution) { return extent_of(solution, polygons_of_sums(solution)); }
+Box extent_of_forces(const Solution& solution) { return extent_of_polygons(solution, shown_polygons(solution)); }
+Box extent_of_partial_sums(const Solution& solution) {
+    return extent_of_polygons(solution, polygons_of_sums(solution));
+}
 
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
                              bool fixed, bool tables, int only) {
     const std::vector<int> polygons = only >= 0 ? std::vector<int>{only} : shown_polygons(context.solution);
-    return fitted(Rows(context, polygons, tables, "forces"), {room_x, room_y}, least, fixed);
+    return fitted_rows(Rows(context, polygons, tables, "forces"), {room_x, room_y}, least, fixed);
 }
 
 Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
                            bool fixed) {
-    return fitted(Rows(context, polygons_of_sums(context.solution), false, "sums"), {room_x, room_y}, least, fixed);
+    return fitted_rows(Rows(context, polygons_of_sums(context.solution), false, "sums"), {room_x, room_y}, least,
+                       fixed);
 }
 
 Spot strokes_of_force_polygon(const DrawingContext& context, int polygon, bool joined, double scale) {
@@ -581,7 +585,7 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
                      .first = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt),
                      .most_trials = 14,
                      .extent = std::max(drawing.width(), drawing.height()),
-                     .least_shown = least_shown};
+                     .least_shown = least_force_polygon};
     if (fixed) policy.asked = least;
     if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {

@@ -16,13 +16,6 @@ namespace {
 
 using std::numbers::pi;
 
-const HertzProblem& problem_of(const DrawingContext& context) {
-    return std::get<HertzProblem>(context.solution.mechanism.problem->of);
-}
-const HertzSolution& solution_of(const DrawingContext& context) {
-    return std::get<HertzSolution>(context.solution.problem->of);
-}
-
 /// One body's profile as it is drawn: its curvature in the plane of the figure (1/m, positive towards the other), and
 /// who it is.
 struct Profile2d {
@@ -30,10 +23,10 @@ struct Profile2d {
     double curvature = 0;
 };
 
-class BodiesFigure {
+class TouchingBodiesFigure {
 public:
-    BodiesFigure(const DrawingContext& context, Spot room)
-        : context_(context), theme_(context.theme), problem_(problem_of(context)), room_(room) {
+    TouchingBodiesFigure(const DrawingContext& context, Spot room)
+        : context_(context), theme_(context.theme), problem_(problem_of<HertzProblem>(context)), room_(room) {
         for (std::size_t i = 0; i < 2; ++i) profiles_.at(i) = {i, curvature(i)};
         // On top the body that bulges more: a ball lies on a plane, and in a groove.
         if (profiles_[1].curvature > profiles_[0].curvature) std::swap(profiles_[0], profiles_[1]);
@@ -179,7 +172,7 @@ public:
     PressureFigure(const DrawingContext& context, Spot room)
         : context_(context),
           theme_(context.theme),
-          found_(solution_of(context)),
+          found_(solution_of<HertzSolution>(context)),
           units_(context.solution.mechanism.units) {
         // Across lies the longer axis of an ellipse, or the width of a line.
         half_ = std::max(found_.a, found_.b);
@@ -306,14 +299,14 @@ private:
 }  // namespace
 
 Figure hertz_bodies_figure(const DrawingContext& context, double room_x, double room_y) {
-    return BodiesFigure(context, {room_x, room_y}).draw();
+    return TouchingBodiesFigure(context, {room_x, room_y}).draw();
 }
 Figure hertz_pressure_figure(const DrawingContext& context, double room_x, double room_y) {
     return PressureFigure(context, {room_x, room_y}).draw();
 }
 
 Figure hertz_stress_figure(const DrawingContext& context, double room_x, double room_y) {
-    const HertzSolution& found = solution_of(context);
+    const HertzSolution& found = solution_of<HertzSolution>(context);
     const Units& units = context.solution.mechanism.units;
     const Unit stress = suitable_unit(found.greatest, QuantityKind::pressure, units);
     const Unit depth = suitable_unit(found.depth, QuantityKind::length, units);

@@ -16,16 +16,6 @@ namespace {
 
 using std::numbers::pi;
 
-const ImpactProblem& problem_of(const DrawingContext& context) {
-    return std::get<ImpactProblem>(context.solution.mechanism.problem->of);
-}
-const ImpactSolution& solution_of(const DrawingContext& context) {
-    return std::get<ImpactSolution>(context.solution.problem->of);
-}
-
-/// y downwards.
-Spot spot_of(const Vector& v, double scale) { return {v.x.to_double() / scale, -v.y.to_double() / scale}; }
-
 void vector_mark(Figure& figure, const std::string& name, Spot tail, Spot tip, double value, const std::string& unit,
                  Colour colour, const std::vector<double>& kind = {}) {
     figure.marks.emplace_back(GroupBegin{"vector",
@@ -40,13 +30,13 @@ void vector_mark(Figure& figure, const std::string& name, Spot tail, Spot tip, d
 
 enum class Moment { before, after };
 
-class BodiesFigure {
+class CollisionFigure {
 public:
-    BodiesFigure(const DrawingContext& context, Moment moment, Spot room)
+    CollisionFigure(const DrawingContext& context, Moment moment, Spot room)
         : context_(context),
           theme_(context.theme),
-          problem_(problem_of(context)),
-          found_(solution_of(context)),
+          problem_(problem_of<ImpactProblem>(context)),
+          found_(solution_of<ImpactSolution>(context)),
           moment_(moment),
           room_(room) {
         measure();
@@ -273,7 +263,7 @@ public:
     VelocityPlane(const DrawingContext& context, const char* id, Words caption, Spot room)
         : context_(context),
           theme_(context.theme),
-          found_(solution_of(context)),
+          found_(solution_of<ImpactSolution>(context)),
           id_(id),
           caption_(std::move(caption)),
           room_(room),
@@ -394,15 +384,15 @@ std::vector<Spot> clipped(double alpha, double beta, double gamma, const Box& bo
 }  // namespace
 
 Figure impact_bodies_figure(const DrawingContext& context, double room_x, double room_y) {
-    return BodiesFigure(context, Moment::before, {room_x, room_y}).draw();
+    return CollisionFigure(context, Moment::before, {room_x, room_y}).draw();
 }
 Figure impact_after_figure(const DrawingContext& context, double room_x, double room_y) {
-    return BodiesFigure(context, Moment::after, {room_x, room_y}).draw();
+    return CollisionFigure(context, Moment::after, {room_x, room_y}).draw();
 }
 
 Figure impact_velocities_figure(const DrawingContext& context, double room_x, double room_y) {
-    const ImpactSolution& found = solution_of(context);
-    const ImpactProblem& problem = problem_of(context);
+    const ImpactSolution& found = solution_of<ImpactSolution>(context);
+    const ImpactProblem& problem = problem_of<ImpactProblem>(context);
     VelocityPlane plane(context, "velocities", {"Velocities of the centres", "Velocità dei baricentri"},
                         {room_x, room_y});
     for (std::size_t i = 0; i < 2; ++i) {
@@ -419,7 +409,7 @@ Figure impact_velocities_figure(const DrawingContext& context, double room_x, do
 }
 
 Figure impact_restitution_figure(const DrawingContext& context, double room_x, double room_y) {
-    const ImpactSolution& found = solution_of(context);
+    const ImpactSolution& found = solution_of<ImpactSolution>(context);
     const Theme& theme = context.theme;
     VelocityPlane plane(context, "restitution", {"Relative velocity at the contact", "Velocità relativa nel contatto"},
                         {room_x, room_y});
@@ -437,11 +427,11 @@ Figure impact_restitution_figure(const DrawingContext& context, double room_x, d
 }
 
 bool has_routh_figure(const DrawingContext& context) {
-    const ImpactSolution& found = solution_of(context);
+    const ImpactSolution& found = solution_of<ImpactSolution>(context);
     return !found.friction.is_zero() && !(found.slip.is_zero() && found.b.is_zero());
 }
 Figure impact_routh_figure(const DrawingContext& context, double room_x, double room_y) {
-    const ImpactSolution& found = solution_of(context);
+    const ImpactSolution& found = solution_of<ImpactSolution>(context);
     const double size = kinegraph::length(found.normal), f = found.friction.to_double();
     XyPlot plot;
     plot.id = "routh";

@@ -11,20 +11,19 @@
 #include "engine/number/assert.hpp"
 #include "engine/solution/held.hpp"
 #include "render/figures/fit.hpp"
+#include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
 
 namespace kinegraph::render {
 namespace {
 
-constexpr double longest_force = 25;  // mm
-constexpr double least_shown = 12;    // of the longest velocity, mm
-constexpr double label_reach = 3;     // what labels may add beyond the strokes on each side, as a first guess
-constexpr double coincident = 0.02;   // mm: drawn as one
-constexpr double overshoot = 5;       // of a line of action past the arm's foot
-constexpr double least_arm = 0.2;     // mm: shorter ones are the pole itself
-constexpr double corner_size = 1.7;   // of the mark of a right angle
-constexpr double pole_radius = 0.9;
+constexpr double longest_force = 25;   // mm
+constexpr double least_velocity = 12;  // of the longest velocity, mm
+constexpr double label_rim = 3;        // what labels may add beyond the strokes on each side, as a first guess
+constexpr double past_the_foot = 5;    // of a line of action past the arm's foot
+constexpr double least_arm = 0.2;      // mm: shorter ones are the pole itself
+constexpr double corner_size = 1.7;    // of the mark of a right angle
 
 const VirtualWork& work_of(const Solution& solution) {
     KG_ASSERT(solution.virtual_work, "the lever wants the powers");
@@ -170,10 +169,10 @@ private:
             const std::string force = held_work(*placed_[i].entry), held = held_foot(*placed_[i].entry);
             const std::size_t first = figure.marks.size();
             if (low < from)
-                figure.marks.emplace_back(line(on_line(low - (low == 0 ? overshoot : 0)), on_line(from), action));
+                figure.marks.emplace_back(line(on_line(low - (low == 0 ? past_the_foot : 0)), on_line(from), action));
             if (high > to)
-                figure.marks.emplace_back(line(on_line(to), on_line(high + (high == 0 ? overshoot : 0)), action));
-            hang(figure.marks, first, {Form::line, {force, "", held}, overshoot});
+                figure.marks.emplace_back(line(on_line(to), on_line(high + (high == 0 ? past_the_foot : 0)), action));
+            hang(figure.marks, first, {Form::line, {force, "", held}, past_the_foot});
             if (length(foot) < least_arm) continue;
             if (std::any_of(done.begin(), done.end(),
                             [&](const auto& other) { return length(other.first - foot) < coincident; }))
@@ -337,11 +336,11 @@ Figure joukowsky_figure(const DrawingContext& context, double room_x, double roo
     const FitPolicy policy{.room = room,
                            .first = choose_scale(lever.width(), lever.height(), room_x, room_y, std::nullopt),
                            .extent = std::max(lever.width(), lever.height()),
-                           .least_shown = least_shown};
+                           .least_shown = least_velocity};
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
         Figure figure = lever.at(trial.scale);
         const bool has_room =
-            figure.box.width() + 2 * label_reach <= room_x && figure.box.height() + 2 * label_reach <= room_y;
+            figure.box.width() + 2 * label_rim <= room_x && figure.box.height() + 2 * label_rim <= room_y;
         if (!trial.last && !has_room) return std::nullopt;
         if (!place_labels(figure, context.fonts, room, trial.last ? Labelling::free : Labelling::if_it_fits,
                           context.theme.secondary))

@@ -391,7 +391,7 @@ void draw_rays(Sketch& sketch, const PointMotion& motion, Spot tip, const Box& v
     }
 }
 
-void draw_vector(Sketch& sketch, const OnMechanism& what, const ShownVector& shown, const Bar& arrow) {
+void draw_shown_vector(Sketch& sketch, const OnMechanism& what, const ShownVector& shown, const Bar& arrow) {
     const Symbol symbol{what.of_points, shown.name, ""};
     const BodyColour colour = sketch.theme.colour_of(shown.body);
     const std::string name = name_of(symbol);
@@ -431,7 +431,7 @@ Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what
         for (const ShownVector& one : shown) {
             const Spot at = sketch.spot(one.motion->point), tip = at + (1 / scale) * one.value;
             if (with_rays) draw_rays(sketch, *one.motion, tip, view, rays);
-            draw_vector(sketch, what, one, {at, tip});
+            draw_shown_vector(sketch, what, one, {at, tip});
         }
         draw_drivers(sketch);
         if (what.of_bodies == Symbol::Letter::alpha) draw_accelerations_of_drivers(sketch);

@@ -42,8 +42,8 @@ void draw_axes(Sketch& sketch, const Apart& apart, BodyIndex observer, Spot alon
 }
 
 /// A vector at a place, with its two components broken.
-void draw_vector(Sketch& sketch, const RichText& text, const std::string& name, Spot at, Spot along, Spot across,
-                 double value, Colour colour) {
+void draw_letter_vector(Sketch& sketch, const RichText& text, const std::string& name, Spot at, Spot along, Spot across,
+                        double value, Colour colour) {
     const Spot tip = at + along + across;
     if (coincide(at, tip)) return;
     if (length(along) > 1 && length(across) > 1) {
@@ -63,7 +63,7 @@ void draw_vector(Sketch& sketch, const RichText& text, const std::string& name, 
 }
 
 /// The sense of ω: from v_rel to Coriolis' term, over a quarter turn.
-void draw_sense(Sketch& sketch, const RelativeMotion& motion, Spot at, Spot v) {
+void draw_turning_sense(Sketch& sketch, const RelativeMotion& motion, Spot at, Spot v) {
     if (motion.apart->no_coriolis != Apart::NoCoriolis::there_is || length(v) < 5) return;
     const bool counter_clockwise = motion.apart->omega->sign() > 0;
     const double from = angle_of(v), radius = std::min(0.45 * length(v), 7.0);
@@ -83,17 +83,17 @@ void draw_seen(Sketch& sketch, const RelativeMotion& motion, double velocity_sca
     const auto on_paper = [](const Vector& v, double scale) { return (1 / scale) * paper_spot(v); };
     const Colour dark = sketch.theme.text, own = sketch.theme.colour_of(motion.query.observer).letter;
     const Spot v = on_paper(*motion.relative_velocity, velocity_scale);
-    draw_vector(sketch, letter("v", "rel", sketch.mechanism.point(motion.query.point).name), "v_rel", at,
-                on_paper(*apart.velocity_along, velocity_scale), on_paper(*apart.velocity_across, velocity_scale),
-                length(*motion.relative_velocity), dark);
-    draw_vector(sketch, letter("a", "rel", sketch.mechanism.point(motion.query.point).name), "a_rel", at,
-                on_paper(*apart.acceleration_along, acceleration_scale),
-                on_paper(*apart.acceleration_across, acceleration_scale), length(*motion.relative_acceleration),
-                sketch.theme.secondary);
+    draw_letter_vector(sketch, letter("v", "rel", sketch.mechanism.point(motion.query.point).name), "v_rel", at,
+                       on_paper(*apart.velocity_along, velocity_scale),
+                       on_paper(*apart.velocity_across, velocity_scale), length(*motion.relative_velocity), dark);
+    draw_letter_vector(sketch, letter("a", "rel", sketch.mechanism.point(motion.query.point).name), "a_rel", at,
+                       on_paper(*apart.acceleration_along, acceleration_scale),
+                       on_paper(*apart.acceleration_across, acceleration_scale), length(*motion.relative_acceleration),
+                       sketch.theme.secondary);
     if (apart.no_coriolis != Apart::NoCoriolis::there_is) return;
-    draw_vector(sketch, letter("a", "cor", sketch.mechanism.point(motion.query.point).name), "a_cor", at,
-                on_paper(*motion.coriolis, acceleration_scale), Spot{0, 0}, length(*motion.coriolis), own);
-    draw_sense(sketch, motion, at, v);
+    draw_letter_vector(sketch, letter("a", "cor", sketch.mechanism.point(motion.query.point).name), "a_cor", at,
+                       on_paper(*motion.coriolis, acceleration_scale), Spot{0, 0}, length(*motion.coriolis), own);
+    draw_turning_sense(sketch, motion, at, v);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/figures/xy_plot.hpp"
 #include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
@@ -34,16 +35,6 @@ struct Range {
     }
     double width() const { return most - least; }
 };
-
-/// Line kinds of up to four curves, so that they are told apart without colour.
-std::vector<double> line_kind(std::size_t curve) {
-    switch (curve) {
-        case 0: return {};
-        case 1: return dashes();
-        case 2: return dash_dot();
-        default: return {0.6, 0.9};
-    }
-}
 
 class PlotFigure {
 public:
@@ -303,7 +294,7 @@ Unit unit_of(QuantityKind kind, const Mechanism& mechanism) {
     const Units& units = mechanism.units;
     switch (kind) {
         case QuantityKind::length: return units.length;
-        case QuantityKind::angle: return {"°", pi() / 180};
+        case QuantityKind::angle: return {"°", kinegraph::pi() / 180};
         case QuantityKind::angular_velocity: return units.angular_velocity;
         case QuantityKind::angular_acceleration: return {"rad/s²", 1};
         case QuantityKind::velocity: return units.velocity;

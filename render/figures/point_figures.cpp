@@ -17,17 +17,6 @@ namespace {
 
 using std::numbers::pi;
 
-const PointProblem& problem_of(const DrawingContext& context) {
-    return std::get<PointProblem>(context.solution.mechanism.problem->of);
-}
-const PointMotionSolution& solution_of(const DrawingContext& context) {
-    return std::get<PointMotionSolution>(context.solution.problem->of);
-}
-
-/// y downwards.
-Spot spot_of(const VectorOf<double>& v, double scale) { return {v.x / scale, -v.y / scale}; }
-Spot spot_of(const Vector& v, double scale) { return {v.x.to_double() / scale, -v.y.to_double() / scale}; }
-
 Box box_of_places(const std::vector<Spot>& spots) {
     Box box{spots.front(), spots.front()};
     for (const Spot spot : spots) box.include(spot);
@@ -41,8 +30,8 @@ public:
     PointPen(const DrawingContext& context, Spot room)
         : context_(context),
           theme_(context.theme),
-          problem_(problem_of(context)),
-          found_(solution_of(context)),
+          problem_(problem_of<PointProblem>(context)),
+          found_(solution_of<PointMotionSolution>(context)),
           room_(room) {}
 
 protected:
@@ -345,7 +334,7 @@ struct Curve {
 };
 Figure over_time(const DrawingContext& context, const char* id, const Words& caption, QuantityKind kind,
                  const std::vector<Curve>& curves, Spot room) {
-    const PointMotionSolution& found = solution_of(context);
+    const PointMotionSolution& found = solution_of<PointMotionSolution>(context);
     const Units& units = context.solution.mechanism.units;
     double largest = 0;
     for (const auto& each : found.course)
@@ -369,7 +358,7 @@ Figure over_time(const DrawingContext& context, const char* id, const Words& cap
         plot.curves.push_back(std::move(drawn));
         if (defined)
             plot.marks.push_back({plot.curves.size() - 1,
-                                  {problem_of(context).at.to_double(), curve.at_instant / si},
+                                  {problem_of<PointProblem>(context).at.to_double(), curve.at_instant / si},
                                   one_piece(amount(curve.at_instant, kind, units, context.language))});
     }
     return xy_plot_figure(context, plot, room.x, room.y);
@@ -391,14 +380,16 @@ Figure curvature_centre_figure(const DrawingContext& context, double room_x, dou
 }
 Figure way_figure(const DrawingContext& context, double room_x, double room_y) {
     return over_time(context, "way", {"Way over time", "Ascissa curvilinea nel tempo"}, QuantityKind::length,
-                     {{"s", &PointMotionSolution::At::way, solution_of(context).way}}, {room_x, room_y});
+                     {{"s", &PointMotionSolution::At::way, solution_of<PointMotionSolution>(context).way}},
+                     {room_x, room_y});
 }
 Figure speed_figure(const DrawingContext& context, double room_x, double room_y) {
     return over_time(context, "speed", {"Speed over time", "Velocità (modulo) nel tempo"}, QuantityKind::velocity,
-                     {{"v", &PointMotionSolution::At::speed, solution_of(context).speed}}, {room_x, room_y});
+                     {{"v", &PointMotionSolution::At::speed, solution_of<PointMotionSolution>(context).speed}},
+                     {room_x, room_y});
 }
 Figure components_figure(const DrawingContext& context, double room_x, double room_y) {
-    const PointMotionSolution& found = solution_of(context);
+    const PointMotionSolution& found = solution_of<PointMotionSolution>(context);
     return over_time(context, "components",
                      {"Components of the acceleration over time", "Componenti dell’accelerazione nel tempo"},
                      QuantityKind::acceleration,

@@ -15,23 +15,22 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double overshoot = 12;     // of a construction line past the meet: it was found, not given
-constexpr double short_of_pole = 3;  // … and before its support
-constexpr double seen_apart = 1.5;   // where it ends, from the other line of the meet, …
+constexpr double past_the_meet = 12;  // of a construction line past the meet: it was found, not given
+constexpr double short_of_pole = 3;   // … and before its support
+constexpr double seen_apart = 1.5;    // where it ends, from the other line of the meet, …
 constexpr double most_overshoot = 25;
 constexpr double trial_overshoot = 4;
 constexpr double least_image = 12;      // mm²: of a link's image, or it is no figure to be seen
 constexpr double least_image_line = 4;  // mm: of that of a link whose points lie on one line
 constexpr double letters_beyond = 2.8;  // what letters take at least beyond the strokes, on each side
-constexpr double coincident = 0.02;     // mm: drawn as one
 
-class Drawing {
+class PolygonDrawing {
 public:
-    Drawing(const DrawingContext& context, const PolygonScene& scene)
+    PolygonDrawing(const DrawingContext& context, const PolygonScene& scene)
         : context_(context), scene_(scene), numbers_(scene) {}
     /// One without letters, for what its strokes take.
-    static Drawing of_strokes(const DrawingContext& context, const PolygonScene& scene) {
-        Drawing drawing(context, scene);
+    static PolygonDrawing of_strokes(const DrawingContext& context, const PolygonScene& scene) {
+        PolygonDrawing drawing(context, scene);
         drawing.has_names_ = false;
         return drawing;
     }
@@ -168,8 +167,8 @@ private:
             if (reach < 0) along = -1.0 * along;
             PolygonLine drawn;
             drawn.from = support - short_of_pole * along;
-            drawn.to = meet + overshoot * along;
-            if (std::abs(reach) < coincident) drawn.from = support - overshoot * along;
+            drawn.to = meet + past_the_meet * along;
+            if (std::abs(reach) < coincident) drawn.from = support - past_the_meet * along;
             bool twice = false;
             for (std::size_t i = 0; i < reasons.size(); ++i)
                 twice = twice || (length(parts.lines[first + i].to - drawn.to) < coincident &&
@@ -182,8 +181,8 @@ private:
                 if (const std::string number = numbers_.before(each.statement, each.reason); !number.empty())
                     drawn.mark = one_piece(number);
                 append(drawn.mark, typeset(each.reason, context_.language));
-                drawn.mark_at = meet + (0.58 * overshoot) * along;
-                drawn.mark_toward = meet + overshoot * along;
+                drawn.mark_at = meet + (0.58 * past_the_meet) * along;
+                drawn.mark_toward = meet + past_the_meet * along;
             }
             add_corner(parts, each.statement, support, along, std::abs(reach));
             parts.lines.push_back(std::move(drawn));
@@ -196,7 +195,7 @@ private:
         for (std::size_t i = 0; i < rays.size(); ++i)
             for (const Ray& other : rays) {
                 const double sine = std::abs(cross(rays[i].along, other.along));
-                if (length(rays[i].meet - other.meet) > coincident || overshoot * sine > seen_apart || sine < 1e-9)
+                if (length(rays[i].meet - other.meet) > coincident || past_the_meet * sine > seen_apart || sine < 1e-9)
                     continue;
                 parts.lines[first + i].to = rays[i].meet + std::min(seen_apart / sine, most_overshoot) * rays[i].along;
             }
@@ -376,7 +375,7 @@ private:
 // Where a room is too small for lettering at all, the smallest figure that still shows something is handed out: no
 // smaller than this, and no more than so many steps below the scale at which its strokes have room, for letters do not
 // shrink.
-constexpr double least_shown = 12;
+constexpr double least_polygon = 12;
 constexpr int most_steps = 2;
 // Names that would take more of the room than this hardly ever find places: not worth trying where another room may do.
 constexpr double crowded = 0.25;
@@ -391,7 +390,7 @@ constexpr double least_with_details = 60;
 /// The drawing in a room, lettered, with details where they have places.
 class Fitting {
 public:
-    Fitting(const Drawing& drawing, const DrawingContext& context, Spot room, double coarsest)
+    Fitting(const PolygonDrawing& drawing, const DrawingContext& context, Spot room, double coarsest)
         : drawing_(drawing), context_(context), room_(room), coarsest_(coarsest) {}
 
     Figure fitted() const {
@@ -408,7 +407,7 @@ public:
                                .asked = asked,
                                .coarsest = coarsest_,
                                .extent = extent(),
-                               .least_shown = std::max(least_shown, smallest_worth_lettering())};
+                               .least_shown = std::max(least_polygon, smallest_worth_lettering())};
         const double names = room_of_names(strokes_at(policy.first), context_.fonts) / (room_.x * room_.y);
         if (!policy.asked && names > crowded && coarsest_ < any_scale) return Figure::empty_at(any_scale);
         const bool may_have_details =
@@ -456,7 +455,7 @@ private:
     /// So many steps below the scale at which the strokes have room, mm.
     double smallest_worth_lettering() const {
         double scale = first_scale();
-        while (extent() / scale > least_shown && !fits(strokes_at(scale), letters_beyond)) scale = next_scale(scale);
+        while (extent() / scale > least_polygon && !fits(strokes_at(scale), letters_beyond)) scale = next_scale(scale);
         for (int step = 0; step < most_steps; ++step) scale = next_scale(scale);
         constexpr double a_little_less = 0.999;
         return a_little_less * extent() / scale;
@@ -518,7 +517,7 @@ private:
         return figure;
     }
 
-    const Drawing& drawing_;
+    const PolygonDrawing& drawing_;
     const DrawingContext& context_;
     Spot room_;
     double coarsest_;
@@ -532,13 +531,13 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
 }
 
 Spot strokes_of_polygon(const DrawingContext& context, const PolygonScene& scene, double scale) {
-    const Box box = Drawing::of_strokes(context, scene).at(scale).box;
+    const Box box = PolygonDrawing::of_strokes(context, scene).at(scale).box;
     return {box.width(), box.height()};
 }
 
 Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y,
                       double coarsest) {
-    return Fitting(Drawing(context, scene), context, {room_x, room_y}, coarsest).fitted();
+    return Fitting(PolygonDrawing(context, scene), context, {room_x, room_y}, coarsest).fitted();
 }
 
 }  // namespace kinegraph::render

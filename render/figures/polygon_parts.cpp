@@ -15,8 +15,6 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double pole_radius = 0.9;
-constexpr double coincident = 0.02;  // mm: drawn as one
 constexpr double corner_side = 1.8;  // of the mark of a right angle
 
 // A vector shorter than its own arrowhead is none any more, and is read off to no better than some 2 %.
@@ -107,10 +105,10 @@ Spot outward(const PolygonParts& parts, const PolygonVector& vector) {
 // --- one figure
 // ------------------------------------------------------------------------------------------------------------------
 
-class Drawing {
+class PartsDrawing {
 public:
-    Drawing(Figure& figure, const DrawingContext& context, const PolygonParts& parts,
-            const std::vector<Detail>& details)
+    PartsDrawing(Figure& figure, const DrawingContext& context, const PolygonParts& parts,
+                 const std::vector<Detail>& details)
         : figure_(figure), context_(context), theme_(context.theme), parts_(parts), details_(details) {}
 
     void draw() {
@@ -663,7 +661,7 @@ std::vector<Detail> details_of(const PolygonParts& parts, double scale, double m
 
 void draw_parts(Figure& figure, const DrawingContext& context, const PolygonParts& parts,
                 const std::vector<Detail>& details) {
-    Drawing(figure, context, parts, details).draw();
+    PartsDrawing(figure, context, parts, details).draw();
 }
 
 bool may_hold_details(const Figure& strokes, const DrawingContext& context, const std::vector<Detail>& details,

@@ -12,6 +12,9 @@
 
 namespace kinegraph::render {
 
+inline constexpr double pole_radius = 0.9;  // mm
+inline constexpr double coincident = 0.02;  // mm: drawn as one
+
 /// A thin line; where it is a direction of the construction, with its words beyond the meet that it was drawn to.
 struct PolygonLine {
     Spot from, to;

@@ -16,15 +16,13 @@ namespace {
 
 using std::numbers::pi;
 
-Spot spot_of(const Vector& v, double scale) { return {v.x.to_double() / scale, -v.y.to_double() / scale}; }
-
 class PositionsFigure {
 public:
     PositionsFigure(const DrawingContext& context, Spot room)
         : context_(context),
           theme_(context.theme),
-          problem_(std::get<PositionsProblem>(context.solution.mechanism.problem->of)),
-          found_(std::get<PositionsSolution>(context.solution.problem->of)),
+          problem_(problem_of<PositionsProblem>(context)),
+          found_(solution_of<PositionsSolution>(context)),
           room_(room) {
         const Spot first = spot_of(problem_.positions[0].places[0], 1);
         extent_ = {first, first};

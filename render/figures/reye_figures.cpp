@@ -15,7 +15,6 @@ namespace kinegraph::render {
 namespace {
 
 using std::numbers::pi;
-using Kind = ReyeProblem::Kind;
 
 class ContactFigure {
 public:
@@ -30,9 +29,9 @@ public:
           as_question_(as_question) {}
 
     Figure draw() {
-        if (problem_.kind == Kind::disc)
+        if (problem_.kind == ReyeProblem::Kind::disc)
             draw_disc();
-        else if (problem_.kind == Kind::shoe)
+        else if (problem_.kind == ReyeProblem::Kind::shoe)
             draw_shoe();
         else
             draw_pad();
@@ -93,7 +92,7 @@ private:
         const double at = found_.resultant->to_double() / scale_;
         arrow({at, -high - 11}, {at, -high}, theme_.vector, theme_.text);
         name("{Q}", {at, -high - 6}, Spot{at, -high});
-        if (problem_.kind == Kind::pad) {
+        if (problem_.kind == ReyeProblem::Kind::pad) {
             add(line({0, -high}, {0, -high - 7}, pen(theme_.thin, theme_.secondary)));
             dimension({0, -high - 5}, {at, -high - 5}, "{d} = " + given(problem_.offset, QuantityKind::length));
         }
@@ -268,7 +267,7 @@ Figure reye_pressure_figure(const DrawingContext& context, double room_x, double
     const auto& problem = std::get<ReyeProblem>(context.solution.mechanism.problem->of);
     const auto& found = std::get<ReyeSolution>(context.solution.problem->of);
     const Units& units = context.solution.mechanism.units;
-    const bool ring = problem.kind == Kind::disc;
+    const bool ring = problem.kind == ReyeProblem::Kind::disc;
     const Unit pressure = suitable_unit(found.greatest, QuantityKind::pressure, units);
     const Unit place = ring ? units.length : Unit{"°", kinegraph::pi() / 180};
     const double per_pressure = pressure.si.to_double(), per_place = place.si.to_double();

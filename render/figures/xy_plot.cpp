@@ -41,12 +41,6 @@ Scaled scaled_to(const XyPlot& plot, double Spot::*axis, int most_steps) {
     return found;
 }
 
-std::vector<double> line_kind(std::size_t curve) {
-    if (curve == 0) return {};
-    if (curve == 1) return dashes();
-    return curve == 2 ? dash_dot() : std::vector<double>{0.6, 0.9};
-}
-
 class Plot {
 public:
     Plot(const DrawingContext& context, const XyPlot& plot, Spot room)
@@ -282,6 +276,12 @@ private:
 };
 
 }  // namespace
+
+std::vector<double> line_kind(std::size_t curve) {
+    if (curve == 0) return {};
+    if (curve == 1) return dashes();
+    return curve == 2 ? dash_dot() : std::vector<double>{0.6, 0.9};
+}
 
 Figure xy_plot_figure(const DrawingContext& context, const XyPlot& plot, double room_x, double room_y) {
     Figure figure = Plot(context, plot, {room_x, room_y}).draw();

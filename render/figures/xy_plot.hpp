@@ -27,6 +27,8 @@ struct XyPlot {
     std::vector<XyMark> marks;
     bool square = false;  ///< both axes to one scale
 };
+/// Line kinds of up to four curves, so that they are told apart without colour.
+std::vector<double> line_kind(std::size_t curve);
 /// Kind "plot", its groups as those of plot_figure().
 Figure xy_plot_figure(const DrawingContext& context, const XyPlot& plot, double room_x, double room_y);
 

@@ -19,7 +19,7 @@ constexpr double room_of_a_name = 100;  // mm²: with what keeps it off the stro
 
 /// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything. What is so long can
 /// be read to a hundredth or better: to be longer gains little.
-double use_of(double size) {
+double use_of_figure(double size) {
     constexpr double long_enough = 80, of_more = 0.3;
     const double read = std::min(size, long_enough);
     return std::log(read) - 40 / read + of_more * std::log(size / read);
@@ -40,7 +40,7 @@ std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format
         const Spot own = taken != wanted.taken.end() ? taken->second : strokes + round;
         return FigureSize{std::min(std::max(own.x, wanted.least_room.x), strokes.x + most_round.x),
                           std::min(std::max(own.y, wanted.least_room.y), strokes.y + most_round.y) + caption_line,
-                          wanted.weight * use_of(size), scale};
+                          wanted.weight * use_of_figure(size), scale};
     };
     constexpr double nothing = 1e-20;
     if (wanted.empty)

@@ -9,7 +9,7 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double passage_gap = 3.5, grace = 1e-6;
+constexpr double passage_gap = 3.5, rounding_grace = 1e-6;
 constexpr double two_lines = 7.5;  // mm; rows lower than this do not stand alone in a column
 
 /// Where the rows from one on that stay together end: the first ones of a passage stay with its heading, no line by
@@ -51,7 +51,7 @@ template <class Place>
 bool ColumnText::flow(const TextColumns& columns, double height, Place place) const {
     std::size_t column = 0;
     double y = 0;
-    const auto room_in = [&](std::size_t c) { return height - columns[c].lift - columns[c].top + grace; };
+    const auto room_in = [&](std::size_t c) { return height - columns[c].lift - columns[c].top + rounding_grace; };
     double room = room_in(0);
     for (const Group& group : groups_) {
         const bool first = group.first == 0;
@@ -85,7 +85,7 @@ double ColumnText::whole_height() const {
 }
 
 double ColumnText::least_height(int columns) const {
-    return whole_height() - (columns - 1) * passage_gap - columns * grace;
+    return whole_height() - (columns - 1) * passage_gap - columns * rounding_grace;
 }
 
 double ColumnText::height(const TextColumns& columns) const {

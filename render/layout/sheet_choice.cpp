@@ -13,7 +13,7 @@ namespace kinegraph::render {
 namespace {
 
 /// What can be read to a hundredth or better gains little by being larger.
-double use_of(double size) {
+double use_of_square(double size) {
     constexpr double long_enough = 80, of_more = 0.3;
     return std::log(std::min(size, long_enough) + of_more * std::max(0.0, size - long_enough));
 }
@@ -150,7 +150,7 @@ void SheetChoice::offer(DrawnSheet sheet) {
         sizes[{figure.id, times[figure.id]++}] = {std::max({figure.box.width(), figure.box.height(), dot}),
                                                   is_polygon(figure)};
     double worth = -price_of_a_page * static_cast<double>(sheet.pages.size());
-    for (const auto& [id, own] : sizes) worth += use_of(own.size);
+    for (const auto& [id, own] : sizes) worth += use_of_square(own.size);
     double least = 1;
     for (std::size_t p = 0; p + 1 < sheet.pages.size(); ++p) {
         const double fill = fill_of(sheet.pages[p], frame_);

@@ -11,7 +11,7 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double grace = 0.05;
+constexpr double notch_grace = 0.05;
 
 /// What two figures of a page both show, as the mechanism and the mechanism with its lines of action do, has one name
 /// by the file: in the second figure it begins with that figure's own, which is "mechanism-2".
@@ -79,7 +79,7 @@ SheetPages::Standing SheetPages::standing(const PlacedBand& placed) const {
         if (!layout.beside) band.above = band.figures + (band.figures > 0 && has_text ? text_gap : 0);
         band.below = placed.notch.high;
     }
-    if (right > placed.notch.left + grace) band.figures += placed.notch.high;
+    if (right > placed.notch.left + notch_grace) band.figures += placed.notch.high;
     return band;
 }
 

@@ -117,9 +117,9 @@ std::string id_of_centre(const Solution& solution, const InstantCentre& centre) 
     return legal_id("centre-" + m.body(centre.first).name + "." + m.body(centre.second).name);
 }
 
-class Writer {
+class MovingWriter {
 public:
-    explicit Writer(const Moving& moving, const Solution& solution) : moving_(moving), solution_(solution) {}
+    explicit MovingWriter(const Moving& moving, const Solution& solution) : moving_(moving), solution_(solution) {}
 
     std::string write() {
         json_.open('{').key("size").number(moving_.size).key("unit").number(moving_.unit);
@@ -336,7 +336,9 @@ Unit unit_of_column(const Column& column, const Units& units) {
     return suitable_unit(1, column.unit, units);
 }
 
-std::string moving_json(const Moving& moving, const Solution& solution) { return Writer(moving, solution).write(); }
+std::string moving_json(const Moving& moving, const Solution& solution) {
+    return MovingWriter(moving, solution).write();
+}
 
 std::string names_json(const Solution& solution) {
     const Mechanism& m = solution.mechanism;

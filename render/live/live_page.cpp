@@ -319,10 +319,10 @@ std::string document(const std::string& title, Language language, const std::str
 // --- text
 // ---------------------------------------------------------------------------------------------------------------------
 
-class Writer {
+class PageWriter {
 public:
-    Writer(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options,
-           const Fonts& fonts)
+    PageWriter(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options,
+               const Fonts& fonts)
         : solution_(solution), moving_(moving), options_(options), fonts_(fonts) {}
 
     std::string write(const std::optional<Theme>& dark, int served) {
@@ -523,7 +523,7 @@ private:
 
 std::string live_page(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options,
                       const std::optional<Theme>& dark, const Fonts& fonts, int served) {
-    return Writer(solution, moving, options, fonts).write(dark, served);
+    return PageWriter(solution, moving, options, fonts).write(dark, served);
 }
 
 std::string waiting_page(const std::string& name, const SheetOptions& options, const std::optional<Theme>& dark) {

@@ -15,8 +15,6 @@
 namespace kinegraph::render {
 namespace {
 
-std::size_t at(auto index) { return at_index(index); }
-
 /// A direction as a unit, whatever the size of its coordinates.
 Place direction(const Vector& vector) {
     const Exact largest = std::max(abs(vector.x), abs(vector.y));
@@ -41,7 +39,7 @@ public:
         : solution_(solution),
           protocol_(solution.protocol),
           index_(polygon),
-          polygon_(protocol_.polygons[at(polygon)]) {
+          polygon_(protocol_.polygons[at_index(polygon)]) {
         scene_.kind = kind_of(polygon_);
         scene_.id = polygon_.id;
         scene_.point = polygon_.point;
@@ -96,11 +94,11 @@ private:
             scene_.most = {std::max(scene_.most.x, p.x), std::max(scene_.most.y, p.y)};
         };
         for (const int v : polygon_.vectors) {
-            add(protocol_.vectors[at(v)].tail);
-            add(protocol_.vectors[at(v)].tip);
+            add(protocol_.vectors[at_index(v)].tail);
+            add(protocol_.vectors[at_index(v)].tip);
         }
         if (of_motion())
-            for (const int i : polygon_.images) add(protocol_.images[at(i)].point);
+            for (const int i : polygon_.images) add(protocol_.images[at_index(i)].point);
     }
 
     void add_vectors() {
@@ -109,7 +107,7 @@ private:
         std::optional<Vector> longest;
         Exact square;
         for (const int index : polygon_.vectors) {
-            const DrawnVector& vector = protocol_.vectors[at(index)];
+            const DrawnVector& vector = protocol_.vectors[at_index(index)];
             const Vector exact = protocol_.value_of(vector);
             if (!of_motion())
                 if (Exact own = dot(exact, exact); !longest || square < own) longest = exact, square = std::move(own);
@@ -136,13 +134,13 @@ private:
     }
     void add_coriolis(const DrawnVector& vector, const Vector& exact) {
         const BodyIndex guide = vector.seen.to.body;
-        if (guide == none || !solution_.bodies[at(guide)].omega) return;
+        if (guide == none || !solution_.bodies[at_index(guide)].omega) return;
         SceneCoriolis& shown = scene_.coriolis.emplace_back();
         shown.coriolis = vector.symbol;
         // The observer's own term has its velocity beside it: a^cor, v^rel; at a joint v_AA* is the relative one.
         shown.velocity = velocity_of_coriolis(vector.symbol, polygon_.kind == Polygon::Kind::relative_motion);
-        shown.omega = {Symbol::Letter::omega, solution_.mechanism.bodies[at(guide)].name, ""};
-        shown.counter_clockwise = solution_.bodies[at(guide)].omega->sign() > 0;
+        shown.omega = {Symbol::Letter::omega, solution_.mechanism.bodies[at_index(guide)].name, ""};
+        shown.counter_clockwise = solution_.bodies[at_index(guide)].omega->sign() > 0;
         const Place turned = direction(exact);
         shown.along = shown.counter_clockwise ? Place{turned.y, -turned.x} : Place{-turned.y, turned.x};
         shown.body = vector.body;
@@ -216,11 +214,11 @@ private:
         pole.kind = SceneImage::Kind::pole;
         pole.symbol = {Symbol::Letter::pole, polygon_.plane == Plane::acceleration ? "a" : "v", ""};
         for (const int index : polygon_.images) {
-            const Image& image = protocol_.images[at(index)];
+            const Image& image = protocol_.images[at_index(index)];
             if (image.symbol.letter == Symbol::Letter::pole && !image.symbol.about.empty()) pole.symbol = image.symbol;
         }
         for (const int index : polygon_.images) {
-            const Image& image = protocol_.images[at(index)];
+            const Image& image = protocol_.images[at_index(index)];
             if (image.symbol.letter == Symbol::Letter::pole || protocol_.point(image.point).at_infinity()) continue;
             scene_.images.push_back(
                 {SceneImage::Kind::image, image.symbol, place(image.point), 0, statement_of(image)});
@@ -229,7 +227,7 @@ private:
     /// An image stands once a vector ends in it; where none does, once its point is found.
     StatementIndex statement_of(const Image& image) const {
         for (const int index : polygon_.vectors) {
-            const DrawnVector& vector = protocol_.vectors[at(index)];
+            const DrawnVector& vector = protocol_.vectors[at_index(index)];
             if (vector.tip == image.point || vector.tail == image.point) return vector.statement;
         }
         return image.statement;
@@ -239,7 +237,7 @@ private:
     void add_images_of_bodies() {
         std::map<ElementIndex, StatementIndex> statements;  // by point
         for (const int index : polygon_.images) {
-            const Image& image = protocol_.images[at(index)];
+            const Image& image = protocol_.images[at_index(index)];
             StatementIndex& statement = statements.try_emplace(image.point, none).first->second;
             if (image.body > frame) statement = std::max(statement, statement_of(image));
         }
@@ -269,7 +267,7 @@ private:
 }  // namespace
 
 PolygonScene polygon_scene(const Solution& solution, int polygon) {
-    KG_ASSERT(polygon >= 0 && at(polygon) < solution.protocol.polygons.size(), "a polygon of the protocol");
+    KG_ASSERT(polygon >= 0 && at_index(polygon) < solution.protocol.polygons.size(), "a polygon of the protocol");
     return Reading(solution, polygon).scene();
 }
 

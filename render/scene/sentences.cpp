@@ -3,13 +3,17 @@
 
 #include <algorithm>
 
-#include "engine/mechanism/pair.hpp"
-
 namespace kinegraph::render {
 
 bool names_a_pair(Sentence sentence) {
-    return std::any_of(plane_pairs.begin(), plane_pairs.end(),
-                       [&](const PlanePair& pair) { return pair.primary == sentence; });
+    switch (sentence) {
+        case Sentence::primary_revolute:
+        case Sentence::primary_prismatic:
+        case Sentence::primary_rolling:
+        case Sentence::primary_gear:
+        case Sentence::primary_weld: return true;
+        default: return false;
+    }
 }
 
 bool told_by_list(Sentence sentence) {

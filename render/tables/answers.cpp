@@ -278,7 +278,7 @@ private:
 int decimals_of(double tolerance) {
     return std::clamp(static_cast<int>(-std::floor(std::log10(tolerance) + 1e-9)), 0, 9);
 }
-struct Cells {
+struct AnswerCells {
     std::array<ShapedLine, 5> all;  // quantity, value, tolerance, unit, direction
 };
 
@@ -295,7 +295,7 @@ public:
         std::array<double, 5> widths{};
         for (std::size_t c = 0; c < 5; ++c) {
             widths[c] = head_.all[c].width;
-            for (const Cells& line : lines_) widths[c] = std::max(widths[c], line.all[c].width);
+            for (const AnswerCells& line : lines_) widths[c] = std::max(widths[c], line.all[c].width);
         }
         double sum = 0;
         for (const double each : widths) sum += each;
@@ -305,7 +305,7 @@ public:
         add_rule(blocks.front(), 0, whole, context_.theme.outline);
         add_rule(blocks.front(), 4.8, whole, context_.theme.thin);
         blocks.front().height = 5.2;
-        for (const Cells& line : lines_) blocks.push_back(row(line, widths, between, context_.theme.text));
+        for (const AnswerCells& line : lines_) blocks.push_back(row(line, widths, between, context_.theme.text));
         if (blocks.size() > 1) add_rule(blocks.back(), blocks.back().height, whole, context_.theme.outline);
         return blocks;
     }
@@ -323,14 +323,14 @@ private:
             default: return "";
         }
     }
-    Cells cells_of(const Answer& answer) const {
+    AnswerCells cells_of(const Answer& answer) const {
         const Language language = context_.language;
         const double size = context_.theme.body_text;
         RichText name = answer.words.empty() ? typeset(answer.symbol, language) : answer.words;
         if (!answer.at)
             for (Piece& piece : name)
                 if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the length of the vector
-        Cells cells;
+        AnswerCells cells;
         cells.all[0] = context_.fonts.shape(name, size + 0.5);
         const auto value = [&](double v) {
             constexpr double too_long = 1e6;
@@ -349,7 +349,7 @@ private:
         if (answer.direction) cells.all[4] = shape(fixed(*answer.direction, 1, language) + "°", size);
         return cells;
     }
-    Block row(const Cells& cells, const std::array<double, 5>& widths, double between, Colour colour) const {
+    Block row(const AnswerCells& cells, const std::array<double, 5>& widths, double between, Colour colour) const {
         constexpr double pitch = 4.6, baseline = 3.5;
         Block block;
         double x = 0;
@@ -369,8 +369,8 @@ private:
 
     const DrawingContext& context_;
     bool tolerances_ = false;
-    Cells head_;
-    std::vector<Cells> lines_;
+    AnswerCells head_;
+    std::vector<AnswerCells> lines_;
 };
 
 /// Whether an answer is the result, or the vector of which it is a component; action and reaction are one.

@@ -18,7 +18,7 @@
 namespace kinegraph::render {
 namespace {
 
-using Kind = AppliedForce::Kind;
+using ForceKind = AppliedForce::Kind;
 
 std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
 
@@ -34,12 +34,12 @@ std::string frame_name(const Mechanism& mechanism, Language language) {
 RichText point(const Mechanism& mechanism, PointIndex p, Language language) {
     return typeset(Symbol{Symbol::Letter::point, mechanism.points[at_index(p)].name, ""}, language);
 }
-bool is_load(Kind kind) { return kind != Kind::reaction && kind != Kind::effort; }
+bool is_load(ForceKind kind) { return kind != ForceKind::reaction && kind != ForceKind::effort; }
 
 /// What is given on it does not close: there is nothing to be found.
 bool is_open(const FreeBody& body) {
     return std::any_of(body.forces.begin(), body.forces.end(),
-                       [](const AppliedForce& each) { return each.kind == Kind::resultant; });
+                       [](const AppliedForce& each) { return each.kind == ForceKind::resultant; });
 }
 
 /// The free body on which the other end of a reaction acts; none for the frame.
@@ -73,11 +73,11 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     const Language language = context.language;
-    if (applied.kind == Kind::weight && applied.force.x.is_zero()) return one_piece(word("vertical", language));
+    if (applied.kind == ForceKind::weight && applied.force.x.is_zero()) return one_piece(word("vertical", language));
     if (is_load(applied.kind)) return one_piece(word("given", language));
     if (applied.joint == none) return one_piece(word("given", language));
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
-    if (applied.kind == Kind::effort) return one_piece("∥ " + word("guide", language));
+    if (applied.kind == ForceKind::effort) return one_piece("∥ " + word("guide", language));
     if (joint.pair().is_sleeve()) return one_piece("⟂ " + word("guide", language));
     // Teeth press at the pressure angle, not along the common normal of the pitch curves.
     if (joint.pair().meshes()) return one_piece(word("line of the teeth", language));
@@ -165,11 +165,11 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
         if (applied == body.forces.end()) return {};
         Column column;
         column.magnitude = is_load(applied->kind);
-        if (applied->kind == Kind::reaction)
+        if (applied->kind == ForceKind::reaction)
             if (const FreeBody* other = opposite(solution, body, *applied)) column.magnitude = other < &body;
         // A hinge whose line nothing gave: both are sought, the polygon has them at once.
         const std::optional<RichText> line = line_of(context, body, *applied);
-        column.direction = column.magnitude || applied->kind != Kind::reaction || line;
+        column.direction = column.magnitude || applied->kind != ForceKind::reaction || line;
         sought += (column.magnitude ? 0 : 1) + (column.direction ? 0 : 1);
         column.symbol = context.fonts.shape(typeset(vector.symbol, language), theme.equation);
         column.line = context.fonts.shape(line ? *line : one_piece(word("any line", language)), theme.small);
@@ -226,7 +226,7 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
 }
 
 const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, const AppliedForce& applied) {
-    if (applied.kind != Kind::reaction || applied.force.is_zero()) return nullptr;
+    if (applied.kind != ForceKind::reaction || applied.force.is_zero()) return nullptr;
     for (const JointForce& each : solution.forces)
         if (each.joint == applied.joint && each.on == body.body && each.from == applied.from && each.couple &&
             !each.couple->is_zero())
@@ -237,7 +237,7 @@ const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, co
 RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
-    if (applied.joint == none || body.body == none || applied.kind != Kind::reaction || applied.force.is_zero())
+    if (applied.joint == none || body.body == none || applied.kind != ForceKind::reaction || applied.force.is_zero())
         return {};
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
     if (!joint.pair().is_sleeve()) return {};
@@ -321,19 +321,19 @@ private:
     }
     /// A couple between two bodies is told as it acts on the one that the file names first.
     std::pair<const FreeBody*, const AppliedForce*> own_end(const FreeBody& body, const AppliedForce& applied) const {
-        const auto* couple = applied.kind == Kind::effort
+        const auto* couple = applied.kind == ForceKind::effort
                                  ? std::get_if<CoupleEffort>(&mechanism_.efforts[at_index(applied.given)])
                                  : nullptr;
         if (couple == nullptr) return {&body, &applied};
         for (const FreeBody& other : solution_.free_bodies)
             for (const AppliedForce& its : other.forces)
-                if (other.body == couple->body && its.kind == Kind::effort && its.given == applied.given)
+                if (other.body == couple->body && its.kind == ForceKind::effort && its.given == applied.given)
                     return {&other, &its};
         return {&body, &applied};
     }
     /// Where only the reverse is drawn, that is measured.
     Symbol symbol_measured(const FreeBody& body, const AppliedForce& applied) const {
-        if (applied.kind != Kind::reaction || measured(figures_, name_of(applied.symbol))) return applied.symbol;
+        if (applied.kind != ForceKind::reaction || measured(figures_, name_of(applied.symbol))) return applied.symbol;
         if (const FreeBody* other = opposite(solution_, body, applied))
             for (const AppliedForce& its : other->forces)
                 if (its.joint == applied.joint && its.from == body.body && measured(figures_, name_of(its.symbol)))
@@ -437,7 +437,7 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         name_width = std::max(name_width, context.fonts.shape(one_piece(name), theme.body_text).width);
         std::vector<RichText> active;
         for (const AppliedForce& applied : body.forces)
-            if (applied.kind != Kind::reaction && applied.kind != Kind::resultant) {
+            if (applied.kind != ForceKind::reaction && applied.kind != ForceKind::resultant) {
                 active.push_back(symbol_of(applied));
                 if (applied.joint != none) append(active.back(), " (M)");
             }
@@ -510,9 +510,9 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         const FreeBody& body = solution.free_bodies[i];
         std::vector<RichText> active, reactions;
         for (const AppliedForce& applied : body.forces) {
-            if (applied.kind == Kind::resultant) continue;  // it acts on nothing
+            if (applied.kind == ForceKind::resultant) continue;  // it acts on nothing
             RichText text = symbol_of(applied);
-            if (applied.kind == Kind::reaction && !example && applied.from != none && body.body != none) {
+            if (applied.kind == ForceKind::reaction && !example && applied.from != none && body.body != none) {
                 kept.push_back(text);
                 example = &kept.back();
                 example_bodies = {applied.from, body.body};
@@ -522,8 +522,8 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
                 append(text, point(mechanism, mechanism.joints[at_index(applied.joint)].point, language));
                 append(text, ")");
             }
-            (applied.kind == Kind::reaction ? reactions : active).push_back(std::move(text));
-            if (applied.kind == Kind::reaction && applied.from == frame && body.body > frame) {
+            (applied.kind == ForceKind::reaction ? reactions : active).push_back(std::move(text));
+            if (applied.kind == ForceKind::reaction && applied.from == frame && body.body > frame) {
                 const std::string& own = body_name(mechanism, body.body);
                 const std::string& fixed = body_name(mechanism, frame);
                 Symbol back{applied.force.is_zero() ? Symbol::Letter::M : Symbol::Letter::F,

@@ -8,9 +8,9 @@ namespace {
 
 using Kind = Expression::Kind;
 
-class Setting {
+class ExpressionSetter {
 public:
-    Setting(const NamedConstants& constants, std::string_view variable, Language language)
+    ExpressionSetter(const NamedConstants& constants, std::string_view variable, Language language)
         : constants_(constants), variable_(variable), language_(language) {}
 
     Formula set(const Expression& of) const {
@@ -165,7 +165,7 @@ private:
 
 Formula formula_of(const Expression& of, const NamedConstants& constants, std::string_view variable,
                    Language language) {
-    return Setting(constants, variable, language).set(of);
+    return ExpressionSetter(constants, variable, language).set(of);
 }
 
 Formula formula_of(const NamedConstant& constant, Language language) {

@@ -21,6 +21,8 @@ RichText say_likewise(const std::vector<const Message*>& messages, Language lang
 /// The same for the terminal and for files of results: names as the mechanism file has them, symbols by their plain
 /// names.
 std::string tell(const Message& message, Language language);
+/// What programs read is English whatever the sheet speaks.
+inline std::string in_english(const Message& message) { return tell(message, Language::en); }
 /// A quantity as it is typeset: v_B bold italic with its subscript, ω_3 italic, n and t upright, dots for Italian ω̇_3.
 RichText typeset(const Symbol& symbol, Language language);
 /// "⟂ O2A", "∥ guide B".
