@@ -15,13 +15,13 @@ namespace kinegraph::app {
 namespace {
 
 /// In the order of Format.
-constexpr std::array<std::string_view, 7> names{"svg", "png", "pdf", "tex", "json", "csv", "html"};
+constexpr std::array<std::string_view, 7> format_names{"svg", "png", "pdf", "tex", "json", "csv", "html"};
 
 std::optional<Format> format_named(std::string name, std::span<const Format> formats) {
     std::transform(name.begin(), name.end(), name.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     for (const Format format : formats)
-        if (names[static_cast<std::size_t>(format)] == name) return format;
+        if (format_names[static_cast<std::size_t>(format)] == name) return format;
     return std::nullopt;
 }
 
@@ -30,7 +30,7 @@ Words listed(std::span<const Format> formats, const std::string& before) {
     Words list;
     for (std::size_t i = 0; i < formats.size(); ++i) {
         if (i > 0) list += i + 1 == formats.size() ? Words(" or ", " o ") : Words(std::string(", "));
-        list += before + std::string(names[static_cast<std::size_t>(formats[i])]);
+        list += before + std::string(format_names[static_cast<std::size_t>(formats[i])]);
     }
     return list;
 }

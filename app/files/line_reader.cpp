@@ -13,7 +13,7 @@
 namespace kinegraph::app {
 namespace {
 
-constexpr std::size_t piece = std::size_t{1} << 16U;
+constexpr std::size_t read_at_once = std::size_t{1} << 16U;
 
 /// Written by a handler, read by every thread.
 std::atomic<int> stopped_by = 0;
@@ -81,8 +81,8 @@ bool LineReader::fill() {
         }
         if (!ready) continue;
         const std::size_t size = buffer_.size();
-        buffer_.resize(size + piece);
-        const ssize_t got = ::read(STDIN_FILENO, buffer_.data() + size, piece);
+        buffer_.resize(size + read_at_once);
+        const ssize_t got = ::read(STDIN_FILENO, buffer_.data() + size, read_at_once);
         const int error = errno;
         buffer_.resize(size + (got > 0 ? static_cast<std::size_t>(got) : 0));
         if (got > 0) return true;

@@ -10,9 +10,9 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double script = 0.7, raise = 0.42, axis = 0.25;  // em
-constexpr double bar_gap = 0.14, bar_pen = 0.045;          // of fractions and roots, em
-constexpr double thin = 0.17;                              // between factors, em
+constexpr double script = 0.7, raise = 0.42, fraction_axis = 0.25;  // em
+constexpr double bar_gap = 0.14, bar_pen = 0.045;                   // of fractions and roots, em
+constexpr double thin = 0.17;                                       // between factors, em
 constexpr double column_gap = 0.9, row_gap = 0.32, bracket = 0.22, inside = 0.22;
 
 /// Marks about a baseline at (0, 0), y downwards.
@@ -81,7 +81,7 @@ private:
     Pen pen(double em) const { return {bar_pen * em, colour_, {}, false}; }
 
     Typeset fraction(Typeset above, Typeset below, double em) const {
-        const double width = std::max(above.width, below.width) + 0.2 * em, bar = axis * em;
+        const double width = std::max(above.width, below.width) + 0.2 * em, bar = fraction_axis * em;
         Typeset box;
         const double up = bar + bar_gap * em + above.descent, down = bar_gap * em + below.ascent - bar;
         const double x_above = (width - above.width) / 2, x_below = (width - below.width) / 2;
@@ -119,7 +119,8 @@ private:
         // Round brackets grow with what they hold, a little.
         const double grown = size * std::clamp(tall / (0.95 * em), 1.0, 1.8);
         Typeset open = words(one_piece("("), grown), close = words(one_piece(")"), grown);
-        const double drop = grown > size ? (within.descent - within.ascent) / 2 + axis * millimetres(grown) : 0;
+        const double drop =
+            grown > size ? (within.descent - within.ascent) / 2 + fraction_axis * millimetres(grown) : 0;
         Typeset box;
         const double x = open.width;
         add(box, std::move(open), 0, drop);
@@ -142,7 +143,7 @@ private:
         double height = row_gap * em * static_cast<double>(rows - 1);
         for (std::size_t r = 0; r < rows; ++r) height += up[r] + down[r];
         Typeset box;
-        double y = -axis * em - height / 2;
+        double y = -fraction_axis * em - height / 2;
         const double top = y, left = inside * em + 0.08 * em;
         double right = left;
         for (std::size_t r = 0; r < rows; ++r) {

@@ -15,8 +15,8 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double margin = 4;     // round the figure, mm
-constexpr double tallest = 130;  // less than half a sheet: the text of a book goes on below
+constexpr double margin = 4;           // round the figure, mm
+constexpr double tallest_alone = 130;  // less than half a sheet: the text of a book goes on below
 
 struct Choice {
     std::string name;
@@ -58,7 +58,7 @@ std::optional<Figure> mechanism_figure_named(const DrawingContext& context, cons
     const std::vector<Choice> all = choices(context, wanted);
     const auto found = std::find_if(all.begin(), all.end(), [&](const Choice& each) { return each.name == name; });
     if (found == all.end()) return std::nullopt;
-    return found->draw(2 * format.measure + gap, tallest);
+    return found->draw(2 * format.measure + gap, tallest_alone);
 }
 
 }  // namespace
@@ -77,9 +77,9 @@ std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& 
                                   const Fonts& fonts) {
     const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
     const SheetFormat format = format_of(options.paper, options.orientation);
-    auto drawn = stands_for_joints(solution.mechanism) ? problem_figure(context, name, format.measure, tallest)
+    auto drawn = stands_for_joints(solution.mechanism) ? problem_figure(context, name, format.measure, tallest_alone)
                                                        : mechanism_figure_named(context, options, format, name);
-    if (!drawn) drawn = contact_figure(solution, options, fonts, name, {format.measure, tallest});
+    if (!drawn) drawn = contact_figure(solution, options, fonts, name, {format.measure, tallest_alone});
     if (!drawn) return std::nullopt;
     return page_of_figure(context, *std::move(drawn));
 }
@@ -99,17 +99,18 @@ std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const Shee
     const bool stands = stands_for_joints(solution.mechanism);
     if (stands) {
         for (const std::string& name : problem_figure_names(context))
-            if (auto figure = problem_figure(context, name, format.measure, tallest)) add(name, *std::move(figure));
+            if (auto figure = problem_figure(context, name, format.measure, tallest_alone))
+                add(name, *std::move(figure));
         return all;
     }
     WantedFigures wanted(context, options.joukowsky, options.detail);
     const std::vector<Choice> drawn = choices(context, wanted);
     for (const Choice& each : drawn) {
         const auto index = wanted.named(each.name);
-        if (!index || !wanted.list[*index].spare) add(each.name, each.draw(2 * format.measure + gap, tallest));
+        if (!index || !wanted.list[*index].spare) add(each.name, each.draw(2 * format.measure + gap, tallest_alone));
     }
     for (const std::string& name : contact_figure_names(solution, options, fonts))
-        if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest}))
+        if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest_alone}))
             add(name, *std::move(figure));
     return all;
 }

@@ -166,10 +166,10 @@ private:
         if (!is_problem_) item_.notes.push_back(one_piece(word("tolerances", language())));
     }
     static bool is_length(const Column& column) {
-        using Kind = Quantity::Kind;
-        const Kind kind = column.quantity.kind;
+        const Quantity::Kind kind = column.quantity.kind;
         return column.kind == Column::Kind::result && column.quantity.component == Quantity::Component::whole &&
-               (kind == Kind::velocity || kind == Kind::acceleration || kind == Kind::force);
+               (kind == Quantity::Kind::velocity || kind == Quantity::Kind::acceleration ||
+                kind == Quantity::Kind::force);
     }
     /// The numbers asked for, at the end of the solution.
     void add_results() {
