@@ -22,6 +22,7 @@
 #include "constructions/verdicts/verdicts.hpp"
 #include "engine/equations/equations.hpp"
 #include "engine/number/assert.hpp"
+#include "engine/solution/found_elements.hpp"
 #include "engine/solution/problem_solution.hpp"
 
 namespace kinegraph {
