@@ -100,6 +100,32 @@ struct Contents {
     }
 };
 
+/// Lengths that statements read off the mechanism.
+std::vector<Mark> segments_read(const DrawingContext& context, const std::vector<StatementIndex>& statements,
+                                const Figure& mechanism) {
+    std::vector<Mark> marks;
+    const Solution& solution = context.solution;
+    if (mechanism.kind != "mechanism" || !(mechanism.scale > 0)) return marks;
+    const auto spot = [&](PointIndex point) {
+        const Vector& at = solution.pose.at(point);
+        return mechanism.origin + (1 / mechanism.scale) * Spot{at.x.to_double(), -at.y.to_double()};
+    };
+    for (const StatementIndex index : statements)
+        for (const Argument& argument : solution.protocol.statements[at_index(index)].message.arguments) {
+            const auto* segment = std::get_if<kinegraph::Segment>(&argument);
+            const auto from = segment ? solution.mechanism.point_named(segment->from) : std::nullopt;
+            const auto to = segment ? solution.mechanism.point_named(segment->to) : std::nullopt;
+            if (!from || !to) continue;
+            const Spot a = spot(*from), b = spot(*to);
+            constexpr double pin = 1.8;
+            if (length(b - a) < 3 * pin) continue;
+            const Spot along = unit(b - a);
+            marks.emplace_back(
+                line(a + pin * along, b - pin * along, {context.theme.link, context.theme.accent, {}, false}));
+        }
+    return marks;
+}
+
 class StepPages {
 public:
     StepPages(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
@@ -322,7 +348,7 @@ private:
             names = names_cited(solution_, step.statements, context_.language);
             const std::set<std::string> found =
                 Contents(revealed(placed.figure.marks, page_of_, index, theme)).found(names);
-            segments = segments_read(step, beside.kind == "mechanism" ? beside : placed.figure);
+            segments = segments_read(context_, step.statements, beside.kind == "mechanism" ? beside : placed.figure);
             if (found.empty() && segments.empty()) names.merge(groups_shown(step));
             names.insert(found.begin(), found.end());
         }
@@ -349,29 +375,6 @@ private:
         }
         return framed_page(context_, format_, signature_, std::move(marks), scale_of_mechanism, index + 1,
                            steps_.size() + after_);
-    }
-    /// Lengths that a page reads off the mechanism.
-    std::vector<Mark> segments_read(const Step& step, const Figure& mechanism) const {
-        std::vector<Mark> marks;
-        if (mechanism.kind != "mechanism" || !(mechanism.scale > 0)) return marks;
-        const auto spot = [&](PointIndex point) {
-            const Vector& at = solution_.pose.at(point);
-            return mechanism.origin + (1 / mechanism.scale) * Spot{at.x.to_double(), -at.y.to_double()};
-        };
-        for (const StatementIndex index : step.statements)
-            for (const Argument& argument : statement(index).message.arguments) {
-                const auto* segment = std::get_if<kinegraph::Segment>(&argument);
-                const auto from = segment ? solution_.mechanism.point_named(segment->from) : std::nullopt;
-                const auto to = segment ? solution_.mechanism.point_named(segment->to) : std::nullopt;
-                if (!from || !to) continue;
-                const Spot a = spot(*from), b = spot(*to);
-                constexpr double pin = 1.8;
-                if (length(b - a) < 3 * pin) continue;
-                const Spot along = unit(b - a);
-                marks.emplace_back(
-                    line(a + pin * along, b - pin * along, {context_.theme.link, context_.theme.accent, {}, false}));
-            }
-        return marks;
     }
     /// The same as a figure has them that shows the loads of one body alone.
     std::set<std::string> groups_shown(const Step& step) const {
