@@ -24,7 +24,6 @@ namespace {
 using Spot = VectorOf<double>;
 using Kind = Quantity::Kind;
 
-
 /// What is found at each position: the file's `find` without what has no column.
 Find found_in_rows(const Mechanism& mechanism) {
     const Find& asked = mechanism.find;
