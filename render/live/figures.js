@@ -97,6 +97,68 @@ const headShare = 0.6, leastHeadWidth = 0.35;
 
 /** A figure of a drawing, which may hold several. */
 class FigureView {
+    /** @type {Map<number, Drawn>} */
+    plans = new Map();
+    /**
+     * Of vectors that are drawn here, by name: under which they are in the plans.
+     * @type {Map<string, string>}
+     */
+    keys = new Map();
+    /**
+     * The scale bar: true at the drawing's scale alone.
+     * @type {Element[]}
+     */
+    measures = [];
+    /** @type {(() => void)[]} */
+    bindings = [];
+    /** @type {{label: Element, box: DOMRect, value: () => number | null, unit: string}[]} */
+    vectorLabels = [];
+    /** @type {(value: number) => string} */
+    written = String;
+    tellsValues = false;
+    /**
+     * A body cut free keeps its place: its points, and the middle of them as drawn.
+     * @type {{points: number[], middle: Spot} | null}
+     */
+    own = null;
+    /**
+     * What was changed, as it was and as it is.
+     * @type {Map<Element, Map<string, {drawn: string | null, now: string | null}>>}
+     */
+    drawn = new Map();
+    /**
+     * Arrows of a polygon, in the order in which they are drawn; where each stands beside its place.
+     * @type {string[]}
+     */
+    strokes = [];
+    /** @type {Map<string, Spot>} */
+    asides = new Map();
+    /**
+     * Labels that find their place once all else has one, and what they keep off.
+     * @type {(() => void)[]}
+     */
+    placings = [];
+    crowd = new Crowd();
+    /**
+     * Of points on guides of the frame: how far they go before and behind where they were drawn, mm.
+     * @type {Map<number, {from: number, to: number, drawn: Spot, e: Spot}>}
+     */
+    travels = new Map();
+    room = {left: 0, top: 0, right: 0, bottom: 0};
+    /**
+     * Of several in one drawing.
+     * @type {FigureView[][]}
+     */
+    rows = [];
+    /** @type {Companion | undefined} */
+    title = undefined;
+    /** @type {Companion | undefined} */
+    foot = undefined;
+    isBound = false;
+    saysOtherScale = false;
+    /** Leaders, which go with their labels. */
+    taken = new Set();
+
     /**
      * @param {SVGSVGElement} svg
      * @param {Element} group
@@ -114,13 +176,6 @@ class FigureView {
         this.unit = group.getAttribute('data-unit') ?? '';
         this.drawnScale = Number(group.getAttribute('data-scale') ?? 1);
         this.scale = this.drawnScale;
-        /** @type {Map<number, Drawn>} */
-        this.plans = new Map();
-        /**
-         * Of vectors that are drawn here, by name: under which they are in the plans.
-         * @type {Map<string, string>}
-         */
-        this.keys = new Map();
         /** A body, or a pin, cut free. */
         this.isFree = /^(body|pin)-/.test(info.name);
         const isHeld = this.isFree || /^(lines-|curvature-|joukowsky$)/.test(info.name);
@@ -136,69 +191,15 @@ class FigureView {
         this.drawnOrigin = this.origin;
         /** What is seen of the paper: left, top, width, height. */
         this.shownRoom = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
-        /**
-         * The scale bar: true at the drawing's scale alone.
-         * @type {Element[]}
-         */
-        this.measures = [];
-        /** @type {(() => void)[]} */
-        this.bindings = [];
-        /** @type {{label: Element, box: DOMRect, value: () => number | null, unit: string}[]} */
-        this.vectorLabels = [];
-        /** @type {(value: number) => string} */
-        this.written = String;
-        this.tellsValues = false;
-        /**
-         * A body cut free keeps its place: its points, and the middle of them as drawn.
-         * @type {{points: number[], middle: Spot} | null}
-         */
-        this.own = null;
-        /**
-         * What was changed, as it was and as it is.
-         * @type {Map<Element, Map<string, {drawn: string | null, now: string | null}>>}
-         */
-        this.drawn = new Map();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
         /**
          * What a polygon that fills its room is given: seen flat, or beside a detail, it may be of another shape
          * elsewhere.
          */
         this.fitRoom = this.isMechanism || isHeld ? this.viewBox : wellShaped(this.viewBox);
-        /**
-         * Arrows of a polygon, in the order in which they are drawn; where each stands beside its place.
-         * @type {string[]}
-         */
-        this.strokes = [];
-        /** @type {Map<string, Spot>} */
-        this.asides = new Map();
-        /**
-         * Labels that find their place once all else has one, and what they keep off.
-         * @type {(() => void)[]}
-         */
-        this.placings = [];
-        this.crowd = new Crowd();
-        /**
-         * Of points on guides of the frame: how far they go before and behind where they were drawn, mm.
-         * @type {Map<number, {from: number, to: number, drawn: Spot, e: Spot}>}
-         */
-        this.travels = new Map();
-        this.room = {left: 0, top: 0, right: 0, bottom: 0};
-        /**
-         * Of several in one drawing.
-         * @type {FigureView[][]}
-         */
-        this.rows = [];
-        /** @type {Companion | undefined} */
-        this.title = undefined;
-        /** @type {Companion | undefined} */
-        this.foot = undefined;
-        this.isBound = false;
         const figure = svg.closest('figure');
         this.note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
         this.captionOfScale = /** @type {HTMLElement | null} */ (figure?.querySelector('.scale'));
-        this.saysOtherScale = false;
-        /** Leaders, which go with their labels. */
-        this.taken = new Set();
     }
 
     /** Whether the figure can follow the mechanism at all. */
