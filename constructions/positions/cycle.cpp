@@ -7,14 +7,12 @@
 #include <numbers>
 #include <utility>
 
-#include "constructions/positions/effort_rows.hpp"
+#include "constructions/positions/effort_columns.hpp"
 #include "constructions/positions/givens_here.hpp"
 #include "constructions/positions/named_results.hpp"
+#include "constructions/positions/row_check.hpp"
 #include "constructions/solving/solve.hpp"
-#include "constructions/verdicts/largest_difference.hpp"
 #include "engine/board/replay.hpp"
-#include "engine/check/check.hpp"
-#include "engine/check/check_forces.hpp"
 #include "engine/mechanism/drivers.hpp"
 #include "engine/motion/moved.hpp"
 #include "engine/results/result_names.hpp"
@@ -25,8 +23,6 @@ namespace {
 
 using Spot = VectorOf<double>;
 using Kind = Quantity::Kind;
-
-Vector exactly(const Spot& a) { return {Exact::from_double(a.x), Exact::from_double(a.y)}; }
 
 /// What is found at each position: the file's `find` without what has no column.
 Find found_in_rows(const Mechanism& mechanism) {
@@ -68,7 +64,8 @@ public:
           positions_(std::move(positions)),
           mover_(mechanism, pose),
           givens_(mechanism, pose),
-          effort_rows_(mechanism, givens_) {
+          efforts_(mechanism, givens_),
+          check_(mechanism) {
         const Driver& given = mechanism.drivers[at_index(driver_)];
         turns_ = turns(given);
         rate_ = rate_along(course);
@@ -85,11 +82,10 @@ public:
             columns_ = {{Column::Kind::turn, {}, "turn", turns_ ? QuantityKind::angle : QuantityKind::length}};
             if (law_ != nullptr || rate_ != 0) columns_.push_back({Column::Kind::time, {}, "time", QuantityKind::time});
             for (Column& column : columns_found(solution)) columns_.push_back(std::move(column));
-            add_efforts_by_work(solution);
+            efforts_.add(solution, columns_);
             values_.resize(columns_.size());
             solution.mechanism.find = mechanism_.find;
-            check_mechanism_ = solution.mechanism;
-            check_pose_ = solution.pose;
+            check_.begin(solution.mechanism, solution.pose);
             has_forces_ = !solution.forces.empty() || !solution.efforts.empty();
             std::vector<Unsolved> missing = solution.unsolved;
             keep(solution);
@@ -102,16 +98,19 @@ public:
         if (!go_to(at)) return std::nullopt;
         PlannedPosition* plan = replayed();
         if (plan != nullptr && !fill(*plan)) return std::nullopt;
-        if (plan == nullptr || !has_efforts_replayed()) {
+        if (plan == nullptr || !efforts_.replay(places_, positions_, values_)) {
             // Its own verdicts may drown in doubles where something is nearly special (a body nearly at rest): its
             // values are exact.
             const Solution solution = planned_here();
             keep(solution);
             if (!fill_from(solution)) return std::nullopt;
-            efforts_here_ = solution.displacements ? EffortRows::of(*solution.displacements) : EffortRows::Efforts();
+            efforts_.take(solution);
         }
-        if (!fill_efforts()) return std::nullopt;
-        if (is_checked_) hold_against_check();
+        if (!efforts_.fill(values_)) return std::nullopt;
+        if (is_checked_) {
+            put_rates(check_.mechanism());
+            check_.compare({columns_, values_, places_, positions_, has_forces_ || !efforts_.empty()});
+        }
         return values_;
     }
 
@@ -135,7 +134,7 @@ public:
     }
 
     Difference difference() const {
-        const LargestDifference::Found found = off_.found(columns_, pose_.size.to_double());
+        const LargestDifference::Found found = check_.largest().found(columns_, pose_.size.to_double());
         return {found.share, found.column, found.coordinate};
     }
     Positions& positions() { return positions_; }
@@ -199,7 +198,7 @@ private:
     }
 
     PlannedPosition& keep(const Solution& solution) {
-        if (solution.displacements) effort_rows_.keep(*solution.displacements);
+        if (solution.displacements) efforts_.keep(*solution.displacements);
         const std::vector<FoundValue> entries = found_values(solution);
         std::vector<ElementIndex> wanted;
         for (const FoundValue& entry : entries)
@@ -254,12 +253,6 @@ private:
         return givens_.value(given, places_, positions_);
     }
 
-    /// X of a slide, or the common tangent of a contact or a curved slot.
-    Spot direction_of_sliding(JointIndex joint) const {
-        const std::size_t i = at_index(joint);
-        return kinegraph::direction_of_sliding(places_.guides[i], places_.tangents[i], places_.normals[i]);
-    }
-
     bool fill(const PlannedPosition& plan) {
         return fill_each([&](std::size_t i) -> std::optional<std::pair<Spot, double>> {
             const auto& [known, element] = plan.sources[i];
@@ -279,7 +272,7 @@ private:
     /// `found(i)` gives the vector or scalar that column i is a part of. False: not all of them are found and finite.
     template <class Found>
     bool fill_each(Found found) {
-        for (std::size_t i = 0; i < columns_.size() - by_work_.size(); ++i) {
+        for (std::size_t i = 0; i < columns_.size() - efforts_.size(); ++i) {
             const auto place = place_value(columns_[i]);
             const auto result = place ? std::nullopt : found(i);
             if (!place && !result) return false;
@@ -302,149 +295,10 @@ private:
         }
     }
     double part_of(const Column& column, const Spot& vector, double scalar) const {
-        if (column.kind == Column::Kind::along) return dot(direction_of_sliding(column.quantity.joint), vector);
+        if (column.kind == Column::Kind::along)
+            return dot(direction_of_sliding(places_, column.quantity.joint), vector);
         if (column.quantity.component == Quantity::Component::whole) return scalar;
         return column.quantity.component == Quantity::Component::x ? vector.x : vector.y;
-    }
-
-    // --- by virtual work
-    // ------------------------------------------------------------------------------------------------------
-    /// The last columns: efforts that displacements give, and reactions do not.
-    void add_efforts_by_work(const Solution& solution) {
-        if (!solution.displacements) return;
-        const EffortRows::Efforts found = EffortRows::of(*solution.displacements);
-        for (std::size_t e = 0; e < found.size(); ++e) {
-            const bool by_forces = e < solution.efforts.size() && solution.efforts[e].value;
-            if (!found[e] || by_forces) continue;
-            add_columns({.kind = Kind::effort, .given = static_cast<int>(e)}, mechanism_, {}, columns_);
-            by_work_.push_back(e);
-        }
-        if (!by_work_.empty() && mechanism_.inertia_forces) find_columns_of_masses(solution);
-    }
-    void find_columns_of_masses(const Solution& solution) {
-        const auto column = [&](const Quantity& quantity) {
-            return static_cast<std::size_t>(
-                std::find_if(columns_.begin(), columns_.end(),
-                             [&](const Column& each) { return each.quantity == quantity; }) -
-                columns_.begin());
-        };
-        for (const Mass& mass : mechanism_.masses) {
-            const auto centre =
-                std::find_if(solution.points.begin(), solution.points.end(), [&](const PointMotion& each) {
-                    return each.point == mass.centre &&
-                           std::find(each.bodies.begin(), each.bodies.end(), mass.body) != each.bodies.end();
-                });
-            MassColumns& columns = mass_columns_.emplace_back();
-            columns.alpha = column({.kind = Kind::alpha, .body = mass.body});
-            if (centre == solution.points.end()) continue;
-            columns.x = column(acceleration_of(*centre).along(Quantity::Component::x));
-            columns.y = column(acceleration_of(*centre).along(Quantity::Component::y));
-        }
-    }
-    /// Of a body at rest, or of a point of the frame, there is no column.
-    double value_in(std::size_t column) const { return column < columns_.size() ? values_[column] : 0; }
-    /// With the accelerations of this row.
-    bool has_efforts_replayed() {
-        if (by_work_.empty()) return true;
-        std::vector<EffortRows::Acceleration> masses;
-        for (const MassColumns& each : mass_columns_)
-            masses.push_back({{value_in(each.x), value_in(each.y)}, value_in(each.alpha)});
-        auto found = effort_rows_.here(places_, positions_, masses);
-        if (!found) return false;
-        efforts_here_ = *std::move(found);
-        return true;
-    }
-    /// False: the position leaves one of them open.
-    bool fill_efforts() {
-        for (std::size_t i = 0; i < by_work_.size(); ++i) {
-            if (by_work_[i] >= efforts_here_.size() || !efforts_here_[by_work_[i]]) return false;
-            values_[columns_.size() - by_work_.size() + i] = *efforts_here_[by_work_[i]];
-        }
-        return true;
-    }
-
-    // --- by check
-    // -------------------------------------------------------------------------------------------------------------
-    void hold_against_check() {
-        put_into_check_pose();
-        const NumericMotion motion = check_motion(check_mechanism_, check_pose_);
-        std::optional<NumericForces> forces;
-        if (has_forces_ || !by_work_.empty()) forces = check_forces(check_mechanism_, check_pose_, motion);
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
-            const Column& column = columns_[i];
-            if (column.kind != Column::Kind::result && column.kind != Column::Kind::along) continue;
-            const auto found = numeric(column, motion, forces ? &*forces : nullptr);
-            if (found) off_.hold(i, column, values_[i], *found, positions_.coordinate());
-        }
-    }
-    void put_into_check_pose() {
-        put_rates(check_mechanism_);
-        for (std::size_t i = 0; i < mechanism_.loads.size(); ++i)
-            if (const auto* torsion = std::get_if<TorsionLoad>(&mechanism_.loads[i]))
-                std::get<TorsionLoad>(check_mechanism_.loads[i]).turned =
-                    Exact::from_double(GivensHere::turned(*torsion, positions_));
-        const auto put = [](const std::vector<Spot>& from, std::vector<Vector>& to) {
-            for (std::size_t i = 0; i < from.size(); ++i)
-                if (from[i].x != 0 || from[i].y != 0 || !to[i].is_zero()) to[i] = exactly(from[i]);
-        };
-        put(places_.points, check_pose_.points);
-        put(places_.guides, check_pose_.guides);
-        put(places_.normals, check_pose_.normals);
-        put(places_.tangents, check_pose_.tangents);
-        for (std::size_t i = 0; i < places_.guides.size(); ++i)
-            if (mechanism_.joints[i].along) check_pose_.guide_units[i] = exactly(unit_vector(places_.guides[i]));
-    }
-
-    /// What the check says to a column; nothing where it leaves it open.
-    std::optional<double> numeric(const Column& column, const NumericMotion& motion,
-                                  const NumericForces* forces) const {
-        const Quantity& q = column.quantity;
-        const auto part = [&](const std::array<double, 2>& v) {
-            return v[q.component == Quantity::Component::x ? 0 : 1];
-        };
-        switch (q.kind) {
-            case Kind::omega:
-            case Kind::alpha: {
-                const auto& state = motion.bodies[at_index(q.body)];
-                if (!(q.kind == Kind::omega ? state.velocity_known : state.acceleration_known)) return std::nullopt;
-                return q.kind == Kind::omega ? state.omega : state.alpha;
-            }
-            case Kind::velocity:
-            case Kind::acceleration: {
-                const auto& state = motion.bodies[at_index(q.body)];
-                const Vector& place = check_pose_.at(q.point);
-                if (!(q.kind == Kind::velocity ? state.velocity_known : state.acceleration_known)) return std::nullopt;
-                return part(q.kind == Kind::velocity ? motion.velocity(q.body, place)
-                                                     : motion.acceleration(q.body, place));
-            }
-            case Kind::sliding_velocity:
-            case Kind::sliding_acceleration: return numeric_sliding(q, motion);
-            case Kind::force:
-            case Kind::couple:
-                for (const NumericForces::Action& action : forces->actions)
-                    if (action.known && action.joint == q.joint && action.on == q.body && action.from == q.other)
-                        return q.kind == Kind::couple ? action.couple : part(action.force);
-                return std::nullopt;
-            default:
-                if (!forces->effort_known[at_index(q.given)]) return std::nullopt;
-                return forces->efforts[at_index(q.given)];
-        }
-    }
-    std::optional<double> numeric_sliding(const Quantity& q, const NumericMotion& motion) const {
-        const Joint& joint = mechanism_.joint(q.joint);
-        const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
-        const auto &slider = motion.bodies[at_index(i)], &guide = motion.bodies[at_index(j)];
-        const Vector& place = check_pose_.at(joint.point);
-        const Spot along = direction_of_sliding(q.joint);
-        const auto apart = [&](const std::array<double, 2>& a, const std::array<double, 2>& b) {
-            return Spot{a[0] - b[0], a[1] - b[1]};
-        };
-        if (!slider.velocity_known || !guide.velocity_known) return std::nullopt;
-        const Spot velocity = apart(motion.velocity(i, place), motion.velocity(j, place));
-        if (q.kind == Kind::sliding_velocity) return dot(along, velocity);
-        if (!slider.acceleration_known || !guide.acceleration_known) return std::nullopt;
-        const Spot coriolis = 2 * guide.omega * quarter_turn(velocity);
-        return dot(along, apart(motion.acceleration(i, place), motion.acceleration(j, place)) - coriolis);
     }
 
     const Mechanism& mechanism_;
@@ -459,24 +313,15 @@ private:
     Positions positions_;
     Mover mover_;
     GivensHere givens_;
-    EffortRows effort_rows_;
+    EffortColumns efforts_;
     std::vector<double> directions_;
     Places places_;
     std::vector<Column> columns_;
     std::vector<double> values_;
     bool has_forces_ = false, is_checked_ = true;
-    std::vector<std::size_t> by_work_;  ///< efforts, by index in the mechanism, that the last columns hold
-    /// Where the acceleration of a mass stands in a row; beyond its end: it has none.
-    struct MassColumns {
-        std::size_t x = ~std::size_t(0), y = ~std::size_t(0), alpha = ~std::size_t(0);
-    };
-    std::vector<MassColumns> mass_columns_;  ///< by Mechanism::masses, where their inertia does work
-    EffortRows::Efforts efforts_here_;
     std::list<PlannedPosition> kept_;
     int planned_ = 0;
-    Mechanism check_mechanism_;
-    Pose check_pose_;
-    LargestDifference off_;
+    RowCheck check_;
 };
 
 Cycle::Cycle(std::unique_ptr<Rows> rows) : rows_(std::move(rows)) {}

@@ -126,6 +126,112 @@ private:
 
 // ----- the motion
 
+/// Faults of laws and paths that have no finite value somewhere.
+struct MotionFaults {
+    static Error path_ends(const GraphPath& graph, double time) {
+        return {
+            ErrorCode::bad_input,
+            graph.f.where,
+            {"this path, as far as the point goes at t = {0} s, is not real or has an infinite slope or curvature; "
+             "shorten the interval, or begin elsewhere (\"start\")",
+             "questa traiettoria, dove il punto arriva per t = {0} s, non è reale o ha pendenza o curvatura infinita; "
+             "accorciare l’intervallo, o partire altrove (\"start\")",
+             number_text(time)}};
+    }
+    /// `order`: of the derivative.
+    static Error not_finite(const StatedLaw& law, std::size_t order, bool is_infinite, double time) {
+        static const std::array<Words, 3> orders{Words("{0}", "{0}", std::string()),
+                                                 Words("the velocity of ", "la velocità di "),
+                                                 Words("the acceleration of ", "l’accelerazione di ")};
+        const Words how = is_infinite ? Words("is infinite", "è infinita")
+                                      : Words("is not real, or is infinite,", "non è reale, o è infinita,");
+        return Error{
+            ErrorCode::bad_input,
+            law.where,
+            {"{0}{1} {2} at t = {3} s; choose an interval \"from\" … \"to\" without that instant, or correct the law",
+             "{0}{1} {2} per t = {3} s; scegliere un intervallo \"from\" … \"to\" senza quell’istante, o correggere la "
+             "legge",
+             orders.at(order), Words(law.symbol), how, number_text(time)}};
+    }
+
+private:
+    /// With the comma in Italian.
+    static Words number_text(double value) {
+        std::string text = std::to_string(value);
+        while (text.ends_with('0')) text.pop_back();
+        if (text.ends_with('.')) text.pop_back();
+        std::string with_comma = text;
+        std::replace(with_comma.begin(), with_comma.end(), '.', ',');
+        return {text, with_comma};
+    }
+};
+
+/// Components of the acceleration and the centre of curvature, at the board.
+class PointConstruction {
+public:
+    explicit PointConstruction(PointMotionSolution& found) : found_(found) {}
+
+    void draw(const Mechanism& mechanism, const Pose& pose) {
+        Board board(mechanism, pose, [&]() -> const Pose& { return pose; });
+        draw(board);
+        found_.record = std::move(board).finish();
+        read();
+    }
+
+private:
+    /// In the drawing a metre is a metre per second and a metre per second², so that ρ = v²/a_n comes out in metres.
+    void draw(Board& board) {
+        using enum Plane;
+        const ScalarHandle one = board.number(1);
+        PointOn<drawing> p = board.pole<drawing>();
+        const auto laid_off = [&](const Vector& v) {
+            return board.carry(p, board.scale<drawing>(one, board.own_direction(v)));
+        };
+        if (!found_.place.is_zero()) p = laid_off(found_.place);
+        auto& elements = found_.elements;
+        PointOn<drawing> tip = p;
+        if (!found_.acceleration.is_zero()) tip = laid_off(found_.acceleration);
+        elements.tip_of_acceleration = tip.element;
+        if (found_.rests) return;
+        const PointOn<drawing> v = laid_off(found_.velocity);
+        elements.tip_of_velocity = v.element;
+        const LineOn<drawing> tangent = board.join(p, v);
+        const DirectionHandle along = board.direction(board.vector(p, v)), across = board.perpendicular(along);
+        const LineOn<drawing> normal = board.through(p, across);
+        // The projection of a on the normal.
+        const auto foot = board.meet(board.through(tip, along), normal);
+        KG_ASSERT(foot && tangent.element != normal.element, "tangent and normal meet in the point alone");
+        elements.foot = foot->element;
+        if (board.coincide(p, *foot)) return;
+        // The right angle at the tip of v, the altitude v: PC · a_n = v².
+        const PointOn<drawing> reversed = board.carry(p, board.negate(board.vector(p, *foot)));
+        elements.reversed = reversed.element;
+        const LineOn<drawing> leg = board.join(reversed, v);
+        const auto centre = board.meet(board.through(v, board.perpendicular(board.direction(leg))), normal);
+        KG_ASSERT(centre, "a leg that is no tangent has its perpendicular meet the normal");
+        elements.centre = centre->element;
+    }
+
+    void read() {
+        const auto& elements = found_.elements;
+        const auto at = [&](ElementIndex element) { return found_.record.point(element).place(); };
+        found_.speed = length(found_.velocity);
+        found_.acceleration_length = length(found_.acceleration);
+        if (found_.rests) return;
+        const Vector a = found_.acceleration;
+        found_.normal = at(elements.foot) - found_.place;
+        found_.tangential = a - *found_.normal;
+        const double sign = dot(*found_.tangential, found_.velocity).sign();
+        found_.along = sign * length(*found_.tangential);
+        found_.across = length(*found_.normal);
+        if (elements.centre == none) return;
+        found_.centre = at(elements.centre);
+        found_.radius = length(*found_.centre - found_.place);
+    }
+
+    PointMotionSolution& found_;
+};
+
 class MotionOfPoint {
 public:
     explicit MotionOfPoint(const PointProblem& problem) : problem_(problem) {}
@@ -161,13 +267,7 @@ public:
         return std::nullopt;
     }
 
-    /// Components of the acceleration and the centre of curvature, at the board.
-    void construct(const Mechanism& mechanism, const Pose& pose) {
-        Board board(mechanism, pose, [&]() -> const Pose& { return pose; });
-        draw(board);
-        found_.record = std::move(board).finish();
-        read();
-    }
+    void construct(const Mechanism& mechanism, const Pose& pose) { PointConstruction(found_).draw(mechanism, pose); }
     PointMotionSolution solution() && { return std::move(found_); }
 
 private:
@@ -253,47 +353,14 @@ private:
         for (std::size_t order = 0; order < 3; ++order)
             for (std::size_t i = 0; i < problem_.laws.size(); ++i)
                 if (!std::isfinite(values_of(i, time).at(order).value))
-                    return not_finite(problem_.laws[i], order, std::isinf(values_of(i, time).at(order).value), time);
+                    return MotionFaults::not_finite(problem_.laws[i], order,
+                                                    std::isinf(values_of(i, time).at(order).value), time);
         if (const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr)
-            return path_ends(*graph, time);
+            return MotionFaults::path_ends(*graph, time);
         return Error{ErrorCode::bad_input,
                      where,
                      {"these numbers are too large to be computed with; check the units",
                       "questi numeri sono troppo grandi per calcolare; controllare le unità"}};
-    }
-    /// With the comma in Italian.
-    static Words number_text(double value) {
-        std::string text = std::to_string(value);
-        while (text.ends_with('0')) text.pop_back();
-        if (text.ends_with('.')) text.pop_back();
-        std::string with_comma = text;
-        std::replace(with_comma.begin(), with_comma.end(), '.', ',');
-        return {text, with_comma};
-    }
-    static Error path_ends(const GraphPath& graph, double time) {
-        return {
-            ErrorCode::bad_input,
-            graph.f.where,
-            {"this path, as far as the point goes at t = {0} s, is not real or has an infinite slope or curvature; "
-             "shorten the interval, or begin elsewhere (\"start\")",
-             "questa traiettoria, dove il punto arriva per t = {0} s, non è reale o ha pendenza o curvatura infinita; "
-             "accorciare l’intervallo, o partire altrove (\"start\")",
-             number_text(time)}};
-    }
-    /// `order`: of the derivative.
-    Error not_finite(const StatedLaw& law, std::size_t order, bool is_infinite, double time) const {
-        static const std::array<Words, 3> orders{Words("{0}", "{0}", std::string()),
-                                                 Words("the velocity of ", "la velocità di "),
-                                                 Words("the acceleration of ", "l’accelerazione di ")};
-        const Words how = is_infinite ? Words("is infinite", "è infinita")
-                                      : Words("is not real, or is infinite,", "non è reale, o è infinita,");
-        return Error{
-            ErrorCode::bad_input,
-            law.where,
-            {"{0}{1} {2} at t = {3} s; choose an interval \"from\" … \"to\" without that instant, or correct the law",
-             "{0}{1} {2} per t = {3} s; scegliere un intervallo \"from\" … \"to\" senza quell’istante, o correggere la "
-             "legge",
-             orders.at(order), Words(law.symbol), how, number_text(time)}};
     }
 
     // ----- over the interval
@@ -325,7 +392,7 @@ private:
             for (std::size_t i = 0; i < problem_.laws.size(); ++i)
                 if (const auto gap = gap_within(found_.laws[i].by_order.at(order), problem_.constants,
                                                 problem_.from.to_double(), problem_.to.to_double()))
-                    return not_finite(problem_.laws[i], order, gap->is_infinite, gap->at);
+                    return MotionFaults::not_finite(problem_.laws[i], order, gap->is_infinite, gap->at);
         const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr;
         if (graph == nullptr) return std::nullopt;
         const double per = graph->f.law.variable_unit.to_double();
@@ -339,7 +406,8 @@ private:
                 return (at.place.x - gap->at * per) * (found_.course.front().place.x - gap->at * per) <= 0;
             };
             const auto there = std::find_if(found_.course.begin(), found_.course.end(), beyond);
-            return path_ends(*graph, there == found_.course.end() ? problem_.to.to_double() : there->time);
+            return MotionFaults::path_ends(*graph,
+                                           there == found_.course.end() ? problem_.to.to_double() : there->time);
         }
         return std::nullopt;
     }
@@ -420,55 +488,6 @@ private:
         };
         found_.polar_velocity = components(state.velocity);
         found_.polar_acceleration = components(state.acceleration);
-    }
-
-    /// In the drawing a metre is a metre per second and a metre per second², so that ρ = v²/a_n comes out in metres.
-    void draw(Board& board) {
-        using enum Plane;
-        const ScalarHandle one = board.number(1);
-        PointOn<drawing> p = board.pole<drawing>();
-        const auto laid_off = [&](const Vector& v) {
-            return board.carry(p, board.scale<drawing>(one, board.own_direction(v)));
-        };
-        if (!found_.place.is_zero()) p = laid_off(found_.place);
-        auto& elements = found_.elements;
-        PointOn<drawing> tip = p;
-        if (!found_.acceleration.is_zero()) tip = laid_off(found_.acceleration);
-        elements.tip_of_acceleration = tip.element;
-        if (found_.rests) return;
-        const PointOn<drawing> v = laid_off(found_.velocity);
-        elements.tip_of_velocity = v.element;
-        const LineOn<drawing> tangent = board.join(p, v);
-        const DirectionHandle along = board.direction(board.vector(p, v)), across = board.perpendicular(along);
-        const LineOn<drawing> normal = board.through(p, across);
-        // The projection of a on the normal.
-        const auto foot = board.meet(board.through(tip, along), normal);
-        KG_ASSERT(foot && tangent.element != normal.element, "tangent and normal meet in the point alone");
-        elements.foot = foot->element;
-        if (board.coincide(p, *foot)) return;
-        // The right angle at the tip of v, the altitude v: PC · a_n = v².
-        const PointOn<drawing> reversed = board.carry(p, board.negate(board.vector(p, *foot)));
-        elements.reversed = reversed.element;
-        const LineOn<drawing> leg = board.join(reversed, v);
-        const auto centre = board.meet(board.through(v, board.perpendicular(board.direction(leg))), normal);
-        KG_ASSERT(centre, "a leg that is no tangent has its perpendicular meet the normal");
-        elements.centre = centre->element;
-    }
-    void read() {
-        const auto& elements = found_.elements;
-        const auto at = [&](ElementIndex element) { return found_.record.point(element).place(); };
-        found_.speed = length(found_.velocity);
-        found_.acceleration_length = length(found_.acceleration);
-        if (found_.rests) return;
-        const Vector a = found_.acceleration;
-        found_.normal = at(elements.foot) - found_.place;
-        found_.tangential = a - *found_.normal;
-        const double sign = dot(*found_.tangential, found_.velocity).sign();
-        found_.along = sign * length(*found_.tangential);
-        found_.across = length(*found_.normal);
-        if (elements.centre == none) return;
-        found_.centre = at(elements.centre);
-        found_.radius = length(*found_.centre - found_.place);
     }
 
     const PointProblem& problem_;

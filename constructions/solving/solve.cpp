@@ -15,6 +15,7 @@
 #include "constructions/problems/methods.hpp"
 #include "constructions/problems/problems.hpp"
 #include "constructions/solving/displacements.hpp"
+#include "constructions/solving/missing_motion.hpp"
 #include "constructions/statics/forces.hpp"
 #include "constructions/statics/free_bodies.hpp"
 #include "constructions/statics/virtual_work.hpp"
@@ -22,6 +23,7 @@
 #include "constructions/verdicts/verdicts.hpp"
 #include "engine/equations/equations.hpp"
 #include "engine/number/assert.hpp"
+#include "engine/solution/found_elements.hpp"
 #include "engine/solution/problem_solution.hpp"
 
 namespace kinegraph {
@@ -131,8 +133,8 @@ private:
             if (wanted_.curvature) solution_.curvature = draw_curvature(structure_, board_, motion_);
             if (displaces_) solution_.virtual_work = works_of_displacement(structure_, board_, motion_);
             collect_motion();
-            explain_missing_motion();
-            if (wanted_.curvature) explain_missing_curvature();
+            explain_missing_motion(drawn_motion());
+            if (wanted_.curvature) explain_missing_curvature(drawn_motion());
         }
         if (wanted_.centres) collect_centres(centres);
     }
@@ -267,6 +269,9 @@ private:
         if (wanting) solution_.remarks.insert(solution_.remarks.begin(), oversights_.begin(), oversights_.end());
     }
 
+    DrawnMotion drawn_motion() {
+        return {solution_, structure_, board_, plan_, motion_, wanted_.accelerations, oversights_};
+    }
     void draw_motion_of_bodies() {
         std::vector<bool> use(mechanism_.drivers.size(), true);
         for (const int idle : solution_.mobility.idle_drivers) use[at_index(idle)] = false;
@@ -276,74 +281,7 @@ private:
         motion_ = draw_motion(structure_, board_, plan_, wanted_.accelerations);
         solution_.equivalent_linkages = motion_.equivalents;
         solution_.settled.velocities = motion_.velocities_settled;
-        for (const int idle : solution_.mobility.idle_drivers) hold_against_motion(idle);
-    }
-
-    /// A driver that fixes nothing new must ask what the mechanism does anyway; if not, it drives against a dead point
-    /// or a lock.
-    void hold_against_motion(int driver) {
-        const Message what = std::visit(
-            [&](const auto& given) -> Message {
-                if constexpr (requires { given.joint; }) {
-                    return {Sentence::drive_of_joint, {file_name(mechanism_.joints[at_index(given.joint)])}};
-                } else {
-                    return {Sentence::drive_of_body, {named(given.body)}};
-                }
-            },
-            mechanism_.drivers[at_index(driver)]);
-        const bool agrees = std::visit([&](const auto& given) { return asks_the_same(given, driver); },
-                                       mechanism_.drivers[at_index(driver)]);
-        if (!agrees) unsolved(what, {idle_reason(), {}});
-    }
-
-    bool asks_the_same(const SpinDriver& spin, int driver) {
-        const auto same = [&](const auto& track, ScalarHandle asked) {
-            if (!track.turns(spin.body) || !track.turns(spin.relative_to)) return board_.is_zero(asked);
-            const ScalarHandle found = board_.difference(track.spin(spin.body), track.spin(spin.relative_to));
-            return board_.is_zero(board_.difference(found, asked));
-        };
-        return same(motion_.velocity, board_.driver_velocity(driver)) &&
-               (!wanted_.accelerations || same(motion_.acceleration, board_.driver_acceleration(driver)));
-    }
-
-    bool asks_the_same(const SlideDriver& slide, int driver) {
-        const Joint& joint = mechanism_.joints[at_index(slide.joint)];
-        const NodeIndex slider = structure_.find(joint.point, joint.bodies[0]),
-                        guide = structure_.find(joint.point, joint.bodies[1]);
-        const auto& v = motion_.velocity;
-        const auto& a = motion_.acceleration;
-        if (slider == none || guide == none || !v.has(slider) || !v.has(guide))
-            return board_.is_zero(board_.driver_velocity(driver)) && board_.is_zero(board_.driver_acceleration(driver));
-        const DirectionHandle along = board_.guide_unit(slide.joint);
-        const auto velocity = board_.vector(v.tip(guide), v.tip(slider));
-        if (!board_.is_zero(
-                board_.subtract(velocity, board_.scale<Plane::velocity>(board_.driver_velocity(driver), along))))
-            return false;
-        if (!wanted_.accelerations || !a.has(slider) || !a.has(guide) || !v.turns(joint.bodies[1])) return true;
-        const auto coriolis = board_.scale<Plane::acceleration>(
-            board_.product(board_.number(2), v.spin(joint.bodies[1])), board_.turn(velocity));
-        const auto relative = board_.subtract(board_.vector(a.tip(guide), a.tip(slider)), coriolis);
-        return board_.is_zero(
-            board_.subtract(relative, board_.scale<Plane::acceleration>(board_.driver_acceleration(driver), along)));
-    }
-
-    bool asks_the_same(const PointDriver& point, int driver) {
-        const NodeIndex node = structure_.find(point.at, point.body);
-        const auto same = [&]<Plane plane>(const Track<plane>& track, ScalarHandle asked) {
-            if (node == none || !track.has(node)) return board_.is_zero(asked);
-            const DirectionHandle along = board_.driver_unit(driver);
-            const auto rest = board_.subtract(board_.vector(board_.pole<plane>(), track.tip(node)),
-                                              board_.scale<plane>(asked, along));
-            return board_.is_zero(rest) || board_.parallel(board_.direction(rest), board_.perpendicular(along));
-        };
-        return same(motion_.velocity, board_.driver_velocity(driver)) &&
-               (!wanted_.accelerations || same(motion_.acceleration, board_.driver_acceleration(driver)));
-    }
-
-    Sentence idle_reason() const {
-        if (solution_.mobility.effective == 0) return Sentence::locked;
-        return solution_.mobility.driven < solution_.mobility.effective ? Sentence::undrivable
-                                                                        : Sentence::driven_otherwise;
+        explain_idle_drivers(drawn_motion());
     }
 
     void second_way(InstantCentres& centres) {
@@ -398,82 +336,6 @@ private:
                                              [](const EffortValue& each) { return each.value.has_value(); });
         if (wanted_.velocities && is_moving(mechanism_) && all_efforts)
             solution_.virtual_work = virtual_work(structure_, board_, motion_.velocity, solution_.free_bodies);
-    }
-
-    bool reached(BodyIndex body) const {
-        if (!motion_.velocity.turns(body)) return false;
-        for (const NodeIndex node : structure_.nodes_of(body)) {
-            if (motion_.velocity.has(node)) return true;
-        }
-        return false;
-    }
-
-    bool wholly_accelerated(BodyIndex body) const {
-        const auto& nodes = structure_.nodes_of(body);
-        return motion_.acceleration.turns(body) && std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex node) {
-                   return !structure_.node(node).carried || motion_.acceleration.has(node);
-               });
-    }
-
-    void explain_missing_motion() {
-        for (const Contradiction& contradiction : motion_.contradictions) {
-            const auto label = [&](NodeIndex node) { return PointName{structure_.node(node).label}; };
-            unsolved({Sentence::velocity_of_body, {named(contradiction.body)}},
-                     {Sentence::no_rigid_motion, {label(contradiction.first), label(contradiction.second)}});
-        }
-        for (const BodyIndex body : mechanism_.moving_bodies()) {
-            if (!reached(body)) {
-                unsolved({Sentence::motion_of_body, {named(body)}}, reason_for(body));
-            } else if (wanted_.accelerations && !wholly_accelerated(body)) {
-                unsolved({Sentence::acceleration_of_body, {named(body)}}, missing_acceleration());
-            }
-        }
-    }
-
-    /// Of bodies that move in a known way; what hides the motion of others is said already.
-    void explain_missing_curvature() {
-        for (const BodyIndex body : mechanism_.moving_bodies()) {
-            const bool found = std::any_of(solution_.curvature.begin(), solution_.curvature.end(),
-                                           [&](const Curvature& each) { return each.body == body; });
-            if (!found && reached(body)) unsolved({Sentence::curvature_of_body, {named(body)}}, missing_acceleration());
-        }
-    }
-
-    Message missing_acceleration() const {
-        for (const JointIndex index : indices_of(mechanism_.joints)) {
-            const Joint& joint = mechanism_.joint(index);
-            if (!joint.pair().asks_curvatures() || structure_.has_curvatures(index)) continue;
-            const bool given = joint.profiles.contains(joint.bodies[0]) && joint.profiles.contains(joint.bodies[1]);
-            return {given ? Sentence::curvatures_coincide : Sentence::curvatures_wanted, {file_name(joint)}};
-        }
-        return {Sentence::hangs_on_undetermined, {}};
-    }
-
-    Message reason_for(BodyIndex body) const {
-        const Mobility& mobility = solution_.mobility;
-        if (mechanism_.drivers.empty()) return {Sentence::nothing_drives, {Count{mobility.effective}}};
-        if (at_index(body) < mobility.determined.size() && !mobility.determined[at_index(body)]) {
-            if (!mobility.idle_drivers.empty()) return {Sentence::stays_free, {}};
-            for (const DeadPoint& dead : plan_.dead_points) {
-                if (carries(dead.node, body))
-                    return {Sentence::dead_point_at, {PointName{structure_.node(dead.node).label}}};
-            }
-            Message lacks{Sentence::lacks_drivers, {Count{mobility.effective}, Count{mobility.driven}}};
-            // Drivers are no remedy where something was forgotten, which the remarks say.
-            if (const int more = mobility.effective - mobility.driven; oversights_.empty()) {
-                lacks.arguments.emplace_back(Count{more});
-                if (more > 1) lacks.arguments.emplace_back(Count{more});
-            }
-            return lacks;
-        }
-        return {mobility.idle_drivers.empty() ? Sentence::beyond_groups : Sentence::stands_still, {}};
-    }
-
-    bool carries(NodeIndex node, BodyIndex body) const {
-        for (const BodyIndex carrier : structure_.node(node).bodies) {
-            if (carrier == body) return true;
-        }
-        return false;
     }
 
     void collect_centres(const InstantCentres& centres) {

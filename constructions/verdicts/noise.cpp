@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/mechanism/rounding.hpp"
+#include "engine/solution/found_elements.hpp"
 
 namespace kinegraph {
 namespace {

@@ -363,19 +363,85 @@ Magnitude<typename Memory::Number> slack_of_parallels(const Guard& guard, const 
                     magnitude_of_direction(memory, a) * scale_of(strokes, memory, b, largest));
 }
 
-/// Answers a predicate with exact zeros; whoever asks decides what a small excess means. For predicates of zero the
-/// verdict 1 says that the excess is exactly zero.
+/// What a guard asks, with the numbers that it is answered from.
 template <class Memory>
-Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Stroke>& strokes, const Memory& memory,
-                                       const Largest<typename Memory::Number>& largest, bool measures = false) {
+class Predicate {
+public:
     using Number = typename Memory::Number;
-    using Question = Guard::Question;
-    const ElementIndex a = guard.inputs[0], b = guard.inputs[1];
-    const Plane lies_in = strokes[at_index(a)].plane;
-    const auto plane = static_cast<std::size_t>(lies_in);
-    const auto plain = [](bool yes) { return Answer<Number>{yes ? 1 : 0, true, {}, {}, {}}; };
-    const auto noted = [&](Answer<Number> found, const auto& value) {
-        if (measures) {
+
+    Predicate(const Guard& guard, const std::vector<Stroke>& strokes, const Memory& memory,
+              const Largest<Number>& largest, bool measures)
+        : question_(guard.question),
+          a_(guard.inputs[0]),
+          b_(guard.inputs[1]),
+          plane_(strokes[at_index(a_)].plane),
+          memory_(memory),
+          largest_(largest),
+          measures_(measures) {}
+
+    Answer<Number> answer() const {
+        using Question = Guard::Question;
+        switch (question_) {
+            case Question::coincide: return coincide();
+            case Question::parallel: return parallel();
+            case Question::zero_vector: return zero(memory_.vector(a_), beside_vectors());
+            case Question::zero_scalar: return zero(memory_.scalar(a_), largest_.beside_scalar(plane_));
+            case Question::on_line: return on_line();
+            case Question::sign: return sign(memory_.scalar(a_), largest_.beside_scalar(plane_));
+            case Question::turn_sign:
+                return sign(Number(cross(memory_.vector(a_), memory_.vector(b_))), size_of_product());
+            case Question::along_sign:
+                return sign(Number(dot(memory_.vector(a_), memory_.vector(b_))), size_of_product());
+            case Question::longer:
+                return without_size(squared_length(memory_.vector(b_)) < squared_length(memory_.vector(a_)));
+        }
+        KG_ASSERT(false, "every question has an answer");
+    }
+
+private:
+    Answer<Number> coincide() const {
+        const auto& p = memory_.point(a_);
+        const auto& q = memory_.point(b_);
+        if (p.at_infinity() && q.at_infinity()) return angle(p.place(), q.place());
+        if (p.at_infinity() || q.at_infinity()) return without_size(false);
+        return zero(p - q, beside_vectors());
+    }
+    Answer<Number> parallel() const {
+        const bool first = memory_.is_line(a_) && memory_.line(a_).at_infinity();
+        const bool second = memory_.is_line(b_) && memory_.line(b_).at_infinity();
+        if (first || second) return without_size(first && second);
+        return angle(direction_in(memory_, a_), direction_in(memory_, b_));
+    }
+    Answer<Number> on_line() const {
+        const auto& p = memory_.point(a_);
+        const auto& l = memory_.line(b_);
+        if (l.at_infinity()) return without_size(p.at_infinity());
+        if (p.at_infinity()) return angle(p.place(), l.direction());
+        return zero(Number(sum_of_products(l.a, p.x, l.b, p.y) + l.c), magnitude_of(l.direction()) * beside_vectors());
+    }
+
+    const Magnitude<Number>& beside_vectors() const { return largest_.vector[static_cast<std::size_t>(plane_)]; }
+    Magnitude<Number> size_of_product() const {
+        return magnitude_of(memory_.vector(a_)) * magnitude_of(memory_.vector(b_));
+    }
+
+    static Answer<Number> without_size(bool yes) { return {yes ? 1 : 0, true, {}, {}, {}}; }
+    template <class Excess>
+    Answer<Number> zero(const Excess& excess, Magnitude<Number> unit) const {
+        const Magnitude<Number> size = magnitude_of(excess);
+        const bool vanishes = is_zero(excess);
+        return noted({vanishes ? 1 : 0, vanishes, size, unit, {}}, excess);
+    }
+    Answer<Number> sign(const Number& value, Magnitude<Number> unit) const {
+        const int verdict = sign_of(value);
+        return noted({verdict, verdict == 0, magnitude_of(value), unit, {}}, value);
+    }
+    Answer<Number> angle(const VectorOf<Number>& d, const VectorOf<Number>& e) const {
+        return zero(Number(cross(d, e)), magnitude_of(d) * magnitude_of(e));
+    }
+    template <class Measured>
+    Answer<Number> noted(Answer<Number> found, const Measured& value) const {
+        if (measures_) {
             if constexpr (requires { value.x; }) {
                 found.measured = value;
             } else {
@@ -383,53 +449,22 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
             }
         }
         return found;
-    };
-    const auto zero = [&](const auto& excess, Magnitude<Number> unit) {
-        const Magnitude<Number> size = magnitude_of(excess);
-        const bool vanishes = is_zero(excess);
-        return noted({vanishes ? 1 : 0, vanishes, size, unit, {}}, excess);
-    };
-    const auto sign = [&](const Number& value, Magnitude<Number> unit) {
-        const int verdict = sign_of(value);
-        return noted({verdict, verdict == 0, magnitude_of(value), unit, {}}, value);
-    };
-    const auto angle = [&](const VectorOf<Number>& d, const VectorOf<Number>& e) {
-        return zero(Number(cross(d, e)), magnitude_of(d) * magnitude_of(e));
-    };
-    switch (guard.question) {
-        case Question::coincide: {
-            const auto& p = memory.point(a);
-            const auto& q = memory.point(b);
-            if (p.at_infinity() && q.at_infinity()) return angle(p.place(), q.place());
-            if (p.at_infinity() || q.at_infinity()) return plain(false);
-            return zero(p - q, largest.vector[plane]);
-        }
-        case Question::parallel: {
-            const bool first = memory.is_line(a) && memory.line(a).at_infinity();
-            const bool second = memory.is_line(b) && memory.line(b).at_infinity();
-            if (first || second) return plain(first && second);
-            return angle(direction_in(memory, a), direction_in(memory, b));
-        }
-        case Question::zero_vector: return zero(memory.vector(a), largest.vector[plane]);
-        case Question::zero_scalar: return zero(memory.scalar(a), largest.beside_scalar(lies_in));
-        case Question::on_line: {
-            const auto& p = memory.point(a);
-            const auto& l = memory.line(b);
-            if (l.at_infinity()) return plain(p.at_infinity());
-            if (p.at_infinity()) return angle(p.place(), l.direction());
-            return zero(Number(sum_of_products(l.a, p.x, l.b, p.y) + l.c),
-                        magnitude_of(l.direction()) * largest.vector[plane]);
-        }
-        case Question::sign: return sign(memory.scalar(a), largest.beside_scalar(lies_in));
-        case Question::turn_sign:
-            return sign(Number(cross(memory.vector(a), memory.vector(b))),
-                        magnitude_of(memory.vector(a)) * magnitude_of(memory.vector(b)));
-        case Question::along_sign:
-            return sign(Number(dot(memory.vector(a), memory.vector(b))),
-                        magnitude_of(memory.vector(a)) * magnitude_of(memory.vector(b)));
-        case Question::longer: return plain(squared_length(memory.vector(b)) < squared_length(memory.vector(a)));
     }
-    KG_ASSERT(false, "every question has an answer");
+
+    Guard::Question question_;
+    ElementIndex a_, b_;
+    Plane plane_;
+    const Memory& memory_;
+    const Largest<Number>& largest_;
+    bool measures_;
+};
+
+/// Answers a predicate with exact zeros; whoever asks decides what a small excess means. For predicates of zero the
+/// verdict 1 says that the excess is exactly zero.
+template <class Memory>
+Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Stroke>& strokes, const Memory& memory,
+                                       const Largest<typename Memory::Number>& largest, bool measures = false) {
+    return Predicate<Memory>(guard, strokes, memory, largest, measures).answer();
 }
 
 /// A predicate of zero: its verdict is 1 where what it asks about is zero. The others' is a sign, 0 for zero, or an

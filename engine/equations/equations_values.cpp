@@ -592,104 +592,141 @@ private:
     }
     static constexpr double touching = 1e-12;  ///< what sums of lengths that are equal differ by, as a share of them
     static constexpr double same_turn = 1e-9;
+
+    /// The one side that varies among what is known, and what the others add up to.
+    struct DrivenSide {
+        LetterIndex driver = -1;
+        bool turning = false;
+        std::array<double, 2> rest{0, 0};
+        double own = 0;  ///< direction of its share of the resultant
+        double length = 0;
+    };
+    /// Values of the driver.
+    struct Limits {
+        std::vector<double> dead_points, change_points;
+    };
+    std::optional<DrivenSide> driven_side(const Equations::Loop& loop) const {
+        const auto [index, driver] = driving_side(loop);
+        if (index < 0 || e_.letter(driver).role != Letter::Role::free || loop.solved.kind == Solved::Kind::two_slides)
+            return std::nullopt;
+        const Side& side = loop.sides[at_index(index)];
+        const bool same = side.on_the_right != loop.sides[at_index(loop.solved.first)].on_the_right;
+        return DrivenSide{driver, e_.letter(driver).is_angle, resultant(loop, index),
+                          value_of(e_, side.angle) + (same ? 0 : std::numbers::pi), e_.letter(side.length).value};
+    }
+
     /// Where one driven letter alone varies among what is known, in one side: the places where the dyad is stretched
     /// (two turns), its turning side stands square to the slide, or the slide's length vanishes. Where the two of them
     /// are one, the dyad comes to its limit without going beyond it.
     void find_dead_points(Equations::Loop& loop) const {
         Solved& solved = loop.solved;
-        const auto varying_side = driving_side(loop);
-        const int driving = varying_side.first;
-        const LetterIndex driver = varying_side.second;
-        if (driving < 0 || e_.letter(driver).role != Letter::Role::free || solved.kind == Solved::Kind::two_slides)
-            return;
-        const Side& side = loop.sides[at_index(driving)];
-        const bool same = side.on_the_right != loop.sides[at_index(solved.first)].on_the_right;
-        const std::array<double, 2> rest = resultant(loop, driving);
-        const double own =
-            value_of(e_, side.angle) + (same ? 0 : std::numbers::pi);  // direction of its share of the resultant
-        const double length = e_.letter(side.length).value;
-        std::vector<double> found;
-        const bool turning = e_.letter(driver).is_angle;
-        const auto add_turn = [&](double cosine, double from) {
-            if (std::abs(cosine) > 1 + touching) return;
-            const auto turn = [&](double direction) {
-                const double turned = std::remainder(direction - own + e_.letter(driver).value, 2 * std::numbers::pi);
-                return turned < same_turn - std::numbers::pi ? turned + 2 * std::numbers::pi : turned;
-            };
-            if (std::abs(cosine) > 1 - touching) {
-                solved.change_points.push_back(turn(cosine > 0 ? from : from + std::numbers::pi));
-                return;
-            }
-            const double half = std::acos(cosine);
-            for (const double each : {from + half, from - half}) found.push_back(turn(each));
-        };
-        const double first_length = e_.letter(loop.sides[at_index(solved.first)].length).value;
-        if (solved.kind == Solved::Kind::turn_and_slide) {
-            // n · (rest + own) = ± b, n square to the slide.
-            const double along = value_of(e_, loop.sides[at_index(solved.second)].angle) + std::numbers::pi / 2;
-            const double across = rest[0] * std::cos(along) + rest[1] * std::sin(along), tilt = std::cos(own - along);
-            for (const double reach : {first_length, -first_length}) {
-                if (turning)
-                    add_turn((reach - across) / length, along);
-                else if (std::abs(tilt) > 1e-12)
-                    found.push_back((reach - across) / tilt);
-            }
-        } else {
-            std::vector<double> reaches{0};
-            if (solved.kind == Solved::Kind::two_turns) {
-                const double second_length = e_.letter(loop.sides[at_index(solved.second)].length).value;
-                reaches = {first_length + second_length, std::abs(first_length - second_length)};
-            } else if (solved.kind == Solved::Kind::turn_with_offset_slide) {
-                reaches = {e_.letter(loop.sides[at_index(solved.second)].length).value};
-            }
-            const double w = std::hypot(rest[0], rest[1]), to = std::atan2(rest[1], rest[0]);
-            for (const double reach : reaches) {
-                if (turning) {
-                    if (w > 1e-12 * length) add_turn((reach * reach - w * w - length * length) / (2 * w * length), to);
-                    continue;
-                }
-                const double middle = -w * std::cos(own - to), inside = reach * reach - w * w + middle * middle;
-                const double grain = touching * (reach * reach + w * w);
-                if (inside < -grain) continue;
-                if (inside <= grain) {
-                    solved.change_points.push_back(middle);
-                    continue;
-                }
-                found.push_back(middle + std::sqrt(inside));
-                found.push_back(middle - std::sqrt(inside));
-            }
-        }
-        if (turning && solved.kind == Solved::Kind::turn_and_slide) find_standstills(loop, driver, rest, own, length);
-        for (std::vector<double>* each : {&found, &solved.change_points}) {
+        const std::optional<DrivenSide> driven = driven_side(loop);
+        if (!driven) return;
+        const bool slides = solved.kind == Solved::Kind::turn_and_slide;
+        Limits limits = slides ? limits_of_slide(loop, *driven) : limits_of_reach(loop, *driven);
+        if (slides && driven->turning) find_standstills(loop, *driven);
+        for (std::vector<double>* each : {&limits.dead_points, &limits.change_points}) {
             std::sort(each->begin(), each->end());
-            const double near = turning ? same_turn : 1e-9 * (length + 1e-30);
+            const double near = driven->turning ? same_turn : 1e-9 * (driven->length + 1e-30);
             each->erase(
                 std::unique(each->begin(), each->end(), [&](double a, double b) { return std::abs(a - b) < near; }),
                 each->end());
         }
-        solved.dead_points = std::move(found);
+        solved.dead_points = std::move(limits.dead_points);
+        solved.change_points = std::move(limits.change_points);
+    }
+
+    /// The angles of the driver at which its side is turned from the direction `from` by this cosine: two, one (the
+    /// dyad only touches its limit), or none.
+    void add_turns(Limits& limits, const DrivenSide& driven, double cosine, double from) const {
+        if (std::abs(cosine) > 1 + touching) return;
+        const auto turn = [&](double direction) {
+            const double turned =
+                std::remainder(direction - driven.own + e_.letter(driven.driver).value, 2 * std::numbers::pi);
+            return turned < same_turn - std::numbers::pi ? turned + 2 * std::numbers::pi : turned;
+        };
+        if (std::abs(cosine) > 1 - touching) {
+            limits.change_points.push_back(turn(cosine > 0 ? from : from + std::numbers::pi));
+            return;
+        }
+        const double half = std::acos(cosine);
+        for (const double each : {from + half, from - half}) limits.dead_points.push_back(turn(each));
+    }
+
+    /// n · (rest + own) = ± b, n square to the slide.
+    Limits limits_of_slide(const Equations::Loop& loop, const DrivenSide& driven) const {
+        const Solved& solved = loop.solved;
+        Limits limits;
+        const double b = e_.letter(loop.sides[at_index(solved.first)].length).value;
+        const double along = value_of(e_, loop.sides[at_index(solved.second)].angle) + std::numbers::pi / 2;
+        const double across = driven.rest[0] * std::cos(along) + driven.rest[1] * std::sin(along),
+                     tilt = std::cos(driven.own - along);
+        for (const double reach : {b, -b}) {
+            if (driven.turning)
+                add_turns(limits, driven, (reach - across) / driven.length, along);
+            else if (std::abs(tilt) > 1e-12)
+                limits.dead_points.push_back((reach - across) / tilt);
+        }
+        return limits;
+    }
+
+    /// How long the resultant is at the limits of the dyad.
+    std::vector<double> limiting_reaches(const Equations::Loop& loop) const {
+        const Solved& solved = loop.solved;
+        const double first = e_.letter(loop.sides[at_index(solved.first)].length).value;
+        if (solved.kind == Solved::Kind::two_turns) {
+            const double second = e_.letter(loop.sides[at_index(solved.second)].length).value;
+            return {first + second, std::abs(first - second)};
+        }
+        if (solved.kind == Solved::Kind::turn_with_offset_slide)
+            return {e_.letter(loop.sides[at_index(solved.second)].length).value};
+        return {0};
+    }
+    /// |rest + own| = reach.
+    Limits limits_of_reach(const Equations::Loop& loop, const DrivenSide& driven) const {
+        Limits limits;
+        const double w = std::hypot(driven.rest[0], driven.rest[1]), to = std::atan2(driven.rest[1], driven.rest[0]);
+        const double length = driven.length;
+        for (const double reach : limiting_reaches(loop)) {
+            if (driven.turning) {
+                if (w > 1e-12 * length)
+                    add_turns(limits, driven, (reach * reach - w * w - length * length) / (2 * w * length), to);
+                continue;
+            }
+            const double middle = -w * std::cos(driven.own - to), inside = reach * reach - w * w + middle * middle;
+            const double grain = touching * (reach * reach + w * w);
+            if (inside < -grain) continue;
+            if (inside <= grain) {
+                limits.change_points.push_back(middle);
+                continue;
+            }
+            limits.dead_points.push_back(middle + std::sqrt(inside));
+            limits.dead_points.push_back(middle - std::sqrt(inside));
+        }
+        return limits;
     }
 
     /// A crank of length r and direction `own`, a rod b: e^{iα} r − b e^{iβ} = ± s u − rest is r ± b long where they
     /// lie in one line.
-    void find_standstills(Equations::Loop& loop, LetterIndex driver, const std::array<double, 2>& rest, double own,
-                          double r) const {
+    void find_standstills(Equations::Loop& loop, const DrivenSide& driven) const {
         Solved& solved = loop.solved;
         const Side &rod = loop.sides[at_index(solved.first)], &slide = loop.sides[at_index(solved.second)];
         const double b = e_.letter(rod.length).value, along = value_of(e_, slide.angle);
         const double sign = rod.on_the_right == slide.on_the_right ? 1 : -1;
         const double ux = std::cos(along), uy = std::sin(along);
+        const double r = driven.length;
         // lead: b e^{iβ} + sign s u = rest + r e^{iα}.
-        const double ahead = sign * (rest[0] * ux + rest[1] * uy), across = rest[1] * ux - rest[0] * uy;
+        const double ahead = sign * (driven.rest[0] * ux + driven.rest[1] * uy),
+                     across = driven.rest[1] * ux - driven.rest[0] * uy;
         const double side = e_.letter(slide.length).value - ahead < 0 ? -1 : 1;
         for (const double reach : {r + b, std::abs(r - b)}) {
             if (reach * reach < across * across || reach < 1e-12 * (r + b)) continue;
             const double s = ahead + side * std::sqrt(reach * reach - across * across);
-            const double x = sign * s * ux - rest[0], y = sign * s * uy - rest[1];
+            const double x = sign * s * ux - driven.rest[0], y = sign * s * uy - driven.rest[1];
             const bool against = reach < r + b && r < b;  // the crank points away from where the rod's end is
             const double direction = std::atan2(y, x) + (against ? std::numbers::pi : 0);
             solved.standstills.emplace_back(
-                std::remainder(direction - own + e_.letter(driver).value, 2 * std::numbers::pi), s);
+                std::remainder(direction - driven.own + e_.letter(driven.driver).value, 2 * std::numbers::pi), s);
         }
     }
 

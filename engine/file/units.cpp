@@ -25,84 +25,99 @@ Exact decimal(std::string_view text) {
     return *value;
 }
 
-std::vector<KnownUnit> make_units() {
+/// What units are made of, in SI.
+struct UnitFactors {
+    Exact inch = decimal("0.0254");
+    Exact foot = decimal("0.3048");
+    Exact pound = decimal("0.45359237");
+    Exact kilopond = decimal("9.80665");
+    Exact pound_force = pound * kilopond;
+    Exact degree = pi() / 180;
+    Exact turn_a_minute = pi() / 30;
+};
+
+std::vector<KnownUnit> units_of_motion(const UnitFactors& in) {
     using enum QuantityKind;
-    const Exact inch = decimal("0.0254");
-    const Exact foot = decimal("0.3048");
-    const Exact pound = decimal("0.45359237");
-    const Exact pound_force = pound * decimal("9.80665");
-    const Exact degree = pi() / 180;
-    const Exact turn_a_minute = pi() / 30;
     return {
         {length, "m", 1},
         {length, "cm", Exact::ratio(1, 100)},
         {length, "mm", Exact::ratio(1, 1000)},
-        {length, "in", inch},
-        {length, "ft", foot},
-        {angle, "deg", degree},
+        {length, "in", in.inch},
+        {length, "ft", in.foot},
+        {angle, "deg", in.degree},
         {angle, "rad", 1},
         {angular_velocity, "rad/s", 1},
-        {angular_velocity, "rpm", turn_a_minute},
-        {angular_velocity, "deg/s", degree},
+        {angular_velocity, "rpm", in.turn_a_minute},
+        {angular_velocity, "deg/s", in.degree},
         {angular_acceleration, "rad/s²", 1},
-        {angular_acceleration, "deg/s²", degree},
-        {angular_acceleration, "rpm/s", turn_a_minute},
+        {angular_acceleration, "deg/s²", in.degree},
+        {angular_acceleration, "rpm/s", in.turn_a_minute},
         {velocity, "m/s", 1},
         {velocity, "cm/s", Exact::ratio(1, 100)},
         {velocity, "mm/s", Exact::ratio(1, 1000)},
-        {velocity, "in/s", inch},
-        {velocity, "ft/s", foot},
+        {velocity, "in/s", in.inch},
+        {velocity, "ft/s", in.foot},
         {acceleration, "m/s²", 1},
         {acceleration, "cm/s²", Exact::ratio(1, 100)},
         {acceleration, "mm/s²", Exact::ratio(1, 1000)},
-        {acceleration, "in/s²", inch},
-        {acceleration, "ft/s²", foot},
+        {acceleration, "in/s²", in.inch},
+        {acceleration, "ft/s²", in.foot},
+    };
+}
+std::vector<KnownUnit> units_of_forces(const UnitFactors& in) {
+    using enum QuantityKind;
+    return {
         {mass, "kg", 1},
         {mass, "g", Exact::ratio(1, 1000)},
         {mass, "t", 1000},
-        {mass, "lb", pound},
-        {mass, "slug", pound_force / foot},
-        {mass, "lb s²/in", pound_force / inch},
+        {mass, "lb", in.pound},
+        {mass, "slug", in.pound_force / in.foot},
+        {mass, "lb s²/in", in.pound_force / in.inch},
         {force, "N", 1},
         {force, "kN", 1000},
         {force, "MN", 1000000},
-        {force, "lbf", pound_force},
-        {force, "kgf", decimal("9.80665")},
+        {force, "lbf", in.pound_force},
+        {force, "kgf", in.kilopond},
         {moment, "N m", 1},
         {moment, "N mm", Exact::ratio(1, 1000)},
         {moment, "kN m", 1000},
-        {moment, "lbf in", pound_force * inch},
-        {moment, "lbf ft", pound_force * foot},
+        {moment, "lbf in", in.pound_force * in.inch},
+        {moment, "lbf ft", in.pound_force * in.foot},
         {inertia, "kg m²", 1},
         {inertia, "kg cm²", Exact::ratio(1, 10000)},
         {inertia, "kg mm²", Exact::ratio(1, 1000000)},
-        {inertia, "lb in s²", pound_force * inch},
-        {inertia, "lb in²", pound * inch * inch},
-        {inertia, "lb ft²", pound * foot * foot},
-        {inertia, "slug ft²", pound_force * foot},
+        {inertia, "lb in s²", in.pound_force * in.inch},
+        {inertia, "lb in²", in.pound * in.inch * in.inch},
+        {inertia, "lb ft²", in.pound * in.foot * in.foot},
+        {inertia, "slug ft²", in.pound_force * in.foot},
+    };
+}
+std::vector<KnownUnit> units_of_contact(const UnitFactors& in) {
+    using enum QuantityKind;
+    return {
         {pressure, "Pa", 1},
         {pressure, "kPa", 1000},
         {pressure, "MPa", 1000000},
         {pressure, "GPa", 1000000000},
         {pressure, "bar", 100000},
-        {pressure, "psi", pound_force / (inch * inch)},
+        {pressure, "psi", in.pound_force / (in.inch * in.inch)},
         {area, "m²", 1},
         {area, "cm²", Exact::ratio(1, 10000)},
         {area, "mm²", Exact::ratio(1, 1000000)},
-        {area, "in²", inch * inch},
+        {area, "in²", in.inch * in.inch},
         {force_per_length, "N/m", 1},
         {force_per_length, "N/cm", 100},
         {force_per_length, "N/mm", 1000},
         {force_per_length, "kN/m", 1000},
-        {force_per_length, "lbf/in", pound_force / inch},
-        {force_per_length, "lbf/ft", pound_force / foot},
-        {force_per_length, "kgf/m", decimal("9.80665")},
+        {force_per_length, "lbf/in", in.pound_force / in.inch},
+        {force_per_length, "lbf/ft", in.pound_force / in.foot},
+        {force_per_length, "kgf/m", in.kilopond},
         {torsional_stiffness, "N m/rad", 1},
         {torsional_stiffness, "N mm/rad", Exact::ratio(1, 1000)},
-        {torsional_stiffness, "N m/deg", Exact(1) / degree},
-        {torsional_stiffness, "N mm/deg", Exact::ratio(1, 1000) / degree},
-        {torsional_stiffness, "lbf in/rad", pound_force * inch},
-        {torsional_stiffness, "lbf ft/rad", pound_force * foot},
+        {torsional_stiffness, "N m/deg", Exact(1) / in.degree},
+        {torsional_stiffness, "N mm/deg", Exact::ratio(1, 1000) / in.degree},
+        {torsional_stiffness, "lbf in/rad", in.pound_force * in.inch},
+        {torsional_stiffness, "lbf ft/rad", in.pound_force * in.foot},
         {time, "s", 1},
         {time, "ms", Exact::ratio(1, 1000)},
         {time, "min", 60},
@@ -111,6 +126,14 @@ std::vector<KnownUnit> make_units() {
         {wear, "mm²/N", Exact::ratio(1, 1000000)},
         {wear, "mm³/(N m)", Exact::ratio(1, 1000000000)},
     };
+}
+
+std::vector<KnownUnit> make_units() {
+    const UnitFactors in;
+    std::vector<KnownUnit> all;
+    for (const auto units : {units_of_motion, units_of_forces, units_of_contact})
+        for (KnownUnit& unit : units(in)) all.push_back(std::move(unit));
+    return all;
 }
 
 /// One spelling for all that are alike: products by one space, squares as ^2, degrees as deg.
@@ -170,6 +193,74 @@ std::size_t number_length(std::string_view text) {
     }
     return at;
 }
+
+/// A decimal number as it is written: value = ± 0.d₁d₂d₃… · 10^order.
+struct WrittenDecimal {
+    bool negative = false;
+    std::string digits;      ///< without leading zeros; of more than 1000 the first 1001
+    std::size_t places = 0;  ///< with them
+    std::int64_t order = 0;
+};
+
+class DecimalScanner {
+public:
+    explicit DecimalScanner(std::string_view text) : text_(text) {}
+
+    /// Nothing where the text is no decimal number.
+    std::optional<WrittenDecimal> scanned() {
+        found_.negative = comes("-");
+        if (found_.negative || comes("+")) ++at_;
+        if (!scan_integer()) return std::nullopt;
+        if (comes(".") && !scan_fraction()) return std::nullopt;
+        if (comes("eE") && !scan_exponent()) return std::nullopt;
+        if (at_ != text_.size()) return std::nullopt;
+        return std::move(found_);
+    }
+
+private:
+    bool comes(std::string_view one_of) const {
+        return at_ < text_.size() && one_of.find(text_[at_]) != std::string_view::npos;
+    }
+    bool comes_digit() const { return at_ < text_.size() && is_digit(text_[at_]); }
+    void keep_digit() {
+        if (found_.digits.size() <= most_digits) found_.digits += text_[at_];
+    }
+
+    bool scan_integer() {
+        const std::size_t first = at_;
+        for (; comes_digit(); ++at_, ++found_.places) {
+            if (text_[at_] == '0' && found_.digits.empty()) continue;
+            keep_digit();
+            ++found_.order;
+        }
+        return at_ != first;
+    }
+    bool scan_fraction() {
+        const std::size_t first = ++at_;
+        for (; comes_digit(); ++at_, ++found_.places) {
+            if (text_[at_] == '0' && found_.digits.empty())
+                --found_.order;
+            else
+                keep_digit();
+        }
+        return at_ != first;
+    }
+    bool scan_exponent() {
+        ++at_;
+        const bool down = comes("-");
+        if (comes("-+")) ++at_;
+        const std::size_t first = at_;
+        constexpr std::int64_t enough = 1'000'000'000'000;  // no text is long enough to make up for it
+        std::int64_t exponent = 0;
+        for (; comes_digit(); ++at_) exponent = std::min(enough, exponent * 10 + (text_[at_] - '0'));
+        found_.order += down ? -exponent : exponent;
+        return at_ != first;
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    WrittenDecimal found_;
+};
 
 }  // namespace
 
@@ -249,63 +340,22 @@ Words unknown_unit_message(std::string_view text, QuantityKind wanted) {
 }
 
 tl::expected<Exact, Words> read_decimal(std::string_view text) {
-    const auto no_number = [&] {
+    const std::optional<WrittenDecimal> written = DecimalScanner(text).scanned();
+    if (!written)
         return tl::make_unexpected(Words("{0} is no decimal number", "{0} non è un numero decimale", quoted(text)));
-    };
-    const auto out_of_range = [&] {
+    if (written->places > most_digits)
+        return tl::make_unexpected(Words("a number of {0} digits; 1000 are the most that are read",
+                                         "un numero di {0} cifre; se ne leggono al massimo 1000",
+                                         std::to_string(written->places)));
+    if (written->digits.empty()) return Exact();
+    if (written->order > order_margin || written->order < -order_margin)
         return tl::make_unexpected(Words(
             "{0} is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie",
             "{0} è fuori da 1e-60 … 1e60 (in unità SI), dove deve stare un numero diverso da zero", shown(text, 40)));
-    };
-    std::size_t at = 0;
-    const bool negative = text.starts_with('-');
-    if (negative || text.starts_with('+')) ++at;
-    std::string digits;            // without leading zeros
-    std::size_t written = 0;       // with them
-    std::int64_t order = 0;        // of the first digit that counts: value = 0.d₁d₂d₃… · 10^order
-    std::size_t before_point = 0;  // digits of the integer part
-    for (; at < text.size() && is_digit(text[at]); ++at, ++written, ++before_point) {
-        if (text[at] == '0' && digits.empty()) continue;
-        if (digits.size() <= most_digits) digits += text[at];
-        ++order;
-    }
-    if (before_point == 0) return no_number();
-    if (at < text.size() && text[at] == '.') {
-        const std::size_t first = ++at;
-        for (; at < text.size() && is_digit(text[at]); ++at, ++written) {
-            if (text[at] == '0' && digits.empty()) {
-                --order;
-            } else if (digits.size() <= most_digits) {
-                digits += text[at];
-            }
-        }
-        if (at == first) return no_number();
-    }
-    std::int64_t exponent = 0;
-    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-        ++at;
-        const bool down = at < text.size() && text[at] == '-';
-        if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
-        const std::size_t first = at;
-        constexpr std::int64_t enough = 1'000'000'000'000;  // no text is long enough to make up for it
-        for (; at < text.size() && is_digit(text[at]); ++at)
-            exponent = std::min(enough, exponent * 10 + (text[at] - '0'));
-        if (at == first) return no_number();
-        if (down) exponent = -exponent;
-    }
-    if (at != text.size()) return no_number();
-    if (written > most_digits) {
-        return tl::make_unexpected(Words("a number of {0} digits; 1000 are the most that are read",
-                                         "un numero di {0} cifre; se ne leggono al massimo 1000",
-                                         std::to_string(written)));
-    }
-    if (digits.empty()) return Exact();
-    order += exponent;
-    if (order > order_margin || order < -order_margin) return out_of_range();
     // Written anew with the point behind the first digit, so that the exponent is small whatever it was.
-    std::string normal = negative ? "-" : "";
-    normal += digits[0];
-    normal += '.' + digits.substr(1) + 'e' + std::to_string(order - 1);
+    std::string normal = written->negative ? "-" : "";
+    normal += written->digits[0];
+    normal += '.' + written->digits.substr(1) + 'e' + std::to_string(written->order - 1);
     const std::optional<Exact> value = Exact::from_decimal(normal);
     KG_ASSERT(value.has_value(), "a number that was checked is a decimal");
     return *value;

@@ -39,13 +39,99 @@ struct State {
     Exact omega;
 };
 
+/// The second-order terms of constraints, lengths in units of the drawing's size and places from its first point.
+class SecondOrderTerms {
+public:
+    SecondOrderTerms(const Mechanism& mechanism, const Pose& pose) : mechanism_(mechanism), pose_(pose) {}
+
+    Vector place(PointIndex point) const {
+        const Vector from = pose_.at(point) - pose_.points.front();
+        return {from.x / pose_.size, from.y / pose_.size};
+    }
+
+    /// q of the row: its time derivative is (row) · a + q(u) = 0, a the accelerations of the bodies' points at the
+    /// origin.
+    std::optional<Exact> quadratic(const ConstraintRow& row, const DenseRow& u) const {
+        if (row.turn) return Exact();
+        const Joint& joint = mechanism_.joint(row.joint);
+        const State i = state(u, row.i), j = state(u, row.j);
+        const Vector p = place(row.point);
+        const Exact centripetal = (square(j.omega) - square(i.omega)) * dot(row.along, p);
+        if (joint.pair().has_guide()) {
+            const Vector sliding = velocity(i, p) - velocity(j, p);
+            Exact q = centripetal - 2 * j.omega * dot(row.along, quarter_turn(sliding));
+            if (joint.arc != none) {
+                const Vector inwards = place(joint.arc) - p;
+                q -= squared_length(sliding) * dot(row.along, inwards) / squared_length(inwards);
+            }
+            return q;
+        }
+        if (!joint.pair().asks_curvatures()) return centripetal;
+        const Vector& normal = pose_.normals[at_index(row.joint)];
+        const auto along = normal_difference(joint, u, normal);
+        if (!along) return std::nullopt;
+        return centripetal - *along * dot(row.along, normal) / squared_length(normal);
+    }
+
+private:
+    State state(const DenseRow& u, BodyIndex body) const {
+        if (body == frame) return {};
+        const std::size_t first = 3 * at_index(body.number() - 1);
+        return {{u[first], u[first + 1]}, u[first + 2]};
+    }
+
+    static Vector velocity(const State& state, const Vector& at) { return state.v + state.omega * quarter_turn(at); }
+
+    /// Centre of a profile's curvature at the contact; a tip is its own. Nothing for a line, and `known` false where
+    /// the file gives no profile.
+    std::optional<Vector> centre(const Joint& joint, BodyIndex body, bool& known) const {
+        const auto profile = joint.profiles.find(body);
+        known = profile != joint.profiles.end();
+        if (!known) return std::nullopt;
+        if (const auto* circle = std::get_if<CircleProfile>(&profile->second)) return place(circle->centre);
+        if (std::holds_alternative<TipProfile>(profile->second)) return place(joint.point);
+        return std::nullopt;
+    }
+
+    /// Of two profiles that touch: n · (a_i(P) − a_j(P)) for the material points at P, by the equivalent linkage
+    /// through the centres of curvature. Nothing where the file does not say enough.
+    std::optional<Exact> normal_difference(const Joint& joint, const DenseRow& u, const Vector& normal) const {
+        const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
+        bool known_i = false, known_j = false;
+        const auto c_i = centre(joint, i, known_i), c_j = centre(joint, j, known_j);
+        if (!known_i || !known_j || (!c_i && !c_j)) return std::nullopt;
+        const State s_i = state(u, i), s_j = state(u, j);
+        const Vector p = place(joint.point);
+        if (c_i && c_j) {
+            // |C_i C_j| stays: d·(a(C_i) − a(C_j)) = −|v(C_i) − v(C_j)|²
+            const Vector d = *c_i - *c_j;
+            if (d.is_zero()) return std::nullopt;
+            const Exact along = -squared_length(velocity(s_i, *c_i) - velocity(s_j, *c_j)) +
+                                square(s_i.omega) * dot(d, *c_i - p) - square(s_j.omega) * dot(d, *c_j - p);
+            return along * dot(normal, d) / squared_length(d);
+        }
+        // The centre keeps its distance from a line of the other body: that of a pin in a slot, shifted.
+        const bool first = c_i.has_value();
+        const State& round = first ? s_i : s_j;
+        const State& flat = first ? s_j : s_i;
+        const Vector& c = first ? *c_i : *c_j;
+        const Vector sliding = velocity(round, c) - velocity(flat, c);
+        const Exact along = 2 * flat.omega * dot(normal, quarter_turn(sliding)) +
+                            (square(round.omega) - square(flat.omega)) * dot(normal, c - p);
+        return first ? along : -along;
+    }
+
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+};
+
 /// The space of velocities and its second order, lengths in units of the drawing's size and places from its middle.
 class Analysis {
 public:
     /// `leader`: of the same mechanism on another drawing, whose pivots are taken.
     Analysis(const Mechanism& mechanism, const Pose& pose, const Analysis* leader = nullptr)
         : mechanism_(mechanism),
-          pose_(pose),
+          terms_(mechanism, pose),
           arithmetic_(pose),
           columns_(3 * (static_cast<int>(mechanism.bodies.size()) - 1)),
           rows_(constraint_rows(mechanism, pose)) {
@@ -86,11 +172,6 @@ public:
     }
 
 private:
-    Vector place(PointIndex point) const {
-        const Vector from = pose_.at(point) - pose_.points.front();
-        return {from.x / pose_.size, from.y / pose_.size};
-    }
-
     /// Gauss–Jordan on [J | 1]: the rows that vanish leave the states of self-stress, the pivots the null space.
     void eliminate(const Analysis* leader) {
         const std::size_t columns = at_index(columns_), count = rows_.size();
@@ -148,84 +229,11 @@ private:
             }
             entries[first] += sign * row.along.x;
             entries[first + 1] += sign * row.along.y;
-            entries[first + 2] += sign * cross(place(row.point), row.along);
+            entries[first + 2] += sign * cross(terms_.place(row.point), row.along);
         };
         add(row.i, 1);
         add(row.j, -1);
         return entries;
-    }
-
-    // --- the second order
-    // --------------------------------------------------------------------------------------------------
-
-    State state(const DenseRow& u, BodyIndex body) const {
-        if (body == frame) return {};
-        const std::size_t first = 3 * at_index(body.number() - 1);
-        return {{u[first], u[first + 1]}, u[first + 2]};
-    }
-    static Vector velocity(const State& state, const Vector& at) { return state.v + state.omega * quarter_turn(at); }
-
-    /// Centre of a profile's curvature at the contact; a tip is its own. Nothing for a line, and `known` false where
-    /// the file gives no profile.
-    std::optional<Vector> centre(const Joint& joint, BodyIndex body, bool& known) const {
-        const auto profile = joint.profiles.find(body);
-        known = profile != joint.profiles.end();
-        if (!known) return std::nullopt;
-        if (const auto* circle = std::get_if<CircleProfile>(&profile->second)) return place(circle->centre);
-        if (std::holds_alternative<TipProfile>(profile->second)) return place(joint.point);
-        return std::nullopt;
-    }
-
-    /// Of two profiles that touch: n · (a_i(P) − a_j(P)) for the material points at P, by the equivalent linkage
-    /// through the centres of curvature. Nothing where the file does not say enough.
-    std::optional<Exact> normal_difference(const Joint& joint, const DenseRow& u, const Vector& normal) const {
-        const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
-        bool known_i = false, known_j = false;
-        const auto c_i = centre(joint, i, known_i), c_j = centre(joint, j, known_j);
-        if (!known_i || !known_j || (!c_i && !c_j)) return std::nullopt;
-        const State s_i = state(u, i), s_j = state(u, j);
-        const Vector p = place(joint.point);
-        if (c_i && c_j) {
-            // |C_i C_j| stays: d·(a(C_i) − a(C_j)) = −|v(C_i) − v(C_j)|²
-            const Vector d = *c_i - *c_j;
-            if (d.is_zero()) return std::nullopt;
-            const Exact along = -squared_length(velocity(s_i, *c_i) - velocity(s_j, *c_j)) +
-                                square(s_i.omega) * dot(d, *c_i - p) - square(s_j.omega) * dot(d, *c_j - p);
-            return along * dot(normal, d) / squared_length(d);
-        }
-        // The centre keeps its distance from a line of the other body: that of a pin in a slot, shifted.
-        const bool first = c_i.has_value();
-        const State& round = first ? s_i : s_j;
-        const State& flat = first ? s_j : s_i;
-        const Vector& c = first ? *c_i : *c_j;
-        const Vector sliding = velocity(round, c) - velocity(flat, c);
-        const Exact along = 2 * flat.omega * dot(normal, quarter_turn(sliding)) +
-                            (square(round.omega) - square(flat.omega)) * dot(normal, c - p);
-        return first ? along : -along;
-    }
-
-    /// q of the row: its time derivative is (row) · a + q(u) = 0, a the accelerations of the bodies' points at the
-    /// origin.
-    std::optional<Exact> quadratic(const ConstraintRow& row, const DenseRow& u) const {
-        if (row.turn) return Exact();
-        const Joint& joint = mechanism_.joint(row.joint);
-        const State i = state(u, row.i), j = state(u, row.j);
-        const Vector p = place(row.point);
-        const Exact centripetal = (square(j.omega) - square(i.omega)) * dot(row.along, p);
-        if (joint.pair().has_guide()) {
-            const Vector sliding = velocity(i, p) - velocity(j, p);
-            Exact q = centripetal - 2 * j.omega * dot(row.along, quarter_turn(sliding));
-            if (joint.arc != none) {
-                const Vector inwards = place(joint.arc) - p;
-                q -= squared_length(sliding) * dot(row.along, inwards) / squared_length(inwards);
-            }
-            return q;
-        }
-        if (!joint.pair().asks_curvatures()) return centripetal;
-        const Vector& normal = pose_.normals[at_index(row.joint)];
-        const auto along = normal_difference(joint, u, normal);
-        if (!along) return std::nullopt;
-        return centripetal - *along * dot(row.along, normal) / squared_length(normal);
     }
 
     /// s·q(u); nothing where a row with a share in s has no second order.
@@ -233,7 +241,7 @@ private:
         Exact sum;
         for (std::size_t i = 0; i < rows_.size(); ++i) {
             if (arithmetic_.is_zero(stress[i])) continue;
-            const auto q = quadratic(rows_[i], u);
+            const auto q = terms_.quadratic(rows_[i], u);
             if (!q) return std::nullopt;
             sum = arithmetic_.trimmed(sum + stress[i] * *q);
         }
@@ -364,7 +372,7 @@ private:
     }
 
     const Mechanism& mechanism_;
-    const Pose& pose_;
+    SecondOrderTerms terms_;
     Arithmetic arithmetic_;
     int columns_;
     std::vector<ConstraintRow> rows_;

@@ -67,6 +67,26 @@ private:
              "joints",  "drivers",   "masses", "gravity", "inertia forces", "loads",     "effort", "motion", "find",
              "scales",  "hertz",     "reye",   "impact",  "positions",      "ask",       "vary",   "require"},
             {"a mechanism", "un meccanismo"});
+        read_head(file);
+        // A problem names its bodies itself, and needs no points.
+        const bool is_problem = ProblemSection::is_in(file);
+        read_points_and_bodies(file, is_problem);
+        if (is_problem) {
+            mechanism_.problem = problem_.read(file);
+        } else {
+            joints_.read_joints(file);
+            if (LoadedContacts contacts = joints_.take_contacts(); !contacts.empty())
+                mechanism_.problem = std::make_shared<const Problem>(Problem{std::move(contacts)});
+            each(file["drivers"], {"an array of drivers", "un array di moventi"},
+                 [&](JsonValue v) { drivers_.read_driver(v); });
+            read_forces(file);
+            read_wishes(file);
+        }
+        read_exercise(file, mechanism_);
+        if (!is_problem && faults_.empty()) wishes_.read_cuts();
+    }
+
+    void read_head(const Members& file) {
         const JsonValue version = required(file, "kinegraph",
                                            {"write \"kinegraph\": 1, the version of the format",
                                             "scrivere \"kinegraph\": 1, la versione del formato"});
@@ -77,10 +97,11 @@ private:
         read_parameters(file["parameters"], set_);
         if (file["precision"])
             mechanism_.precision = not_negative(file["precision"], QuantityKind::length, std::string("\"precision\""));
-        // A problem names its bodies itself, and needs no points.
-        const bool is_problem = ProblemSection::is_in(file);
+    }
+
+    void read_points_and_bodies(const Members& file, bool may_be_absent) {
         const auto wanted = [&](std::string_view key, const Words& what) {
-            return is_problem ? file[key] : required(file, key, what);
+            return may_be_absent ? file[key] : required(file, key, what);
         };
         const JsonValue points = wanted("points", {"an object of points by name", "un oggetto con i punti per nome"});
         const JsonValue bodies = wanted("bodies", {"an object of bodies by name", "un oggetto con i corpi per nome"});
@@ -89,23 +110,16 @@ private:
             know_points(true);
             for (const JsonValue member : points) points_.register_point(member);
         }
-        if (is_problem && !points) know_points(true);  // there are none
+        if (may_be_absent && !points) know_points(true);  // there are none
         const bool bodies_readable =
             bodies && expect(bodies, Kind::object, {"an object of bodies by name", "un oggetto con i corpi per nome"});
         know_bodies(bodies_readable);
         bodies_.register_bodies(file["frame"], bodies_readable ? bodies : JsonValue());
         if (points && points_known_) points_.read_points(points);
         if (bodies_readable) bodies_.read_bodies(bodies);
-        if (is_problem) {
-            mechanism_.problem = problem_.read(file);
-            read_exercise(file, mechanism_);
-            return;
-        }
-        joints_.read_joints(file);
-        if (LoadedContacts contacts = joints_.take_contacts(); !contacts.empty())
-            mechanism_.problem = std::make_shared<const Problem>(Problem{std::move(contacts)});
-        each(file["drivers"], {"an array of drivers", "un array di moventi"},
-             [&](JsonValue v) { drivers_.read_driver(v); });
+    }
+
+    void read_forces(const Members& file) {
         loads_.read_masses(file["masses"]);
         mechanism_.gravity =
             vector(file["gravity"], QuantityKind::acceleration, {"a vector [gx, gy]", "un vettore [gx, gy]"});
@@ -120,13 +134,14 @@ private:
             each(effort, {"an array of efforts", "un array di azioni equilibranti"},
                  [&](JsonValue v) { efforts_.read_effort(v); });
         }
+    }
+
+    void read_wishes(const Members& file) {
         if (file["motion"]) motion_.read_motion(file["motion"]);
         if (file["find"]) mechanism_.find.stated = true;
         each(file["find"], {"an array of what to find", "un array di ciò che si cerca"},
              [&](JsonValue v) { wishes_.read_wish(v); });
         units_.read_scales(file["scales"]);
-        read_exercise(file, mechanism_);
-        if (faults_.empty()) wishes_.read_cuts();
     }
 
     void read_version(JsonValue version) {

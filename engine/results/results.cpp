@@ -213,86 +213,28 @@ std::string check_row(std::string_view name, const ProblemValue& value) {
     return check_row(name, value.value, numeric, value.value - numeric);
 }
 
-/// The same for all sections.
-class Results {
+/// What the sections of the results are written from.
+class ResultsSection {
 public:
-    Results(const Solution& solution, bool exact, const Teller& tell)
+    ResultsSection(const Solution& solution, bool exact, const Teller& tell)
         : solution_(solution), mechanism_(solution.mechanism), exact_(exact), tell_(tell) {}
 
-    std::string json() const {
-        Members file;
-        file.emplace_back("mobility", mobility());
-        if (solution_.instant_motion && !solution_.instant_motion->branches.empty())
-            file.emplace_back("branches", branches());
-        file.emplace_back("points", points());
-        file.emplace_back("bodies", bodies());
-        file.emplace_back("sliding", sliding());
-        file.emplace_back("instant centres", centres());
-        if (solution_.act_of_motion && solution_.act_of_motion->acceleration_centre)
-            file.emplace_back("acceleration centres", acceleration_centres());
-        if (!solution_.relative_motion.empty()) file.emplace_back("relative motion", relative_motion());
-        if (!solution_.curvature.empty()) file.emplace_back("curvature", curvature());
-        if (forces_asked()) {
-            file.emplace_back("forces", forces());
-            file.emplace_back("effort", effort());
-            if (solution_.truss) file.emplace_back("bars", bars());
-            if (solution_.truss && !solution_.truss->cuts.empty()) file.emplace_back("cuts", cuts());
-        }
-        if (!solution_.resultants.empty()) file.emplace_back("resultant", resultants());
-        if (solution_.problem) file.emplace_back("hertz", contacts());
-        if (solution_.equations && solution_.equations->why_not.empty())
-            file.emplace_back("equations", equations_json(*solution_.equations));
-        if (solution_.displacements && solution_.displacements->why_not.empty())
-            file.emplace_back("virtual work", displacements_json(mechanism_, *solution_.displacements));
-        file.emplace_back("checks", checks());
-        file.emplace_back("unsolved", unsolved());
-        if (!solution_.remarks.empty() || (solution_.problem && !solution_.problem->remarks.empty()))
-            file.emplace_back("remarks", remarks());
-        std::string text = "{";
-        for (const auto& [key, value] : file) {
-            text += text.size() == 1 ? "\n  " : ",\n  ";
-            append_member(text, key, value);
-        }
-        return text += "\n}\n";
-    }
-
-private:
+protected:
     const std::string& name_of_body(BodyIndex body) const { return mechanism_.body(body).name; }
     const std::string& name_of_point(PointIndex point) const { return mechanism_.point(point).name; }
     Entry entry() const { return {solution_.pose, exact_}; }
+    std::string reason(const Message& why) const { return quoted(tell_(why)); }
 
-    std::string mobility() const {
-        const Mobility& found = solution_.mobility;
-        Members members{{"gruebler", std::to_string(found.gruebler)},
-                        {"effective", std::to_string(found.effective)},
-                        {"verdict", quoted(kinegraph::name_of(found.verdict()))}};
-        Members redundant;
-        for (const Mobility::Redundant& each : found.redundant)
-            redundant.emplace_back(mechanism_.joint(each.joint).name, std::to_string(each.rows));
-        if (!redundant.empty()) members.emplace_back("redundant", object(redundant));
-        return object(members);
-    }
-    /// Ratios of angular velocities, by body.
-    std::string branches() const {
-        std::vector<std::string> all;
-        for (const Branch& branch : solution_.instant_motion->branches) {
-            Members ratios, fractions;
-            for (std::size_t body = 1; body < branch.ratios.size(); ++body)
-                ratios.emplace_back(mechanism_.bodies[body].name, number(branch.ratios[body]));
-            for (std::size_t body = 1; body < branch.exact.size(); ++body)
-                fractions.emplace_back(mechanism_.bodies[body].name, quoted(branch.exact[body].to_fraction()));
-            Members members{{"reference", branch.reference == none ? "null" : quoted(name_of_body(branch.reference))},
-                            {"ratios", object(ratios)}};
-            if (exact_ && !fractions.empty()) members.emplace_back("exact", object(fractions));
-            all.push_back(object(members));
-        }
-        return lines('[', all, ']');
-    }
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+    bool exact_;
+    const Teller& tell_;
+};
 
-    bool forces_asked() const {
-        if (mechanism_.find.stated) return mechanism_.find.forces;
-        return !mechanism_.loads.empty() || !mechanism_.efforts.empty() || !solution_.resultants.empty();
-    }
+/// Sections of what moves: points, bodies, sliding, centres, relative motion and curvature.
+class MotionResults : ResultsSection {
+public:
+    using ResultsSection::ResultsSection;
 
     std::string points() const {
         Members all;
@@ -347,17 +289,6 @@ private:
         return object_of_lines(all);
     }
 
-    /// The joint's name; a contact that shares it with another joint that slides also says of whom on whom.
-    std::string sliding_key(const Sliding& slide) const {
-        const Joint& joint = mechanism_.joint(slide.joint);
-        const auto shares = [&](const Sliding& other) {
-            return other.joint != slide.joint && mechanism_.joint(other.joint).name == joint.name;
-        };
-        if (!joint.pair().touches() || std::none_of(solution_.sliding.begin(), solution_.sliding.end(), shares))
-            return joint.name;
-        return joint.name + " (" + name_of_body(joint.bodies[0]) + " on " + name_of_body(joint.bodies[1]) + ")";
-    }
-
     std::string centres() const {
         Members all;
         for (const InstantCentre& centre : solution_.centres) {
@@ -387,83 +318,6 @@ private:
             all.emplace_back(name_of_body(found.body), curvature_of(found));
         return object_of_lines(all);
     }
-    std::string curvature_of(const Curvature& found) const {
-        Entry body = entry();
-        if (found.kind == Curvature::Kind::translation) {
-            body.add("translation", std::string("true"));
-            body.add("reason", reason({Sentence::body_translates, {}}));
-        }
-        if (found.kind == Curvature::Kind::turning) body.add("reason", reason({Sentence::pole_at_rest, {}}));
-        if (found.kind == Curvature::Kind::rest) body.add("reason", reason({Sentence::body_at_rest, {}}));
-        if (found.pole && !found.pole->at_infinity()) body.add("pole", Recorded<Vector>(found.pole->place()));
-        if (found.tangent) body.add("pole tangent", unit(without_sense(*found.tangent, solution_.pose.exact)));
-        if (found.inflection_centre) {
-            const double diameter = found.inflection_pole ? length(*found.inflection_pole - found.pole->place()) : 0;
-            Entry circle = entry();
-            circle.add("centre", found.inflection_centre);
-            circle.add("diameter", number(diameter));
-            body.add("inflection circle", std::move(circle).json());
-        }
-        if (found.tangential_pole) body.add("tangential circle", tangential_circle(found));
-        body.add("acceleration pole", found.acceleration_pole);
-        body.add("points", path_centres(found));
-        if (!found.envelopes.empty()) body.add("envelopes", envelopes(found));
-        return std::move(body).json();
-    }
-    /// Bresse's second: of the points without tangential acceleration.
-    std::string tangential_circle(const Curvature& found) const {
-        const Vector pole = found.pole->place(), half = Exact(1) / Exact(2) * (*found.tangential_pole - pole);
-        return object({{"centre", pair(pole + half)}, {"diameter", number(2 * length(half))}});
-    }
-    std::string path_centres(const Curvature& found) const {
-        Members points;
-        for (const PathCentre& path : found.points) {
-            Entry each = entry();
-            if (path.centre && !path.centre->at_infinity()) {
-                const Vector centre = path.centre->place();
-                each.add("centre", Recorded<Vector>(centre));
-                each.add("radius", number(length(centre - solution_.pose.at(path.point))));
-            } else {
-                each.add("radius", std::string("null"));
-                each.add("reason", reason({path.centre ? Sentence::path_straight : Sentence::point_at_rest, {}}));
-            }
-            points.emplace_back(name_of_point(path.point), std::move(each).json());
-        }
-        return object(points);
-    }
-    std::string envelopes(const Curvature& found) const {
-        Members all;
-        for (const EnvelopeCentre& envelope : found.envelopes)
-            all.emplace_back(mechanism_.joint(envelope.joint).name,
-                             object({{"touches", pair(*envelope.touches)},
-                                     {"centre", pair(*envelope.centre)},
-                                     {"radius", number(length(*envelope.centre - *envelope.touches))}}));
-        return object(all);
-    }
-    std::string reason(const Message& why) const { return quoted(tell_(why)); }
-
-    /// Components along the moving axes are signed.
-    std::string apart(const RelativeMotion::Apart& found) const {
-        const Vector axis =
-            found.towards == none ? Vector{1, 0} : solution_.pose.at(found.towards) - solution_.pose.at(found.origin);
-        const auto components = [&](const Recorded<Vector>& along, const Recorded<Vector>& across) {
-            return pair(number(std::copysign(length(*along), dot(*along, axis).to_double())),
-                        number(std::copysign(length(*across), cross(axis, *across).to_double())));
-        };
-        Entry entry = this->entry();
-        entry.add("origin", quoted(name_of_point(found.origin)));
-        entry.add("x axis", unit(axis));
-        entry.add("omega", found.omega);
-        entry.add("alpha", found.alpha);
-        entry.add("velocity of the origin", found.origin_velocity);
-        entry.add("velocity of turning", found.turning_velocity);
-        entry.add("acceleration of the origin", found.origin_acceleration);
-        entry.add("tangential acceleration", found.tangential);
-        entry.add("normal acceleration", found.normal);
-        entry.add("relative velocity in the axes", components(found.velocity_along, found.velocity_across));
-        entry.add("relative acceleration in the axes", components(found.acceleration_along, found.acceleration_across));
-        return std::move(entry).json();
-    }
 
     std::string relative_motion() const {
         std::vector<std::string> all;
@@ -487,6 +341,104 @@ private:
         }
         return lines('[', all, ']');
     }
+
+private:
+    /// The joint's name; a contact that shares it with another joint that slides also says of whom on whom.
+    std::string sliding_key(const Sliding& slide) const {
+        const Joint& joint = mechanism_.joint(slide.joint);
+        const auto shares = [&](const Sliding& other) {
+            return other.joint != slide.joint && mechanism_.joint(other.joint).name == joint.name;
+        };
+        if (!joint.pair().touches() || std::none_of(solution_.sliding.begin(), solution_.sliding.end(), shares))
+            return joint.name;
+        return joint.name + " (" + name_of_body(joint.bodies[0]) + " on " + name_of_body(joint.bodies[1]) + ")";
+    }
+
+    std::string curvature_of(const Curvature& found) const {
+        Entry body = entry();
+        if (found.kind == Curvature::Kind::translation) {
+            body.add("translation", std::string("true"));
+            body.add("reason", reason({Sentence::body_translates, {}}));
+        }
+        if (found.kind == Curvature::Kind::turning) body.add("reason", reason({Sentence::pole_at_rest, {}}));
+        if (found.kind == Curvature::Kind::rest) body.add("reason", reason({Sentence::body_at_rest, {}}));
+        if (found.pole && !found.pole->at_infinity()) body.add("pole", Recorded<Vector>(found.pole->place()));
+        if (found.tangent) body.add("pole tangent", unit(without_sense(*found.tangent, solution_.pose.exact)));
+        if (found.inflection_centre) {
+            const double diameter = found.inflection_pole ? length(*found.inflection_pole - found.pole->place()) : 0;
+            Entry circle = entry();
+            circle.add("centre", found.inflection_centre);
+            circle.add("diameter", number(diameter));
+            body.add("inflection circle", std::move(circle).json());
+        }
+        if (found.tangential_pole) body.add("tangential circle", tangential_circle(found));
+        body.add("acceleration pole", found.acceleration_pole);
+        body.add("points", path_centres(found));
+        if (!found.envelopes.empty()) body.add("envelopes", envelopes(found));
+        return std::move(body).json();
+    }
+
+    /// Bresse's second: of the points without tangential acceleration.
+    std::string tangential_circle(const Curvature& found) const {
+        const Vector pole = found.pole->place(), half = Exact(1) / Exact(2) * (*found.tangential_pole - pole);
+        return object({{"centre", pair(pole + half)}, {"diameter", number(2 * length(half))}});
+    }
+
+    std::string path_centres(const Curvature& found) const {
+        Members points;
+        for (const PathCentre& path : found.points) {
+            Entry each = entry();
+            if (path.centre && !path.centre->at_infinity()) {
+                const Vector centre = path.centre->place();
+                each.add("centre", Recorded<Vector>(centre));
+                each.add("radius", number(length(centre - solution_.pose.at(path.point))));
+            } else {
+                each.add("radius", std::string("null"));
+                each.add("reason", reason({path.centre ? Sentence::path_straight : Sentence::point_at_rest, {}}));
+            }
+            points.emplace_back(name_of_point(path.point), std::move(each).json());
+        }
+        return object(points);
+    }
+
+    std::string envelopes(const Curvature& found) const {
+        Members all;
+        for (const EnvelopeCentre& envelope : found.envelopes)
+            all.emplace_back(mechanism_.joint(envelope.joint).name,
+                             object({{"touches", pair(*envelope.touches)},
+                                     {"centre", pair(*envelope.centre)},
+                                     {"radius", number(length(*envelope.centre - *envelope.touches))}}));
+        return object(all);
+    }
+
+    /// Components along the moving axes are signed.
+    std::string apart(const RelativeMotion::Apart& found) const {
+        const Vector axis =
+            found.towards == none ? Vector{1, 0} : solution_.pose.at(found.towards) - solution_.pose.at(found.origin);
+        const auto components = [&](const Recorded<Vector>& along, const Recorded<Vector>& across) {
+            return pair(number(std::copysign(length(*along), dot(*along, axis).to_double())),
+                        number(std::copysign(length(*across), cross(axis, *across).to_double())));
+        };
+        Entry entry = this->entry();
+        entry.add("origin", quoted(name_of_point(found.origin)));
+        entry.add("x axis", unit(axis));
+        entry.add("omega", found.omega);
+        entry.add("alpha", found.alpha);
+        entry.add("velocity of the origin", found.origin_velocity);
+        entry.add("velocity of turning", found.turning_velocity);
+        entry.add("acceleration of the origin", found.origin_acceleration);
+        entry.add("tangential acceleration", found.tangential);
+        entry.add("normal acceleration", found.normal);
+        entry.add("relative velocity in the axes", components(found.velocity_along, found.velocity_across));
+        entry.add("relative acceleration in the axes", components(found.acceleration_along, found.acceleration_across));
+        return std::move(entry).json();
+    }
+};
+
+/// Sections of forces: at joints and on bodies, in the bars of a truss and by cuts through it.
+class StaticsResults : ResultsSection {
+public:
+    using ResultsSection::ResultsSection;
 
     /// One member for each joint's name, in the file's order; within it the actions, of each body on each.
     std::string forces() const {
@@ -519,15 +471,6 @@ private:
         return object_of_lines(all);
     }
 
-    /// The foot of the perpendicular from the joint's point on the line of the resultant: arm M/F.
-    static void add_through(const JointForce& action, const Vector& at, Entry& here) {
-        const Vector& force = *action.force;
-        if (force.is_zero())
-            here.add("through", std::string("null"));
-        else
-            here.add("through", Recorded<Vector>(at - (*action.couple / squared_length(force)) * quarter_turn(force)));
-    }
-
     std::string effort() const {
         Members all;
         for (const EffortValue& found : solution_.efforts) {
@@ -545,6 +488,7 @@ private:
                 all.emplace_back(truss.structure.bars[bar].name, number(truss.tension(bar, solution_.pose.points)));
         return object_of_lines(all);
     }
+
     /// Of each bar found by a cut: the moment of what acts on one side, and its arm; across parallel bars the
     /// component.
     std::string cuts() const {
@@ -588,6 +532,96 @@ private:
         return object_of_lines(all);
     }
 
+private:
+    /// The foot of the perpendicular from the joint's point on the line of the resultant: arm M/F.
+    static void add_through(const JointForce& action, const Vector& at, Entry& here) {
+        const Vector& force = *action.force;
+        if (force.is_zero())
+            here.add("through", std::string("null"));
+        else
+            here.add("through", Recorded<Vector>(at - (*action.couple / squared_length(force)) * quarter_turn(force)));
+    }
+};
+
+/// The whole file, section by section.
+class Results : ResultsSection {
+public:
+    using ResultsSection::ResultsSection;
+
+    std::string json() const {
+        const MotionResults motion(solution_, exact_, tell_);
+        const StaticsResults forces(solution_, exact_, tell_);
+        Members file;
+        file.emplace_back("mobility", mobility());
+        if (solution_.instant_motion && !solution_.instant_motion->branches.empty())
+            file.emplace_back("branches", branches());
+        file.emplace_back("points", motion.points());
+        file.emplace_back("bodies", motion.bodies());
+        file.emplace_back("sliding", motion.sliding());
+        file.emplace_back("instant centres", motion.centres());
+        if (solution_.act_of_motion && solution_.act_of_motion->acceleration_centre)
+            file.emplace_back("acceleration centres", motion.acceleration_centres());
+        if (!solution_.relative_motion.empty()) file.emplace_back("relative motion", motion.relative_motion());
+        if (!solution_.curvature.empty()) file.emplace_back("curvature", motion.curvature());
+        if (forces_asked()) {
+            file.emplace_back("forces", forces.forces());
+            file.emplace_back("effort", forces.effort());
+            if (solution_.truss) file.emplace_back("bars", forces.bars());
+            if (solution_.truss && !solution_.truss->cuts.empty()) file.emplace_back("cuts", forces.cuts());
+        }
+        if (!solution_.resultants.empty()) file.emplace_back("resultant", forces.resultants());
+        if (solution_.problem) file.emplace_back("hertz", contacts());
+        if (solution_.equations && solution_.equations->why_not.empty())
+            file.emplace_back("equations", equations_json(*solution_.equations));
+        if (solution_.displacements && solution_.displacements->why_not.empty())
+            file.emplace_back("virtual work", displacements_json(mechanism_, *solution_.displacements));
+        file.emplace_back("checks", checks());
+        file.emplace_back("unsolved", unsolved());
+        if (!solution_.remarks.empty() || (solution_.problem && !solution_.problem->remarks.empty()))
+            file.emplace_back("remarks", remarks());
+        std::string text = "{";
+        for (const auto& [key, value] : file) {
+            text += text.size() == 1 ? "\n  " : ",\n  ";
+            append_member(text, key, value);
+        }
+        return text += "\n}\n";
+    }
+
+private:
+    std::string mobility() const {
+        const Mobility& found = solution_.mobility;
+        Members members{{"gruebler", std::to_string(found.gruebler)},
+                        {"effective", std::to_string(found.effective)},
+                        {"verdict", quoted(kinegraph::name_of(found.verdict()))}};
+        Members redundant;
+        for (const Mobility::Redundant& each : found.redundant)
+            redundant.emplace_back(mechanism_.joint(each.joint).name, std::to_string(each.rows));
+        if (!redundant.empty()) members.emplace_back("redundant", object(redundant));
+        return object(members);
+    }
+
+    /// Ratios of angular velocities, by body.
+    std::string branches() const {
+        std::vector<std::string> all;
+        for (const Branch& branch : solution_.instant_motion->branches) {
+            Members ratios, fractions;
+            for (std::size_t body = 1; body < branch.ratios.size(); ++body)
+                ratios.emplace_back(mechanism_.bodies[body].name, number(branch.ratios[body]));
+            for (std::size_t body = 1; body < branch.exact.size(); ++body)
+                fractions.emplace_back(mechanism_.bodies[body].name, quoted(branch.exact[body].to_fraction()));
+            Members members{{"reference", branch.reference == none ? "null" : quoted(name_of_body(branch.reference))},
+                            {"ratios", object(ratios)}};
+            if (exact_ && !fractions.empty()) members.emplace_back("exact", object(fractions));
+            all.push_back(object(members));
+        }
+        return lines('[', all, ']');
+    }
+
+    bool forces_asked() const {
+        if (mechanism_.find.stated) return mechanism_.find.forces;
+        return !mechanism_.loads.empty() || !mechanism_.efforts.empty() || !solution_.resultants.empty();
+    }
+
     std::string checks() const {
         std::vector<std::string> all;
         all.reserve(solution_.checks.size());
@@ -596,6 +630,7 @@ private:
         if (solution_.problem) add_checks_of_contacts(all);
         return lines('[', all, ']');
     }
+
     /// "hertz P half width".
     void add_checks_of_contacts(std::vector<std::string>& all) const {
         for (const SolvedContact& contact : std::get<SolvedContacts>(solution_.problem->of))
@@ -620,6 +655,7 @@ private:
         }
         return object_of_lines(joints);
     }
+
     std::string remarks() const {
         std::vector<std::string> all;
         for (const Message& remark : solution_.remarks) all.push_back(quoted(tell_(remark)));
@@ -627,11 +663,6 @@ private:
             for (const Words& remark : solution_.problem->remarks) all.push_back(quoted(remark.en));
         return lines('[', all, ']');
     }
-
-    const Solution& solution_;
-    const Mechanism& mechanism_;
-    bool exact_;
-    const Teller& tell_;
 };
 
 /// What was found of a problem in place of joints: its own section, and the checks of its values.

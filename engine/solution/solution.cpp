@@ -1,6 +1,7 @@
 #include "engine/solution/solution.hpp"
 
 #include "engine/number/assert.hpp"
+#include "engine/solution/found_elements.hpp"
 
 namespace kinegraph {
 

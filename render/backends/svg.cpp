@@ -98,11 +98,124 @@ private:
     Bytes& text_;
 };
 
+/// The value of `d`, and places in other values.
+struct PathData {
+    static void put(Bytes& value, Spot a, char between = ' ') {
+        value.put_number<drawn_digits>(a.x);
+        value.put(between);
+        value.put_number<drawn_digits>(a.y);
+    }
+    static void put(Bytes& value, char command, Spot a) {
+        value.put(command);
+        put(value, a);
+    }
+    /// One or two 'A's, so that no arc is longer than half a turn and none is in doubt.
+    static void arc(Bytes& value, const ArcTo& a, bool& begun, Spot& pen) {
+        const auto on = [&a](double angle) {
+            return Spot{a.centre.x + a.radius * std::cos(angle), a.centre.y + a.radius * std::sin(angle)};
+        };
+        const double turn = 2 * std::numbers::pi;
+        double sweep = a.to - a.from;
+        if (std::abs(sweep) > turn) sweep = std::copysign(turn, sweep);
+        const Spot start = on(a.from);
+        constexpr double joined = 1.5e-8;  // mm: the page is snapped to 1e-8
+        if (!begun) {
+            put(value, 'M', start);
+        } else if (std::abs(pen.x - start.x) > joined || std::abs(pen.y - start.y) > joined) {
+            put(value, 'L', start);
+        }
+        begun = true;
+        const int halves = std::abs(sweep) > 3 ? 2 : 1;
+        for (int i = 1; i <= halves; ++i) {
+            pen = on(a.from + sweep * i / halves);
+            put(value, 'A', {a.radius, a.radius});
+            value.put(sweep < 0 ? " 0 0 0 " : " 0 0 1 ");
+            put(value, pen);
+        }
+    }
+    static void put(Bytes& value, const std::vector<Segment>& segments) {
+        Spot pen, first;
+        bool begun = false;
+        for (const Segment& segment : segments) {
+            if (const auto* m = std::get_if<MoveTo>(&segment)) {
+                put(value, 'M', pen = first = m->to);
+                begun = true;
+            } else if (const auto* l = std::get_if<LineTo>(&segment)) {
+                KG_ASSERT(begun, "a path begins with a move or an arc");
+                put(value, 'L', pen = l->to);
+            } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
+                KG_ASSERT(begun, "a path begins with a move or an arc");
+                put(value, 'C', c->control_1);
+                put(value, ' ', c->control_2);
+                put(value, ' ', pen = c->to);
+            } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
+                if (!begun) {
+                    first = {a->centre.x + a->radius * std::cos(a->from), a->centre.y + a->radius * std::sin(a->from)};
+                }
+                arc(value, *a, begun, pen);
+            } else if (begun) {
+                value.put('Z');
+                pen = first;
+            }
+        }
+    }
+};
+
+/// Outlines of glyphs that a page refers to, each defined once.
+class GlyphReferences {
+public:
+    GlyphReferences(const Glyphs& fonts, GlyphPaths& outlines) : fonts_(fonts), outlines_(outlines) {}
+
+    /// "#gi66-12": face, glyph, size in points.
+    const std::string& to(const Glyph& glyph) {
+        const auto micropoints = static_cast<std::uint64_t>(std::llround(glyph.size * 72 / 25.4 * 1e6));
+        KG_ASSERT(glyph.face < 4 && glyph.index < (1U << 20) && micropoints < (1ULL << 40),
+                  "a glyph of our faces in a size for paper");
+        const std::uint64_t key = (micropoints << 22) | (static_cast<std::uint64_t>(glyph.index) << 2) | glyph.face;
+        const auto [entry, is_new] = references_.try_emplace(key);
+        if (!is_new) return entry->second;
+        scratch_.clear();
+        scratch_.put("#g");
+        scratch_.put("ribz"[glyph.face]);
+        scratch_.put_decimal<0>(glyph.index);
+        scratch_.put('-');
+        scratch_.put_decimal<font_digits>(static_cast<std::int64_t>(micropoints));
+        entry->second = scratch_.text();
+        std::string& outline = outlines_.of(key);
+        if (outline.empty()) {
+            GlyphPath(fonts_.outline(glyph.face, glyph.index), glyph.size, scratch_);
+            outline = scratch_.text();
+        }
+        defined_.emplace_back(&entry->second, &outline);
+        return entry->second;
+    }
+
+    bool empty() const { return defined_.empty(); }
+    void define(Markup& defined) const {
+        for (const auto& [reference, outline] : defined_) {
+            defined.begin("path");
+            defined.open_value("id").put(std::string_view(*reference).substr(1));
+            defined.close_value();
+            defined.open_value("d").put(*outline);
+            defined.close_value();
+            defined.end();
+        }
+    }
+
+private:
+    const Glyphs& fonts_;
+    GlyphPaths& outlines_;
+    Bytes scratch_;
+    std::unordered_map<std::uint64_t, std::string> references_;
+    std::vector<std::pair<const std::string*, const std::string*>>
+        defined_;  // references and their outlines, as they came
+};
+
 class Writer {
 public:
     /// `type`: that of live text; null: words are outlines.
     Writer(const Page& page, const Glyphs& fonts, GlyphPaths& outlines, const EmbeddedType* type = nullptr)
-        : page_(page), fonts_(fonts), outlines_(outlines), type_(type) {}
+        : page_(page), type_(type), glyphs_(fonts, outlines) {}
 
     std::string write() {
         out_.reserve(about_as_long());
@@ -156,21 +269,14 @@ private:
     Markup definitions() const {
         Markup defined(1);
         const bool has_rules = type_ != nullptr && !type_->rules.empty();
-        if (!has_rules && defined_.empty()) return defined;
+        if (!has_rules && glyphs_.empty()) return defined;
         defined.begin("defs");
         if (has_rules) {
             defined.begin("style");
             defined.words(type_->rules);
             defined.end();
         }
-        for (const auto& [reference, outline] : defined_) {
-            defined.begin("path");
-            defined.open_value("id").put(std::string_view(*reference).substr(1));
-            defined.close_value();
-            defined.open_value("d").put(*outline);
-            defined.close_value();
-            defined.end();
-        }
+        glyphs_.define(defined);
         defined.end();
         return defined;
     }
@@ -184,15 +290,6 @@ private:
         out_.end();
     }
 
-    static void put(Bytes& value, Spot a, char between = ' ') {
-        value.put_number<drawn_digits>(a.x);
-        value.put(between);
-        value.put_number<drawn_digits>(a.y);
-    }
-    static void put(Bytes& value, char command, Spot a) {
-        value.put(command);
-        put(value, a);
-    }
     template <int digits = drawn_digits>
     void length(std::string_view name, double value, std::string_view unit = "") {
         Bytes& text = out_.open_value(name);
@@ -219,31 +316,6 @@ private:
         out_.end();
     }
 
-    /// One or two 'A's, so that no arc is longer than half a turn and none is in doubt.
-    static void arc(Bytes& value, const ArcTo& a, bool& begun, Spot& pen) {
-        const auto on = [&a](double angle) {
-            return Spot{a.centre.x + a.radius * std::cos(angle), a.centre.y + a.radius * std::sin(angle)};
-        };
-        const double turn = 2 * std::numbers::pi;
-        double sweep = a.to - a.from;
-        if (std::abs(sweep) > turn) sweep = std::copysign(turn, sweep);
-        const Spot start = on(a.from);
-        constexpr double joined = 1.5e-8;  // mm: the page is snapped to 1e-8
-        if (!begun) {
-            put(value, 'M', start);
-        } else if (std::abs(pen.x - start.x) > joined || std::abs(pen.y - start.y) > joined) {
-            put(value, 'L', start);
-        }
-        begun = true;
-        const int halves = std::abs(sweep) > 3 ? 2 : 1;
-        for (int i = 1; i <= halves; ++i) {
-            pen = on(a.from + sweep * i / halves);
-            put(value, 'A', {a.radius, a.radius});
-            value.put(sweep < 0 ? " 0 0 0 " : " 0 0 1 ");
-            put(value, pen);
-        }
-    }
-
     /// Of the solution, that draws it; left out where it is that of the group round it.
     void statement(StatementIndex index, bool repeated) {
         if (index == none || (!repeated && !statements_.empty() && statements_.back() == index)) return;
@@ -260,36 +332,9 @@ private:
         if (holds.unit != 0) out_.attribute("data-number", shortest(holds.unit));
     }
 
-    static void put(Bytes& value, const std::vector<Segment>& segments) {
-        Spot pen, first;
-        bool begun = false;
-        for (const Segment& segment : segments) {
-            if (const auto* m = std::get_if<MoveTo>(&segment)) {
-                put(value, 'M', pen = first = m->to);
-                begun = true;
-            } else if (const auto* l = std::get_if<LineTo>(&segment)) {
-                KG_ASSERT(begun, "a path begins with a move or an arc");
-                put(value, 'L', pen = l->to);
-            } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
-                KG_ASSERT(begun, "a path begins with a move or an arc");
-                put(value, 'C', c->control_1);
-                put(value, ' ', c->control_2);
-                put(value, ' ', pen = c->to);
-            } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
-                if (!begun) {
-                    first = {a->centre.x + a->radius * std::cos(a->from), a->centre.y + a->radius * std::sin(a->from)};
-                }
-                arc(value, *a, begun, pen);
-            } else if (begun) {
-                value.put('Z');
-                pen = first;
-            }
-        }
-    }
-
     void write(const Path& path) {
         out_.begin("path");
-        put(out_.open_value("d"), path.segments);
+        PathData::put(out_.open_value("d"), path.segments);
         out_.close_value();
         if (path.filled)
             colour("fill", path.fill);
@@ -350,7 +395,7 @@ private:
             value.put("rotate(");
             value.put_number<drawn_digits>(mark.angle * 180 / std::numbers::pi);
             value.put(' ');
-            put(value, mark.pivot);
+            PathData::put(value, mark.pivot);
             value.put(')');
             out_.close_value();
         }
@@ -360,7 +405,7 @@ private:
 
     void begin_use(const Glyph& glyph) {
         out_.begin("use");
-        out_.open_value("xlink:href").put(reference(glyph));
+        out_.open_value("xlink:href").put(glyphs_.to(glyph));
         out_.close_value();
         length<outline_digits>("x", glyph.origin.x);
         length<outline_digits>("y", glyph.origin.y);
@@ -452,41 +497,12 @@ private:
         out_.end();
     }
 
-    /// "#gi66-12": face, glyph, size in points.
-    const std::string& reference(const Glyph& glyph) {
-        const auto micropoints = static_cast<std::uint64_t>(std::llround(glyph.size * 72 / 25.4 * 1e6));
-        KG_ASSERT(glyph.face < 4 && glyph.index < (1U << 20) && micropoints < (1ULL << 40),
-                  "a glyph of our faces in a size for paper");
-        const std::uint64_t key = (micropoints << 22) | (static_cast<std::uint64_t>(glyph.index) << 2) | glyph.face;
-        const auto [entry, is_new] = references_.try_emplace(key);
-        if (!is_new) return entry->second;
-        scratch_.clear();
-        scratch_.put("#g");
-        scratch_.put("ribz"[glyph.face]);
-        scratch_.put_decimal<0>(glyph.index);
-        scratch_.put('-');
-        scratch_.put_decimal<font_digits>(static_cast<std::int64_t>(micropoints));
-        entry->second = scratch_.text();
-        std::string& outline = outlines_.of(key);
-        if (outline.empty()) {
-            GlyphPath(fonts_.outline(glyph.face, glyph.index), glyph.size, scratch_);
-            outline = scratch_.text();
-        }
-        defined_.emplace_back(&entry->second, &outline);
-        return entry->second;
-    }
-
     const Page& page_;
-    const Glyphs& fonts_;
-    GlyphPaths& outlines_;
     const EmbeddedType* type_;
     double base_size_ = 0;  // of the live line at hand
     Markup out_;
-    Bytes scratch_;
     std::vector<StatementIndex> statements_;  // of the open groups, their own or that round them
-    std::unordered_map<std::uint64_t, std::string> references_;
-    std::vector<std::pair<const std::string*, const std::string*>>
-        defined_;  // references and their outlines, as they came
+    GlyphReferences glyphs_;
 };
 
 }  // namespace

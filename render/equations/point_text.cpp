@@ -17,13 +17,119 @@ using Form = PointProblem::Form;
 Formula sign(const char* text) { return Formula::sign(text); }
 Formula upright(const std::string& text) { return Formula::upright(text); }
 
-class PointText {
-public:
-    PointText(const Solution& solution, Language language)
+/// How laws, values and places of a point's motion are written.
+class PointPhrases {
+protected:
+    PointPhrases(const Solution& solution, Language language)
         : language_(language),
           mechanism_(solution.mechanism),
           problem_(std::get<PointProblem>(mechanism_.problem->of)),
           found_(std::get<PointMotionSolution>(solution.problem->of)) {}
+
+    template <class Path>
+    const Path* path() const {
+        return problem_.path ? std::get_if<Path>(&*problem_.path) : nullptr;
+    }
+    Formula expression(const Expression& of, const char* variable = "t") const {
+        return formula_of(of, problem_.constants, variable, language_);
+    }
+    static Formula equation(Formula left, Formula right) { return std::move(left) + sign("=") + std::move(right); }
+    static Formula product(const char* name) { return Formula::letter(name, "", 1) + Formula::letter(name, "", 2); }
+    static Formula crossed(const char* first, const char* second) {
+        return Formula::letter(first, "", 1) + Formula::letter(second, "", 2);
+    }
+    static void add(PointSection& section, Formula formula) {
+        section.pieces.push_back({section.sentences.size(), {EquationItem::Kind::formula, {}, std::move(formula), {}}});
+    }
+    Formula law_letter(std::size_t law, int order) const {
+        const std::string& symbol = problem_.laws[law].symbol;
+        return Formula::letter(symbol == "θ" ? "theta" : symbol, "", order);
+    }
+    /// A value behind what it comes of, unless that is the value.
+    Formula with_value(Formula symbols, const Formula& value) const {
+        if (symbols.plain() == "0") return value;
+        return std::move(symbols) + sign("=") + value;
+    }
+    Formula value_of(const StatedLaw& law, const Derived& derived, std::size_t order, double at, int dots) const {
+        const Estimate found = estimate(derived.by_order.at(order), problem_.constants, at);
+        const double value = found.is_zero() ? 0 : found.value * law.law.unit.to_double();
+        if (law.symbol == "θ") return upright(number(value, 5, language_) + (dots == 1 ? " rad/s" : " rad/s²"));
+        return upright(said(value, dots == 1 ? QuantityKind::velocity : QuantityKind::acceleration));
+    }
+    /// Of a law without units: in which its number is.
+    Formula unit_of(const Expressed& law) const {
+        if (!law.is_bare || law.unit == Exact(1)) return {};
+        return upright("  [" + mechanism_.units.length.symbol + "]");
+    }
+    std::string name() const { return "{" + problem_.point + "}"; }
+    Words said_constants() const {
+        Words all;
+        for (const NamedConstant& each : problem_.constants) {
+            if (each.name.empty()) continue;
+            const Formula letter = formula_of(each, Language::en);
+            const Words value = said_constant(each);
+            all += Words(all.empty() ? "{0} = {1}" : ",  {0} = {1}", all.empty() ? "{0} = {1}" : ",  {0} = {1}",
+                         marked(letter), value);
+        }
+        return all.empty() ? all : all + std::string(".");
+    }
+    static std::string marked(const Formula& letter) {
+        const Piece& piece = letter.text.front();
+        return "{" + piece.text + (piece.sub.empty() ? "" : "_" + piece.sub) + "}";
+    }
+    Words said_constant(const NamedConstant& constant) const {
+        const double value = constant.value.to_double();
+        const Dimension& d = constant.dimension;
+        const auto is = [&](int length, int time) { return d.length == length && d.time == time && d.mass == 0; };
+        if (d.angle == 1 && is(0, 0)) return amount(value, QuantityKind::angle, mechanism_.units, 4);
+        if (d.angle == 1 && is(0, -1)) return amount(value, QuantityKind::angular_velocity, mechanism_.units, 4);
+        if (is(1, 0)) return amount(value, QuantityKind::length, mechanism_.units, as_given);
+        if (is(1, -1)) return amount(value, QuantityKind::velocity, mechanism_.units, as_given);
+        if (is(1, -2)) return amount(value, QuantityKind::acceleration, mechanism_.units, as_given);
+        if (is(0, 1)) return amount(value, QuantityKind::time, mechanism_.units, as_given);
+        Words said = numeral(value, 6);
+        const auto put = [&](const char* symbol, int power) {
+            if (power == 0) return;
+            static constexpr const char* marks[] = {"⁻⁴", "⁻³", "⁻²", "⁻¹", "", "", "²", "³", "⁴"};
+            said += std::string(" ") + symbol + (std::abs(power) <= 4 ? marks[power + 4] : "^" + std::to_string(power));
+        };
+        if (is(0, -1)) return said + std::string(" 1/s");
+        put("kg", d.mass);
+        put("m", d.length);
+        put("s", d.time);
+        return said;
+    }
+    std::string degrees(double radians) const {
+        return amount(radians, QuantityKind::angle, mechanism_.units, language_, 4);
+    }
+    Formula complex_number(const Vector& v, const std::string& modulus, const std::string& unit) const {
+        if (v.is_zero()) return upright("0");
+        const double argument = std::atan2(v.y.to_double(), v.x.to_double());
+        return upright(modulus) +
+               Formula::power(Formula::letter("e"), Formula::letter("i") + upright(" " + degrees(argument))) +
+               upright(" " + unit);
+    }
+    std::string said(double si, QuantityKind kind) const { return amount(si, kind, mechanism_.units, language_, 5); }
+    Words length(double si) const { return amount(si, QuantityKind::length, mechanism_.units, 5); }
+    Words speed(double si) const { return amount(si, QuantityKind::velocity, mechanism_.units, 5); }
+    Words acceleration(double si) const { return amount(si, QuantityKind::acceleration, mechanism_.units, 5); }
+    Words time(const Exact& si) const { return amount(si.to_double(), QuantityKind::time, mechanism_.units, as_given); }
+    Words place_words(const Vector& v) const {
+        const double si = mechanism_.units.length.si.to_double();
+        return {"({0}, {1}) {2}", "({0}; {1}) {2}", numeral(v.x.to_double() / si, 5), numeral(v.y.to_double() / si, 5),
+                mechanism_.units.length.symbol};
+    }
+    std::string place(const Vector& v) const { return in(place_words(v), language_); }
+
+    Language language_;
+    const Mechanism& mechanism_;
+    const PointProblem& problem_;
+    const PointMotionSolution& found_;
+};
+
+class PointText : PointPhrases {
+public:
+    PointText(const Solution& solution, Language language) : PointPhrases(solution, language) {}
 
     PointSection given() const {
         PointSection section{"given", {"Given", "Dati"}, {}, {}};
@@ -179,42 +285,6 @@ public:
     }
 
 private:
-    template <class Path>
-    const Path* path() const {
-        return problem_.path ? std::get_if<Path>(&*problem_.path) : nullptr;
-    }
-    Formula expression(const Expression& of, const char* variable = "t") const {
-        return formula_of(of, problem_.constants, variable, language_);
-    }
-    static Formula equation(Formula left, Formula right) { return std::move(left) + sign("=") + std::move(right); }
-    static Formula product(const char* name) { return Formula::letter(name, "", 1) + Formula::letter(name, "", 2); }
-    static Formula crossed(const char* first, const char* second) {
-        return Formula::letter(first, "", 1) + Formula::letter(second, "", 2);
-    }
-    static void add(PointSection& section, Formula formula) {
-        section.pieces.push_back({section.sentences.size(), {EquationItem::Kind::formula, {}, std::move(formula), {}}});
-    }
-    Formula law_letter(std::size_t law, int order) const {
-        const std::string& symbol = problem_.laws[law].symbol;
-        return Formula::letter(symbol == "θ" ? "theta" : symbol, "", order);
-    }
-    /// A value behind what it comes of, unless that is the value.
-    Formula with_value(Formula symbols, const Formula& value) const {
-        if (symbols.plain() == "0") return value;
-        return std::move(symbols) + sign("=") + value;
-    }
-    Formula value_of(const StatedLaw& law, const Derived& derived, std::size_t order, double at, int dots) const {
-        const Estimate found = estimate(derived.by_order.at(order), problem_.constants, at);
-        const double value = found.is_zero() ? 0 : found.value * law.law.unit.to_double();
-        if (law.symbol == "θ") return upright(number(value, 5, language_) + (dots == 1 ? " rad/s" : " rad/s²"));
-        return upright(said(value, dots == 1 ? QuantityKind::velocity : QuantityKind::acceleration));
-    }
-    /// Of a law without units: in which its number is.
-    Formula unit_of(const Expressed& law) const {
-        if (!law.is_bare || law.unit == Exact(1)) return {};
-        return upright("  [" + mechanism_.units.length.symbol + "]");
-    }
-
     Words sentence_of_form() const {
         switch (problem_.form) {
             case Form::cartesian:
@@ -252,44 +322,6 @@ private:
             "crescenti,",
             name(), amount(path<GraphPath>()->start.to_double(), QuantityKind::length, mechanism_.units, as_given)};
     }
-    std::string name() const { return "{" + problem_.point + "}"; }
-    Words said_constants() const {
-        Words all;
-        for (const NamedConstant& each : problem_.constants) {
-            if (each.name.empty()) continue;
-            const Formula letter = formula_of(each, Language::en);
-            const Words value = said_constant(each);
-            all += Words(all.empty() ? "{0} = {1}" : ",  {0} = {1}", all.empty() ? "{0} = {1}" : ",  {0} = {1}",
-                         marked(letter), value);
-        }
-        return all.empty() ? all : all + std::string(".");
-    }
-    static std::string marked(const Formula& letter) {
-        const Piece& piece = letter.text.front();
-        return "{" + piece.text + (piece.sub.empty() ? "" : "_" + piece.sub) + "}";
-    }
-    Words said_constant(const NamedConstant& constant) const {
-        const double value = constant.value.to_double();
-        const Dimension& d = constant.dimension;
-        const auto is = [&](int length, int time) { return d.length == length && d.time == time && d.mass == 0; };
-        if (d.angle == 1 && is(0, 0)) return amount(value, QuantityKind::angle, mechanism_.units, 4);
-        if (d.angle == 1 && is(0, -1)) return amount(value, QuantityKind::angular_velocity, mechanism_.units, 4);
-        if (is(1, 0)) return amount(value, QuantityKind::length, mechanism_.units, as_given);
-        if (is(1, -1)) return amount(value, QuantityKind::velocity, mechanism_.units, as_given);
-        if (is(1, -2)) return amount(value, QuantityKind::acceleration, mechanism_.units, as_given);
-        if (is(0, 1)) return amount(value, QuantityKind::time, mechanism_.units, as_given);
-        Words said = numeral(value, 6);
-        const auto put = [&](const char* symbol, int power) {
-            if (power == 0) return;
-            static constexpr const char* marks[] = {"⁻⁴", "⁻³", "⁻²", "⁻¹", "", "", "²", "³", "⁴"};
-            said += std::string(" ") + symbol + (std::abs(power) <= 4 ? marks[power + 4] : "^" + std::to_string(power));
-        };
-        if (is(0, -1)) return said + std::string(" 1/s");
-        put("kg", d.mass);
-        put("m", d.length);
-        put("s", d.time);
-        return said;
-    }
 
     std::vector<std::vector<Formula>> table() const {
         const bool en = language_ == Language::en;
@@ -319,33 +351,6 @@ private:
             false);
         return rows;
     }
-    std::string degrees(double radians) const {
-        return amount(radians, QuantityKind::angle, mechanism_.units, language_, 4);
-    }
-    Formula complex_number(const Vector& v, const std::string& modulus, const std::string& unit) const {
-        if (v.is_zero()) return upright("0");
-        const double argument = std::atan2(v.y.to_double(), v.x.to_double());
-        return upright(modulus) +
-               Formula::power(Formula::letter("e"), Formula::letter("i") + upright(" " + degrees(argument))) +
-               upright(" " + unit);
-    }
-
-    std::string said(double si, QuantityKind kind) const { return amount(si, kind, mechanism_.units, language_, 5); }
-    Words length(double si) const { return amount(si, QuantityKind::length, mechanism_.units, 5); }
-    Words speed(double si) const { return amount(si, QuantityKind::velocity, mechanism_.units, 5); }
-    Words acceleration(double si) const { return amount(si, QuantityKind::acceleration, mechanism_.units, 5); }
-    Words time(const Exact& si) const { return amount(si.to_double(), QuantityKind::time, mechanism_.units, as_given); }
-    Words place_words(const Vector& v) const {
-        const double si = mechanism_.units.length.si.to_double();
-        return {"({0}, {1}) {2}", "({0}; {1}) {2}", numeral(v.x.to_double() / si, 5), numeral(v.y.to_double() / si, 5),
-                mechanism_.units.length.symbol};
-    }
-    std::string place(const Vector& v) const { return in(place_words(v), language_); }
-
-    Language language_;
-    const Mechanism& mechanism_;
-    const PointProblem& problem_;
-    const PointMotionSolution& found_;
 };
 
 }  // namespace

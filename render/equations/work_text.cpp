@@ -25,32 +25,16 @@ std::pair<std::string, std::string> letter_of(const Mechanism& mechanism, const 
     return {"s", mechanism.point(std::get<PointDriver>(driver).at).name};
 }
 
-class WorkText {
-public:
-    WorkText(const Solution& solution, Language language)
+/// How displacements, actions and works are written, in the file's units.
+class WorkFormulas {
+protected:
+    WorkFormulas(const Solution& solution, Language language)
         : solution_(solution), mechanism_(solution.mechanism), found_(*solution.displacements), language_(language) {}
 
-    std::vector<EquationItem> items() {
-        items_.push_back({Kind::heading, in(Words("Virtual work", "Lavori virtuali")), {}, {}, true});
-        if (!found_.why_not.empty()) {
-            say(Words("There are no virtual displacements: {0}.", "Non ci sono spostamenti virtuali: {0}.",
-                      found_.why_not));
-            return std::move(items_);
-        }
-        for (std::size_t i = 0; i < found_.freedoms.size(); ++i) write_drawn(i);
-        write_efforts();
-        write_ratios();
-        return std::move(items_);
-    }
-
-private:
     std::string in(const Words& words) const { return render::in(words, language_); }
-    void say(const Words& words) { items_.push_back({Kind::words, in(words), {}, {}}); }
-    void set(Formula formula) { items_.push_back({Kind::formula, {}, std::move(formula), {}}); }
     Formula upright(const std::string& text) const { return Formula::upright(text); }
     Formula number_of(double value) const { return upright(render::number(value, digits_of_work, language_)); }
     std::string written(double value) const { return render::number(value, digits_of_work, language_); }
-
     /// "O_2".
     static Formula named(const std::string& name) {
         std::size_t stem = name.find('_');
@@ -92,7 +76,6 @@ private:
         if (const auto* at = std::get_if<ForceEffort>(&given)) return at->at;
         return mechanism_.joint(std::get<ActuatorEffort>(given).joint).point;
     }
-
     // Units of what is said for each unit of δq.
 
     const Unit& length() const { return mechanism_.units.length; }
@@ -110,6 +93,55 @@ private:
     }
     /// −0, and what only rounding left of nothing.
     double clean(double value) const { return std::abs(value) < 1e-14 * largest_ ? 0 : value; }
+    Formula moved_point(const std::string& point) const {
+        return Formula::letter("delta") + Formula::letter("r", point.empty() ? "?" : point);
+    }
+    /// Work of an effort in the file's units, for each unit of it.
+    Formula per_effort(double si, int effort) const {
+        const double unit =
+            is_couple(effort) ? mechanism_.units.moment.si.to_double() : mechanism_.units.force.si.to_double();
+        return upright(written(si * unit / work_unit().si.to_double()));
+    }
+    Formula work_of(double si) const { return upright(written(si / work_unit().si.to_double())); }
+    Formula turned(const std::string& of, double omega, const Formula& q) const {
+        Formula moved =
+            Formula::letter("delta") + Formula::letter("theta", of) + Formula::sign("=") + number_of(omega / turn_si());
+        if (!turn_unit().empty()) moved += upright(" " + turn_unit());
+        return std::move(moved) + q;
+    }
+    std::string amount_of(int effort, double si) const {
+        return amount(si, is_couple(effort) ? QuantityKind::moment : QuantityKind::force, mechanism_.units, language_,
+                      5);
+    }
+
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+    const Displacements& found_;
+    Language language_;
+    bool turn_ = true;    // the coordinate displaced is an angle
+    double largest_ = 0;  // beside which what is written vanishes
+};
+
+class WorkText : WorkFormulas {
+public:
+    WorkText(const Solution& solution, Language language) : WorkFormulas(solution, language) {}
+
+    std::vector<EquationItem> items() {
+        items_.push_back({Kind::heading, in(Words("Virtual work", "Lavori virtuali")), {}, {}, true});
+        if (!found_.why_not.empty()) {
+            say(Words("There are no virtual displacements: {0}.", "Non ci sono spostamenti virtuali: {0}.",
+                      found_.why_not));
+            return std::move(items_);
+        }
+        for (std::size_t i = 0; i < found_.freedoms.size(); ++i) write_drawn(i);
+        write_efforts();
+        write_ratios();
+        return std::move(items_);
+    }
+
+private:
+    void say(const Words& words) { items_.push_back({Kind::words, in(words), {}, {}}); }
+    void set(Formula formula) { items_.push_back({Kind::formula, {}, std::move(formula), {}}); }
 
     // --- the displacements drawn
     // ----------------------------------------------------------------------------------------------
@@ -162,9 +194,6 @@ private:
                       "quelli della figura, a essa proporzionali.",
                       spoken(freedom)));
     }
-    Formula moved_point(const std::string& point) const {
-        return Formula::letter("delta") + Formula::letter("r", point.empty() ? "?" : point);
-    }
     std::vector<Formula> force_row(const Entry& entry, const Formula& q) {
         const double fx = entry.force.x.to_double() / mechanism_.units.force.si.to_double(),
                      fy = entry.force.y.to_double() / mechanism_.units.force.si.to_double();
@@ -181,13 +210,6 @@ private:
         if (!way_unit().empty()) moved += upright(" " + way_unit());
         return std::move(moved) + q;
     }
-    Formula turned(const std::string& of, double omega, const Formula& q) const {
-        Formula moved =
-            Formula::letter("delta") + Formula::letter("theta", of) + Formula::sign("=") + number_of(omega / turn_si());
-        if (!turn_unit().empty()) moved += upright(" " + turn_unit());
-        return std::move(moved) + q;
-    }
-    Formula work_of(double si) const { return upright(written(si / work_unit().si.to_double())); }
     std::vector<Formula> couple_row(const Entry& entry, const Formula& q) const {
         Symbol symbol = entry.symbol;
         symbol.letter = Symbol::Letter::M;
@@ -212,12 +234,6 @@ private:
         }
         return {force(symbol_of(share.effort)), upright(on), upright("?"), std::move(moved),
                 per_effort(share.power->to_double(), share.effort) + force(symbol_of(share.effort))};
-    }
-    /// Work of an effort in the file's units, for each unit of it.
-    Formula per_effort(double si, int effort) const {
-        const double unit =
-            is_couple(effort) ? mechanism_.units.moment.si.to_double() : mechanism_.units.force.si.to_double();
-        return upright(written(si * unit / work_unit().si.to_double()));
     }
     Formula symbols(const VirtualWork& work) const {
         Formula sum;
@@ -261,13 +277,6 @@ private:
         return Formula::fenced(std::move(sum)) + q;
     }
 
-    // --- what follows
-    // ---------------------------------------------------------------------------------------------------------
-
-    std::string amount_of(int effort, double si) const {
-        return amount(si, is_couple(effort) ? QuantityKind::moment : QuantityKind::force, mechanism_.units, language_,
-                      5);
-    }
     void write_efforts() {
         if (found_.efforts.empty()) {
             say(found_.balanced
@@ -384,12 +393,6 @@ private:
         return ratios_of(equations, on, place, true);
     }
 
-    const Solution& solution_;
-    const Mechanism& mechanism_;
-    const Displacements& found_;
-    Language language_;
-    bool turn_ = true;    // the coordinate displaced is an angle
-    double largest_ = 0;  // beside which what is written vanishes
     std::vector<EquationItem> items_;
 };
 

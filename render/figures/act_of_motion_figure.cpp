@@ -29,10 +29,10 @@ struct VelocityArrow {
     bool given = false;
 };
 
-/// What does not depend on the scale.
-class Act {
+/// What the figure shows, which does not depend on its scale.
+class ActScene {
 public:
-    explicit Act(const DrawingContext& context)
+    explicit ActScene(const DrawingContext& context)
         : context_(context),
           solution_(context.solution),
           act_(*context.solution.act_of_motion),
@@ -71,19 +71,7 @@ public:
         return at;
     }
 
-    void draw(Sketch& sketch, double velocity_scale) const {
-        draw_alone(sketch, act_.body);
-        draw_directions(sketch);
-        draw_centre(sketch, velocity_scale);
-        draw_projections(sketch, velocity_scale);
-        // What is constructed crosses the body and must be seen there.
-        std::swap(sketch.construction, sketch.over_bodies);
-        draw_velocities(sketch, velocity_scale);
-        draw_acceleration_centre(sketch);
-        name_points(sketch);
-    }
-
-private:
+protected:
     Pen thin() const { return {context_.theme.thin, context_.theme.secondary, {}, false}; }
     static Spot tip_of(const Sketch& sketch, const VelocityArrow& shown, double scale) {
         return sketch.spot(shown.point) + (1 / scale) * shown.tip;
@@ -101,61 +89,27 @@ private:
         if (shown == nullptr || !(length(shown->tip) > 0)) return std::nullopt;
         return unit(shown->tip);
     }
-
-    /// Lines of action that the file gives.
-    void draw_directions(Sketch& sketch) const {
-        constexpr double half = 15;
-        for (const auto& [point, along] : directions_) {
-            const Spot at = sketch.spot(point);
-            sketch.construction.emplace_back(line(at - half * along, at + half * along,
-                                                  {context_.theme.thin, context_.theme.text, dash_dot(), false}));
-        }
-    }
-
-    // --- the statements that find what is drawn
-    // ------------------------------------------------------------------------------
     /// None: the velocity is given, or none finds it.
     StatementIndex statement_of(const VelocityArrow& shown) const {
         return shown.given ? none : statement_of_motion(solution_, Quantity::Kind::velocity, act_.body, shown.point);
     }
 
-    void draw_velocities(Sketch& sketch, double scale) const {
-        const Theme& theme = context_.theme;
-        const BodyColour body = theme.body(act_.body);
-        for (const VelocityArrow& shown : shown_) {
-            const Spot at = sketch.spot(shown.point), tip = tip_of(sketch, shown, scale);
-            if (length(tip - at) < shortest_drawn) continue;
-            const Symbol symbol{Symbol::Letter::v, shown.name, ""};
-            const std::string name = name_of(symbol);
-            const RichText text = typeset(symbol, context_.language);
-            const std::size_t first = sketch.arrows.size();
-            sketch.arrows.emplace_back(GroupBegin{"velocity",
-                                                  sketch.id("mechanism", name),
-                                                  plain(text),
-                                                  {{"data-name", name},
-                                                   {"data-value", shortest(shown.value)},
-                                                   {"data-scale", shortest(scale)},
-                                                   {"data-unit", unit_.symbol}}});
-            sketch.arrows.emplace_back(Axis{at, tip});
-            draw_arrow(sketch.arrows, at, tip, theme.vector, shown.given ? theme.text : body.line);
-            sketch.arrows.emplace_back(GroupEnd{});
-            belong(sketch.arrows, first, statement_of(shown));
-            LabelRequest request;
-            request.statement = statement_of(shown);
-            request.names = {name};
-            request.text = text;
-            request.size = theme.equation;
-            request.colour = shown.given ? theme.text : body.letter;
-            request.anchor = at + 0.62 * (tip - at);
-            request.toward = tip;
-            request.clearance = 1.6;
-            sketch.labels.push_back(std::move(request));
-        }
-    }
+    const DrawingContext& context_;
+    const Solution& solution_;
+    const ActFigure& act_;
+    const Unit& unit_;
+    const InstantCentre* centre_ = nullptr;
+    std::vector<VelocityArrow> shown_;
+    std::vector<std::pair<PointIndex, Spot>> directions_;
+    double longest_ = 0;  ///< in the unit of velocity
+};
 
-    // --- the centre
-    // ----------------------------------------------------------------------------------------------------------
-    void draw_centre(Sketch& sketch, double scale) const {
+/// The centre with what finds it: perpendiculars to the velocities or the join of their tips, its name, and ω about it.
+class CentreOfAct : ActScene {
+public:
+    explicit CentreOfAct(const ActScene& scene) : ActScene(scene) {}
+
+    void draw(Sketch& sketch, double scale) const {
         if (centre_ == nullptr || !centre_->at) return;
         if (centre_->at->at_infinity()) return draw_parallels(sketch);
         const Spot at = sketch.spot(centre_->at->place());
@@ -182,6 +136,7 @@ private:
         draw_spin(sketch, at);
     }
 
+private:
     static Box unscaled_box(const Sketch& sketch) {
         const Box box = sketch.mechanism_box();
         return {sketch.scale() * box.min, sketch.scale() * box.max};
@@ -224,6 +179,7 @@ private:
         draw_through(sketch, {first, second}, centre, near);
         draw_through(sketch, {tips[0], tips[1]}, centre, near);
     }
+
     /// A line through two places and, where it is near, the centre.
     void draw_through(Sketch& sketch, const Bar& bar, Spot centre, bool near) const {
         const Spot along = unit(bar.to - bar.from);
@@ -342,6 +298,68 @@ private:
         label.clearance = 1.5;
         sketch.labels.push_back(std::move(label));
     }
+};
+
+class Act : public ActScene {
+public:
+    using ActScene::ActScene;
+
+    void draw(Sketch& sketch, double velocity_scale) const {
+        draw_alone(sketch, act_.body);
+        draw_directions(sketch);
+        CentreOfAct(*this).draw(sketch, velocity_scale);
+        draw_projections(sketch, velocity_scale);
+        // What is constructed crosses the body and must be seen there.
+        std::swap(sketch.construction, sketch.over_bodies);
+        draw_velocities(sketch, velocity_scale);
+        draw_acceleration_centre(sketch);
+        name_points(sketch);
+    }
+
+private:
+    /// Lines of action that the file gives.
+    void draw_directions(Sketch& sketch) const {
+        constexpr double half = 15;
+        for (const auto& [point, along] : directions_) {
+            const Spot at = sketch.spot(point);
+            sketch.construction.emplace_back(line(at - half * along, at + half * along,
+                                                  {context_.theme.thin, context_.theme.text, dash_dot(), false}));
+        }
+    }
+
+    void draw_velocities(Sketch& sketch, double scale) const {
+        const Theme& theme = context_.theme;
+        const BodyColour body = theme.body(act_.body);
+        for (const VelocityArrow& shown : shown_) {
+            const Spot at = sketch.spot(shown.point), tip = tip_of(sketch, shown, scale);
+            if (length(tip - at) < shortest_drawn) continue;
+            const Symbol symbol{Symbol::Letter::v, shown.name, ""};
+            const std::string name = name_of(symbol);
+            const RichText text = typeset(symbol, context_.language);
+            const std::size_t first = sketch.arrows.size();
+            sketch.arrows.emplace_back(GroupBegin{"velocity",
+                                                  sketch.id("mechanism", name),
+                                                  plain(text),
+                                                  {{"data-name", name},
+                                                   {"data-value", shortest(shown.value)},
+                                                   {"data-scale", shortest(scale)},
+                                                   {"data-unit", unit_.symbol}}});
+            sketch.arrows.emplace_back(Axis{at, tip});
+            draw_arrow(sketch.arrows, at, tip, theme.vector, shown.given ? theme.text : body.line);
+            sketch.arrows.emplace_back(GroupEnd{});
+            belong(sketch.arrows, first, statement_of(shown));
+            LabelRequest request;
+            request.statement = statement_of(shown);
+            request.names = {name};
+            request.text = text;
+            request.size = theme.equation;
+            request.colour = shown.given ? theme.text : body.letter;
+            request.anchor = at + 0.62 * (tip - at);
+            request.toward = tip;
+            request.clearance = 1.6;
+            sketch.labels.push_back(std::move(request));
+        }
+    }
 
     void draw_acceleration_centre(Sketch& sketch) const {
         if (!act_.acceleration_centre) return;
@@ -363,8 +381,6 @@ private:
         sketch.labels.push_back(std::move(label));
     }
 
-    // --- velocities that no rigid body has
-    // -----------------------------------------------------------------------------------
     /// Both projections on the join as arrows from their points, with the perpendiculars that cut them off.
     void draw_projections(Sketch& sketch, double scale) const {
         if (!act_.differing) return;
@@ -408,15 +424,6 @@ private:
         sketch.construction.emplace_back(
             line(first + (from - overshoot) * along, first + (to + overshoot) * along, thin()));
     }
-
-    const DrawingContext& context_;
-    const Solution& solution_;
-    const ActFigure& act_;
-    const Unit& unit_;
-    const InstantCentre* centre_ = nullptr;
-    std::vector<VelocityArrow> shown_;
-    std::vector<std::pair<PointIndex, Spot>> directions_;
-    double longest_ = 0;  ///< in the unit of velocity
 };
 
 }  // namespace

@@ -24,6 +24,105 @@ constexpr double least_image = 12;      // mm²: of a link's image, or it is no 
 constexpr double least_image_line = 4;  // mm: of that of a link whose points lie on one line
 constexpr double letters_beyond = 2.8;  // what letters take at least beyond the strokes, on each side
 
+/// What stands in the corners of a polygon: the scale's bar, and why the Coriolis term has its direction.
+class CornersOfPolygon {
+public:
+    CornersOfPolygon(const DrawingContext& context, const PolygonScene& scene) : context_(context), scene_(scene) {}
+
+    /// The bar stands in a corner that nothing crosses, else under the figure.
+    void draw_bar(Figure& figure) const {
+        if (scene_.empty()) return;
+        std::vector<Mark> bar;
+        draw_scale_bar(bar, context_.fonts, context_.theme, {0, 0}, 24, figure.scale, 1, figure.unit,
+                       context_.language);
+        const Box size = box_of(bar);
+        const Box box = figure.box;
+        const double left = box.min.x - size.min.x, right = box.max.x - size.max.x;
+        const double top = box.min.y - size.min.y, bottom = box.max.y - size.max.y;
+        const std::array<Spot, 4> corners{Spot{right, bottom}, Spot{left, bottom}, Spot{right, top}, Spot{left, top}};
+        Spot chosen{left, box.max.y + 5 - size.min.y};
+        for (const Spot corner : corners)
+            if (is_free(figure, {{size.min.x + corner.x - 7, size.min.y + corner.y - 7},
+                                 {size.max.x + corner.x + 7, size.max.y + corner.y + 7}})) {
+                chosen = corner;
+                break;
+            }
+        render::move(bar, chosen.x, chosen.y);
+        figure.marks.insert(figure.marks.end(), bar.begin(), bar.end());
+    }
+
+    /// Why the Coriolis term has its direction, where a corner is free: v_rel, and v_rel turned a quarter with ω.
+    void draw_coriolis(Figure& figure, const SceneCoriolis& shown) const {
+        constexpr double arm = 11, turn = 5.5, reach = 7;  // mm; `reach`: of the letters
+        const Spot along{shown.along.x, -shown.along.y};
+        const Spot across = (shown.counter_clockwise ? -1.0 : 1.0) * Spot{-along.y, along.x};
+        const Box size = box_round({Spot{}, arm * along, arm * across});
+        const Box& box = figure.box;
+        std::optional<Spot> origin;
+        for (const double y : {box.max.y - size.max.y, box.min.y - size.min.y})
+            for (const double x : {box.max.x - size.max.x, box.min.x - size.min.x})
+                if (!origin && is_free(figure, {{size.min.x + x - reach, size.min.y + y - reach},
+                                                {size.max.x + x + reach, size.max.y + y + reach}}))
+                    origin = Spot{x, y};
+        if (!origin) return;
+        const Theme& theme = context_.theme;
+        const BodyColour colour = theme.colour_of(shown.body), guide = theme.colour_of(shown.guide);
+        const std::size_t first = figure.marks.size();
+        draw_arrow(figure.marks, *origin, *origin + arm * along, theme.outline, colour.line);
+        draw_arrow(figure.marks, *origin, *origin + arm * across, theme.outline, colour.line);
+        const double from = std::atan2(along.y, along.x);
+        draw_arc_arrow(figure.marks, *origin, turn, from,
+                       from + (shown.counter_clockwise ? -0.5 : 0.5) * std::numbers::pi, theme.thin, guide.letter);
+        belong(figure.marks, first, shown.statement);
+        const auto name = [&](const Symbol& symbol, Spot at, Colour ink) {
+            LabelRequest& label = figure.labels.emplace_back();
+            label.text = typeset(symbol, context_.language);
+            label.size = theme.small;
+            label.colour = ink;
+            label.anchor = *origin + at;
+            label.clearance = 1.2;
+            label.statement = shown.statement;
+        };
+        name(shown.velocity, 0.8 * arm * along, colour.letter);
+        name(shown.coriolis, 0.8 * arm * across, colour.letter);
+        name(shown.omega, (turn / std::sqrt(2.0)) * (along + across), guide.letter);
+    }
+
+private:
+    static Box box_round(const std::vector<Spot>& spots) {
+        Box box{spots.front(), spots.front()};
+        for (const Spot spot : spots) box.include(spot);
+        return box;
+    }
+
+    static bool is_free(const Figure& figure, const Box& box) {
+        Spot pen;
+        for (const Mark& mark : figure.marks) {
+            const auto* path = std::get_if<Path>(&mark);
+            if (!path) continue;
+            for (const Segment& segment : path->segments) {
+                if (const auto* m = std::get_if<MoveTo>(&segment)) pen = m->to;
+                if (const auto* l = std::get_if<LineTo>(&segment)) {
+                    const int pieces = std::max(1, static_cast<int>(length(l->to - pen)));
+                    for (int i = 0; i <= pieces; ++i) {
+                        const Spot at = pen + (static_cast<double>(i) / pieces) * (l->to - pen);
+                        if (at.x > box.min.x && at.x < box.max.x && at.y > box.min.y && at.y < box.max.y) return false;
+                    }
+                    pen = l->to;
+                }
+                if (const auto* a = std::get_if<ArcTo>(&segment))
+                    if (a->centre.x > box.min.x && a->centre.x < box.max.x && a->centre.y > box.min.y &&
+                        a->centre.y < box.max.y)
+                        return false;
+            }
+        }
+        return true;
+    }
+
+    const DrawingContext& context_;
+    const PolygonScene& scene_;
+};
+
 class PolygonDrawing {
 public:
     PolygonDrawing(const DrawingContext& context, const PolygonScene& scene)
@@ -77,8 +176,9 @@ public:
         draw_images_of_bodies(figure);
         draw_parts(figure, context_, parts, details);
         figure.box = box_of(figure.marks);
-        draw_bar(figure);
-        if (!scene_.coriolis.empty()) draw_coriolis(figure, scene_.coriolis.front());
+        const CornersOfPolygon corners(context_, scene_);
+        corners.draw_bar(figure);
+        if (!scene_.coriolis.empty()) corners.draw_coriolis(figure, scene_.coriolis.front());
         figure.box = box_of(figure.marks);
         return figure;
     }
@@ -278,92 +378,6 @@ private:
             drawn.statement = each.statement;
             parts.images.push_back(std::move(drawn));
         }
-    }
-
-    /// The bar stands in a corner that nothing crosses, else under the figure.
-    void draw_bar(Figure& figure) const {
-        if (empty()) return;
-        std::vector<Mark> bar;
-        draw_scale_bar(bar, context_.fonts, context_.theme, {0, 0}, 24, figure.scale, 1, figure.unit,
-                       context_.language);
-        const Box size = box_of(bar);
-        const Box box = figure.box;
-        const double left = box.min.x - size.min.x, right = box.max.x - size.max.x;
-        const double top = box.min.y - size.min.y, bottom = box.max.y - size.max.y;
-        const std::array<Spot, 4> corners{Spot{right, bottom}, Spot{left, bottom}, Spot{right, top}, Spot{left, top}};
-        Spot chosen{left, box.max.y + 5 - size.min.y};
-        for (const Spot corner : corners)
-            if (is_free(figure, {{size.min.x + corner.x - 7, size.min.y + corner.y - 7},
-                                 {size.max.x + corner.x + 7, size.max.y + corner.y + 7}})) {
-                chosen = corner;
-                break;
-            }
-        render::move(bar, chosen.x, chosen.y);
-        figure.marks.insert(figure.marks.end(), bar.begin(), bar.end());
-    }
-    /// Why the Coriolis term has its direction, where a corner is free: v_rel, and v_rel turned a quarter with ω.
-    void draw_coriolis(Figure& figure, const SceneCoriolis& shown) const {
-        constexpr double arm = 11, turn = 5.5, reach = 7;  // mm; `reach`: of the letters
-        const Spot along{shown.along.x, -shown.along.y};
-        const Spot across = (shown.counter_clockwise ? -1.0 : 1.0) * Spot{-along.y, along.x};
-        const Box size = box_round({Spot{}, arm * along, arm * across});
-        const Box& box = figure.box;
-        std::optional<Spot> origin;
-        for (const double y : {box.max.y - size.max.y, box.min.y - size.min.y})
-            for (const double x : {box.max.x - size.max.x, box.min.x - size.min.x})
-                if (!origin && is_free(figure, {{size.min.x + x - reach, size.min.y + y - reach},
-                                                {size.max.x + x + reach, size.max.y + y + reach}}))
-                    origin = Spot{x, y};
-        if (!origin) return;
-        const Theme& theme = context_.theme;
-        const BodyColour colour = theme.colour_of(shown.body), guide = theme.colour_of(shown.guide);
-        const std::size_t first = figure.marks.size();
-        draw_arrow(figure.marks, *origin, *origin + arm * along, theme.outline, colour.line);
-        draw_arrow(figure.marks, *origin, *origin + arm * across, theme.outline, colour.line);
-        const double from = std::atan2(along.y, along.x);
-        draw_arc_arrow(figure.marks, *origin, turn, from,
-                       from + (shown.counter_clockwise ? -0.5 : 0.5) * std::numbers::pi, theme.thin, guide.letter);
-        belong(figure.marks, first, shown.statement);
-        const auto name = [&](const Symbol& symbol, Spot at, Colour ink) {
-            LabelRequest& label = figure.labels.emplace_back();
-            label.text = typeset(symbol, context_.language);
-            label.size = theme.small;
-            label.colour = ink;
-            label.anchor = *origin + at;
-            label.clearance = 1.2;
-            label.statement = shown.statement;
-        };
-        name(shown.velocity, 0.8 * arm * along, colour.letter);
-        name(shown.coriolis, 0.8 * arm * across, colour.letter);
-        name(shown.omega, (turn / std::sqrt(2.0)) * (along + across), guide.letter);
-    }
-    static Box box_round(const std::vector<Spot>& spots) {
-        Box box{spots.front(), spots.front()};
-        for (const Spot spot : spots) box.include(spot);
-        return box;
-    }
-    static bool is_free(const Figure& figure, const Box& box) {
-        Spot pen;
-        for (const Mark& mark : figure.marks) {
-            const auto* path = std::get_if<Path>(&mark);
-            if (!path) continue;
-            for (const Segment& segment : path->segments) {
-                if (const auto* m = std::get_if<MoveTo>(&segment)) pen = m->to;
-                if (const auto* l = std::get_if<LineTo>(&segment)) {
-                    const int pieces = std::max(1, static_cast<int>(length(l->to - pen)));
-                    for (int i = 0; i <= pieces; ++i) {
-                        const Spot at = pen + (static_cast<double>(i) / pieces) * (l->to - pen);
-                        if (at.x > box.min.x && at.x < box.max.x && at.y > box.min.y && at.y < box.max.y) return false;
-                    }
-                    pen = l->to;
-                }
-                if (const auto* a = std::get_if<ArcTo>(&segment))
-                    if (a->centre.x > box.min.x && a->centre.x < box.max.x && a->centre.y > box.min.y &&
-                        a->centre.y < box.max.y)
-                        return false;
-            }
-        }
-        return true;
     }
 
     const DrawingContext& context_;

@@ -55,6 +55,103 @@ PointIndex point_of(const Truss& truss, int pin) { return truss.structure.pins[a
 // --- the space diagram
 // -------------------------------------------------------------------------------------------------------
 
+/// Sections through a truss, each once, with the arms of the forces that they find.
+class TrussCuts {
+public:
+    explicit TrussCuts(Sketch& sketch)
+        : sketch_(sketch), solution_(sketch.subject.solution), truss_(*solution_.truss) {}
+
+    void draw() {
+        std::vector<std::vector<int>> drawn;
+        for (const Truss::Cut& cut : truss_.cuts) {
+            if (std::find(drawn.begin(), drawn.end(), cut.bars) == drawn.end()) draw_section(cut);
+            drawn.push_back(cut.bars);
+            draw_arm(cut);
+        }
+    }
+
+private:
+    Spot spot(int pin) const { return sketch_.spot(point_of(truss_, pin)); }
+
+    /// Across the bars at their middles, a little beyond them.
+    void draw_section(const Truss::Cut& cut) {
+        std::vector<Spot> middles;
+        for (const int bar : cut.bars) {
+            const auto& ends = truss_.structure.bars[at_index(bar)].pins;
+            middles.push_back(0.5 * (spot(ends[0]) + spot(ends[1])));
+        }
+        // From one end to the other, along their longest distance.
+        Spot along{1, 0};
+        for (const Spot a : middles)
+            for (const Spot b : middles)
+                if (length(b - a) > length(along)) along = b - a;
+        std::sort(middles.begin(), middles.end(), [&](Spot a, Spot b) { return dot(a, along) < dot(b, along); });
+        const auto past = [](Spot from, Spot to) { return to + (7 / std::max(length(to - from), 1e-6)) * (to - from); };
+        middles.insert(middles.begin(), past(middles[1], middles[0]));
+        middles.push_back(past(middles[middles.size() - 2], middles.back()));
+        const std::size_t first = sketch_.over_bodies.size();
+        sketch_.over_bodies.emplace_back(
+            polyline(middles, {sketch_.theme.outline, sketch_.theme.accent, dash_dot(), false}));
+        belong(sketch_.over_bodies, first, cut.statement);
+    }
+
+    /// From where the others meet, at right angles to the bar.
+    void draw_arm(const Truss::Cut& cut) {
+        if (!cut.pivot) return;
+        const Spot pivot = sketch_.spot(*cut.pivot);
+        if (!contains(grown(sketch_.mechanism_box(), 0.5 * sketch_.size()), pivot)) return;
+        const auto& ends = truss_.structure.bars[at_index(cut.found)].pins;
+        const Spot from = spot(ends[0]), off = spot(ends[1]) - from;
+        const Spot foot = from + (dot(pivot - from, off) / dot(off, off)) * off;
+        const std::size_t first = sketch_.construction.size();
+        sketch_.construction.emplace_back(line(pivot, foot, sketch_.thin()));
+        belong(sketch_.construction, first, cut.statement);
+        const Unit& unit = sketch_.mechanism.units.length;
+        const double arm = truss_.numbers_of(cut, solution_.pose.points).arm / unit.si.to_double();
+        // Between the same parallel bars the arms are one.
+        const Spot across = foot - pivot;
+        for (const Spot other : arms_)
+            if (length(other - across) < 0.05 || length(other + across) < 0.05) return name_pivot(cut, pivot);
+        arms_.push_back(across);
+        RichText text = one_piece(letter_of_arms(), Face::italic);
+        append(text, one_piece(" = " + number(arm, 4, sketch_.context.language) + " " + unit.symbol));
+        LabelRequest& label =
+            sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (pivot + foot), 1, cut.statement);
+        label.toward = foot;
+        label.size = sketch_.theme.small;
+        name_pivot(cut, pivot);
+    }
+
+    /// One that no space has.
+    std::string letter_of_arms() const {
+        for (const char* letter : {"b", "h", "r"})
+            if (std::none_of(truss_.spaces.begin(), truss_.spaces.end(),
+                             [&](const Truss::Space& space) { return space.letter == letter; }))
+                return letter;
+        return "β";
+    }
+
+    void name_pivot(const Truss::Cut& cut, Spot pivot) {
+        const bool is_pin =
+            std::any_of(truss_.structure.pins.begin(), truss_.structure.pins.end(),
+                        [&](const auto& pin) { return length(sketch_.spot(pin.point) - pivot) < 0.05; });
+        if (is_pin || std::find(named_.begin(), named_.end(), cut.pivot_name) != named_.end()) return;
+        named_.push_back(cut.pivot_name);
+        sketch_.centres.emplace_back(disc(pivot, 0.7, sketch_.theme.text));
+        belong(sketch_.centres, sketch_.centres.size() - 1, cut.statement);
+        sketch_
+            .add_label(typeset(Symbol{Symbol::Letter::point, cut.pivot_name, ""}, sketch_.context.language),
+                       sketch_.theme.text, pivot, 1.8, cut.statement)
+            .names = {cut.pivot_name};
+    }
+
+    Sketch& sketch_;
+    const Solution& solution_;
+    const Truss& truss_;
+    std::vector<std::string> named_;  // pivots
+    std::vector<Spot> arms_;          // dimensioned
+};
+
 class SpaceDiagram {
 public:
     explicit SpaceDiagram(Sketch& sketch)
@@ -73,12 +170,7 @@ public:
                 draw_strings_of(*together.funicular, together.sums);
             else
                 for (const AppliedForce& sum : together.sums) draw_line_of_meets(sum);
-        std::vector<std::vector<int>> drawn;
-        for (const Truss::Cut& cut : truss_.cuts) {
-            if (std::find(drawn.begin(), drawn.end(), cut.bars) == drawn.end()) draw_section(cut);
-            drawn.push_back(cut.bars);
-            draw_arm(cut);
-        }
+        TrussCuts(sketch_).draw();
     }
 
 private:
@@ -320,81 +412,10 @@ private:
         return length(off) > 0 ? (6 / length(off)) * off : off;
     }
 
-    /// Across the bars at their middles, a little beyond them.
-    void draw_section(const Truss::Cut& cut) {
-        std::vector<Spot> middles;
-        for (const int bar : cut.bars) {
-            const auto& ends = truss_.structure.bars[at_index(bar)].pins;
-            middles.push_back(0.5 * (spot(ends[0]) + spot(ends[1])));
-        }
-        // From one end to the other, along their longest distance.
-        Spot along{1, 0};
-        for (const Spot a : middles)
-            for (const Spot b : middles)
-                if (length(b - a) > length(along)) along = b - a;
-        std::sort(middles.begin(), middles.end(), [&](Spot a, Spot b) { return dot(a, along) < dot(b, along); });
-        const auto past = [](Spot from, Spot to) { return to + (7 / std::max(length(to - from), 1e-6)) * (to - from); };
-        middles.insert(middles.begin(), past(middles[1], middles[0]));
-        middles.push_back(past(middles[middles.size() - 2], middles.back()));
-        const std::size_t first = sketch_.over_bodies.size();
-        sketch_.over_bodies.emplace_back(
-            polyline(middles, {sketch_.theme.outline, sketch_.theme.accent, dash_dot(), false}));
-        belong(sketch_.over_bodies, first, cut.statement);
-    }
-    /// From where the others meet, at right angles to the bar.
-    void draw_arm(const Truss::Cut& cut) {
-        if (!cut.pivot) return;
-        const Spot pivot = sketch_.spot(*cut.pivot);
-        if (!contains(grown(sketch_.mechanism_box(), 0.5 * sketch_.size()), pivot)) return;
-        const auto& ends = truss_.structure.bars[at_index(cut.found)].pins;
-        const Spot from = spot(ends[0]), off = spot(ends[1]) - from;
-        const Spot foot = from + (dot(pivot - from, off) / dot(off, off)) * off;
-        const std::size_t first = sketch_.construction.size();
-        sketch_.construction.emplace_back(line(pivot, foot, sketch_.thin()));
-        belong(sketch_.construction, first, cut.statement);
-        const Unit& unit = sketch_.mechanism.units.length;
-        const double arm = truss_.numbers_of(cut, solution_.pose.points).arm / unit.si.to_double();
-        // Between the same parallel bars the arms are one.
-        const Spot across = foot - pivot;
-        for (const Spot other : arms_)
-            if (length(other - across) < 0.05 || length(other + across) < 0.05) return name_pivot(cut, pivot);
-        arms_.push_back(across);
-        RichText text = one_piece(letter_of_arms(), Face::italic);
-        append(text, one_piece(" = " + number(arm, 4, sketch_.context.language) + " " + unit.symbol));
-        LabelRequest& label =
-            sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (pivot + foot), 1, cut.statement);
-        label.toward = foot;
-        label.size = sketch_.theme.small;
-        name_pivot(cut, pivot);
-    }
-    /// One that no space has.
-    std::string letter_of_arms() const {
-        for (const char* letter : {"b", "h", "r"})
-            if (std::none_of(truss_.spaces.begin(), truss_.spaces.end(),
-                             [&](const Truss::Space& space) { return space.letter == letter; }))
-                return letter;
-        return "β";
-    }
-    void name_pivot(const Truss::Cut& cut, Spot pivot) {
-        const bool is_pin =
-            std::any_of(truss_.structure.pins.begin(), truss_.structure.pins.end(),
-                        [&](const auto& pin) { return length(sketch_.spot(pin.point) - pivot) < 0.05; });
-        if (is_pin || std::find(named_.begin(), named_.end(), cut.pivot_name) != named_.end()) return;
-        named_.push_back(cut.pivot_name);
-        sketch_.centres.emplace_back(disc(pivot, 0.7, sketch_.theme.text));
-        belong(sketch_.centres, sketch_.centres.size() - 1, cut.statement);
-        sketch_
-            .add_label(typeset(Symbol{Symbol::Letter::point, cut.pivot_name, ""}, sketch_.context.language),
-                       sketch_.theme.text, pivot, 1.8, cut.statement)
-            .names = {cut.pivot_name};
-    }
-
     Sketch& sketch_;
     const Solution& solution_;
     const Truss& truss_;
     std::map<int, std::vector<Spot>> rays_;  // of forces drawn, by pin
-    std::vector<std::string> named_;         // pivots
-    std::vector<Spot> arms_;                 // dimensioned
 };
 
 // --- the plan

@@ -1,5 +1,5 @@
-// The joints closed in the browser: Newton's method on the closure's rows, as engine/motion/positions.cpp does it, begun near the place
-// that the cycle was found to pass. Knows no construction and no figure.
+// The joints closed in the browser: Newton's method on the closure's rows, as engine/motion/positions.cpp does it,
+// begun near the place that the cycle was found to pass. Knows no construction and no figure.
 
 /**
  * What `facing` makes of a drawn direction: the product as complex numbers.
@@ -164,7 +164,9 @@ class Places {
         const {points, joints, unit} = this.data;
         const scaled = (/** @type {Spot} */ a) => ({x: unit * a.x, y: unit * a.y});
         const read = {
-            points: points.map(([body, x, y, contact]) => scaled(body >= 0 ? this.world(body, x, y) : this.contact(joints[contact]))),
+            points: points.map(([body, x, y, contact]) =>
+                scaled(body >= 0 ? this.world(body, x, y) : this.contact(joints[contact])),
+            ),
             guides: joints.map(() => ({x: 0, y: 0})),
             normals: joints.map(() => ({x: 0, y: 0})),
             tangents: joints.map(() => ({x: 0, y: 0})),
@@ -201,7 +203,9 @@ class Places {
      * @returns {Spot}
      */
     contact(joint) {
-        const centres = [0, 1].map((side) => this.world(joint.bodies[side], joint.locals[side][0], joint.locals[side][1]));
+        const centres = [0, 1].map((side) =>
+            this.world(joint.bodies[side], joint.locals[side][0], joint.locals[side][1]),
+        );
         for (const side of [0, 1]) {
             if (!joint.straight[side]) continue;
             const tangent = faced(this.facing[joint.turnsWith], joint.tangent[0], joint.tangent[1]);
@@ -222,14 +226,16 @@ class Places {
      */
     slid(joint) {
         const guide = faced(this.facing[joint.turnsWith], joint.guide[0], joint.guide[1]);
-        const [one, other] = [0, 1].map((side) => this.world(joint.bodies[side], joint.locals[side][0], joint.locals[side][1]));
-        return this.data.unit * dot(guide, {x: one.x - other.x, y: one.y - other.y}) / Math.hypot(guide.x, guide.y);
+        const [one, other] = [0, 1].map((side) =>
+            this.world(joint.bodies[side], joint.locals[side][0], joint.locals[side][1]),
+        );
+        return (this.data.unit * dot(guide, {x: one.x - other.x, y: one.y - other.y})) / Math.hypot(guide.x, guide.y);
     }
 }
 
 /**
- * The solution of rows (each with its right side last) by elimination with complete pivoting: repeated equations do no harm,
- * and what no equation determines stays zero.
+ * The solution of rows (each with its right side last) by elimination with complete pivoting: repeated equations do no
+ * harm, and what no equation determines stays zero.
  * @param {Float64Array[]} matrix
  * @param {number} columns
  */

@@ -1,5 +1,6 @@
-// The next line is the student's: where it begins, in which direction, how long. What is right is what the construction drew; what
-// is wrong is told apart as point, direction, sense and length. In the drawn position, one polygon at a time. Nothing is sent.
+// The next line is the student's: where it begins, in which direction, how long. What is right is what the construction
+// drew; what is wrong is told apart as point, direction, sense and length. In the drawn position, one polygon at a
+// time. Nothing is sent.
 
 /**
  * @typedef {{statement: number, kind: 'vector' | 'line', name: string, from: Spot, by: Spot}} Task
@@ -27,7 +28,8 @@ function tasksOf(view, unknownIn) {
     /** @type {Task[]} */
     const tasks = [];
     for (const statement of statements.sort((a, b) => a - b)) {
-        const ofIt = vectors.filter((each) => each.statement === statement), on = lines.filter((each) => each.statement === statement);
+        const ofIt = vectors.filter((each) => each.statement === statement),
+            on = lines.filter((each) => each.statement === statement);
         const unknown = unknownIn(statement);
         const isMet = (/** @type {Spot} */ at) => on.some(({points}) => points.slice(1).some(isSame(at)));
         for (const {name, ends: [tail, tip]} of ofIt) {
@@ -38,7 +40,9 @@ function tasksOf(view, unknownIn) {
         for (const {points, direction} of on) {
             const from = points.find(isKnown);
             if (!from || (points.length > 1 && points.every(isKnown))) continue;
-            const lying = ofIt.find(({ends}) => ends.every((at) => Math.abs(dot(minus(at, from), quarterTurn(direction))) < samePlace));
+            const lying = ofIt.find(({ends}) =>
+                ends.every((at) => Math.abs(dot(minus(at, from), quarterTurn(direction))) < samePlace),
+            );
             tasks.push({statement, kind: 'line', name: lying?.name ?? '', from, by: direction});
         }
         // Of a force only the line of action is known: it is drawn through whichever end is there.
@@ -58,13 +62,18 @@ function tasksOf(view, unknownIn) {
  */
 function drawnIn(view) {
     const vectors = [...view.group.querySelectorAll(':scope > g.vector')].flatMap((node) => {
-        const name = node.getAttribute('data-name') ?? '', ends = view.vector(name);
-        return ends && apart(...ends) > longEnough ? [{statement: Number(node.getAttribute('data-statement') ?? -1), name, ends}] : [];
+        const name = node.getAttribute('data-name') ?? '',
+            ends = view.vector(name);
+        return ends && apart(...ends) > longEnough
+            ? [{statement: Number(node.getAttribute('data-statement') ?? -1), name, ends}]
+            : [];
     });
-    const lines = view.motion.data.plans[0].lines.filter(([figure]) => figure === view.id).flatMap(([, name, statement]) => {
-        const line = view.line(name);
-        return line ? [{statement, points: line.points, direction: line.direction}] : [];
-    });
+    const lines = view.motion.data.plans[0].lines
+        .filter(([figure]) => figure === view.id)
+        .flatMap(([, name, statement]) => {
+            const line = view.line(name);
+            return line ? [{statement, points: line.points, direction: line.direction}] : [];
+        });
     return {vectors, lines};
 }
 
@@ -122,25 +131,32 @@ class Exercise {
         return tasksOf(view, (statement) => this.unknownIn(statement, view.id.startsWith('forces')));
     }
     /**
-     * As the table under a sentence says it: terms, whether their magnitudes are known, whether their directions are. A sentence
-     * of forces names those that it finds.
+     * As the table under a sentence says it: terms, whether their magnitudes are known, whether their directions are. A
+     * sentence of forces names those that it finds.
      * @param {number} statement
      * @param {boolean} isOfForces
      */
     unknownIn(statement, isOfForces) {
         const sentence = this.page.sheet.querySelector(`li[data-says="${statement}"]`);
         const table = /** @type {HTMLTableElement | null} */ (sentence?.querySelector('table.equation') ?? null);
-        const rows = table ? [...table.rows].map((row) => [...row.cells].map((cell) => cell.textContent ?? '')) : [[], [], []];
-        const names = [...this.page.sheet.querySelectorAll('g.vector')].map((node) => node.getAttribute('data-name') ?? '');
+        const rows = table
+            ? [...table.rows].map((row) => [...row.cells].map((cell) => cell.textContent ?? ''))
+            : [[], [], []];
+        const names = [...this.page.sheet.querySelectorAll('g.vector')].map(
+            (node) => node.getAttribute('data-name') ?? '',
+        );
         const unknown = rows[0].filter((_, i) => rows[1][i] === '?' && rows[2][i].startsWith('✓'));
         if (isOfForces && sentence) {
-            for (const letter of sentence.querySelectorAll('b')) unknown.push(`${letter.textContent}${letter.nextSibling?.textContent}`);
+            for (const letter of sentence.querySelectorAll('b'))
+                unknown.push(`${letter.textContent}${letter.nextSibling?.textContent}`);
         }
         return new Set(names.filter((name) => unknown.includes(name.replaceAll('_', ''))));
     }
     /** Polygons in which there is something to draw. */
     get polygons() {
-        const all = this.page.figures.filter((view) => !view.isMechanism && !view.held && view.follows && view.id !== 'closure');
+        const all = this.page.figures.filter(
+            (view) => !view.isMechanism && !view.held && view.follows && view.id !== 'closure',
+        );
         return all.filter((view) => all.find(({id}) => id === view.id) === view && this.tasksOf(view).length > 0);
     }
     get view() {
@@ -189,16 +205,25 @@ class Exercise {
         this.clear();
         const {view, tasks} = this;
         if (!view) return this.end();
-        fill(page.at('try-figure'), this.polygons.map((each) => [each.id, each.caption + each.id.replace(/^[^-]*-?/, ' ')]), this.figure);
-        const task = tasks[this.next], isDone = task === undefined;
+        fill(
+            page.at('try-figure'),
+            this.polygons.map((each) => [each.id, each.caption + each.id.replace(/^[^-]*-?/, ' ')]),
+            this.figure,
+        );
+        const task = tasks[this.next],
+            isDone = task === undefined;
         page.hideFrom(isDone ? Infinity : task.statement);
         for (const figure of page.sheet.querySelectorAll('.figures > figure')) {
             const isMechanism = figure.getAttribute('data-figure-name') === 'mechanism';
             figure.classList.toggle('aside', !figure.contains(view.svg) && !isMechanism);
         }
-        for (const id of ['try-point', 'try-direction', 'try-check', 'try-hint', 'try-show']) page.at(id).disabled = isDone;
+        for (const id of ['try-point', 'try-direction', 'try-check', 'try-hint', 'try-show'])
+            page.at(id).disabled = isDone;
         const score = this.points.reduce((sum, each) => sum + each, 0);
-        page.at('try-score').textContent = page.word('score').replace('{0}', page.numberText(score)).replace('{1}', String(tasks.length));
+        page.at('try-score').textContent = page
+            .word('score')
+            .replace('{0}', page.numberText(score))
+            .replace('{1}', String(tasks.length));
         page.at('try-length').textContent = '';
         this.group = drawn(view.svg, 'g', {class: 'student'});
         const ofStatement = tasks.slice(0, this.next).filter((each) => each.statement === task?.statement);
@@ -206,14 +231,23 @@ class Exercise {
         if (isDone) return this.tell(page.word('all drawn'), page.at('try-figure'));
         this.ask(task);
         const points = this.pointsKnown(view);
-        fill(page.at('try-point'), points.map(({name}, i) => [String(i), name]), '0');
-        fill(page.at('try-direction'), [['', page.word('by hand')], ...this.directions().map(({name}, i) => [String(i), name])], '');
+        fill(
+            page.at('try-point'),
+            points.map(({name}, i) => [String(i), name]),
+            '0',
+        );
+        fill(
+            page.at('try-direction'),
+            [['', page.word('by hand')], ...this.directions().map(({name}, i) => [String(i), name])],
+            '',
+        );
         this.layLine(view);
     }
     /** @param {Task} task */
     ask(task) {
         const word = task.kind === 'vector' ? 'draw vector' : task.name === '' ? 'draw line' : 'draw line of';
-        const [before, after = ''] = this.page.word(word).split('{0}'), [letter, low = '', high = ''] = task.name.split('_');
+        const [before, after = ''] = this.page.word(word).split('{0}'),
+            [letter, low = '', high = ''] = task.name.split('_');
         const node = this.page.at('try-task');
         node.textContent = before;
         for (const [tag, text] of [['i', letter], ['sub', low], ['sup', high]]) {
@@ -234,7 +268,7 @@ class Exercise {
         putLine(line, along(task.from, -width / 3, task.by), along(task.from, width / 3, task.by));
     }
 
-    // --- what may be chosen ---------------------------------------------------------------------------------------------------
+    // --- what may be chosen ------------------------------------------------------------------------------------------
 
     /**
      * Vertices that are drawn already, the pole first.
@@ -251,7 +285,9 @@ class Exercise {
             const name = node.getAttribute('data-name') ?? '', ends = view.vector(name);
             return ends ? [{name, ends}] : [];
         });
-        const own = done.filter((each) => each.kind === 'vector').map(({name, from, by}) => ({name, ends: [from, along(from, 1, by)]}));
+        const own = done
+            .filter((each) => each.kind === 'vector')
+            .map(({name, from, by}) => ({name, ends: [from, along(from, 1, by)]}));
         const places = [tasks[0].from, ...[...drawnVectors, ...own].flatMap(({ends}) => ends), now.from];
         /** @type {{name: string, at: Spot}[]} */
         const points = [];
@@ -259,7 +295,11 @@ class Exercise {
             if (points.some((each) => apart(each.at, at) < samePlace)) continue;
             const letter = letters.find((each) => apart(each.at, at) < samePlace)?.name;
             const tip = [...drawnVectors, ...own].find(({ends}) => apart(ends[1], at) < samePlace)?.name;
-            const name = letter ?? (tip === undefined ? this.page.word('start') : this.page.word('tip of').replace('{0}', unscored(tip)));
+            const name =
+                letter
+                ?? (tip === undefined
+                    ? this.page.word('start')
+                    : this.page.word('tip of').replace('{0}', unscored(tip)));
             points.push({name, at});
         }
         return points;
@@ -279,21 +319,31 @@ class Exercise {
         };
         const {points, guides} = motion.read, {joints} = /** @type {Names} */ (data.names);
         const label = (/** @type {number} */ point) => unscored(data.names.points[point].label);
-        joints.forEach((one, i) => joints.slice(i + 1).forEach((other) => {
-            if (!one.bodies.some((body) => body > 0 && other.bodies.includes(body))) return;
-            add(label(one.point) + label(other.point), minus(points[other.point], points[one.point]));
-        }));
-        joints.forEach(({point, turnsWith}, k) => turnsWith >= 0 && add(page.word('guide').replace('{0}', label(point)), guides[k]));
-        found.push({name: page.word('horizontal'), along: {x: 1, y: 0}}, {name: page.word('vertical'), along: {x: 0, y: 1}});
+        joints.forEach((one, i) =>
+            joints.slice(i + 1).forEach((other) => {
+                if (!one.bodies.some((body) => body > 0 && other.bodies.includes(body))) return;
+                add(label(one.point) + label(other.point), minus(points[other.point], points[one.point]));
+            }),
+        );
+        joints.forEach(
+            ({point, turnsWith}, k) =>
+                turnsWith >= 0 && add(page.word('guide').replace('{0}', label(point)), guides[k]),
+        );
+        found.push(
+            {name: page.word('horizontal'), along: {x: 1, y: 0}},
+            {name: page.word('vertical'), along: {x: 0, y: 1}},
+        );
         return found;
     }
 
-    // --- the line that is drawn -----------------------------------------------------------------------------------------------
+    // --- the line that is drawn --------------------------------------------------------------------------------------
 
     /** @param {FigureView} view */
     layLine(view) {
-        const group = /** @type {Element} */ (this.group), points = this.pointsKnown(view);
-        for (const {at} of points) drawn(group, 'circle', {cx: at.x.toFixed(3), cy: at.y.toFixed(3), r: 1.1, class: 'vertex'});
+        const group = /** @type {Element} */ (this.group),
+            points = this.pointsKnown(view);
+        for (const {at} of points)
+            drawn(group, 'circle', {cx: at.x.toFixed(3), cy: at.y.toFixed(3), r: 1.1, class: 'vertex'});
         drawn(group, 'line', {class: 'own'});
         this.handle = new Handle(group, view.svg, this.page.word('line end'), (at) => this.drag(at));
         this.choosePoint();
@@ -330,7 +380,8 @@ class Exercise {
         putLine(/** @type {Element} */ (this.group?.querySelector('.own')), from, handle.at);
         const {kind} = this.tasks[this.next];
         const written = (/** @type {number} */ value) => page.numberText(value);
-        page.at('try-length').textContent = kind === 'vector' ? measured(apart(from, handle.at), view.drawnScale, view.unit, written) : '';
+        page.at('try-length').textContent =
+            kind === 'vector' ? measured(apart(from, handle.at), view.drawnScale, view.unit, written) : '';
     }
     /**
      * A vertex under the pointer is the point where it begins.
@@ -347,7 +398,7 @@ class Exercise {
         this.choosePoint();
     }
 
-    // --- what is said of it ---------------------------------------------------------------------------------------------------
+    // --- what is said of it ------------------------------------------------------------------------------------------
 
     check() {
         if (!this.handle) return;

@@ -1,13 +1,15 @@
-// A figure of the sheet that follows the mechanism. Its marks are those of the drawing; each is bound once to what it hangs on (a
-// body, a place, a vector of the record, a line) and moved with it. What hangs on nothing known here is left out while the
-// mechanism is elsewhere: nothing is shown that was not constructed. At the drawn position it is the sheet's figure, untouched.
+// A figure of the sheet that follows the mechanism. Its marks are those of the drawing; each is bound once to what it
+// hangs on (a body, a place, a vector of the record, a line) and moved with it. What hangs on nothing known here is
+// left out while the mechanism is elsewhere: nothing is shown that was not constructed. At the drawn position it is the
+// sheet's figure, untouched.
 
 /**
  * @typedef {{name: string, origin: [number, number], places?: number, labels: string[][]}} FigureInfo
  * @typedef {{letter: string, numbers: number[]}} Segment
- * @typedef {{vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points: number[]}>}} Drawn
- * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number, bodies: [number, number]}[],
- *   points: {label: string}[], centres: Record<string, string>}} Names
+ * @typedef {{vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points:
+ *   number[]}>}} Drawn
+ * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number, bodies:
+ *   [number, number]}[], points: {label: string}[], centres: Record<string, string>}} Names
  */
 
 /**
@@ -47,7 +49,8 @@ function spotsOf(segments) {
     /** @type {Spot[]} */
     const spots = [];
     for (const {letter, numbers} of segments) {
-        for (let i = letter === 'A' ? 5 : 0; i + 1 < numbers.length; i += 2) spots.push({x: numbers[i], y: numbers[i + 1]});
+        for (let i = letter === 'A' ? 5 : 0; i + 1 < numbers.length; i += 2)
+            spots.push({x: numbers[i], y: numbers[i + 1]});
     }
     return spots;
 }
@@ -94,6 +97,68 @@ const headShare = 0.6, leastHeadWidth = 0.35;
 
 /** A figure of a drawing, which may hold several. */
 class FigureView {
+    /** @type {Map<number, Drawn>} */
+    plans = new Map();
+    /**
+     * Of vectors that are drawn here, by name: under which they are in the plans.
+     * @type {Map<string, string>}
+     */
+    keys = new Map();
+    /**
+     * The scale bar: true at the drawing's scale alone.
+     * @type {Element[]}
+     */
+    measures = [];
+    /** @type {(() => void)[]} */
+    bindings = [];
+    /** @type {{label: Element, box: DOMRect, value: () => number | null, unit: string}[]} */
+    vectorLabels = [];
+    /** @type {(value: number) => string} */
+    written = String;
+    tellsValues = false;
+    /**
+     * A body cut free keeps its place: its points, and the middle of them as drawn.
+     * @type {{points: number[], middle: Spot} | null}
+     */
+    own = null;
+    /**
+     * What was changed, as it was and as it is.
+     * @type {Map<Element, Map<string, {drawn: string | null, now: string | null}>>}
+     */
+    drawn = new Map();
+    /**
+     * Arrows of a polygon, in the order in which they are drawn; where each stands beside its place.
+     * @type {string[]}
+     */
+    strokes = [];
+    /** @type {Map<string, Spot>} */
+    asides = new Map();
+    /**
+     * Labels that find their place once all else has one, and what they keep off.
+     * @type {(() => void)[]}
+     */
+    placings = [];
+    crowd = new Crowd();
+    /**
+     * Of points on guides of the frame: how far they go before and behind where they were drawn, mm.
+     * @type {Map<number, {from: number, to: number, drawn: Spot, e: Spot}>}
+     */
+    travels = new Map();
+    room = {left: 0, top: 0, right: 0, bottom: 0};
+    /**
+     * Of several in one drawing.
+     * @type {FigureView[][]}
+     */
+    rows = [];
+    /** @type {Companion | undefined} */
+    title = undefined;
+    /** @type {Companion | undefined} */
+    foot = undefined;
+    isBound = false;
+    saysOtherScale = false;
+    /** Leaders, which go with their labels. */
+    taken = new Set();
+
     /**
      * @param {SVGSVGElement} svg
      * @param {Element} group
@@ -111,17 +176,11 @@ class FigureView {
         this.unit = group.getAttribute('data-unit') ?? '';
         this.drawnScale = Number(group.getAttribute('data-scale') ?? 1);
         this.scale = this.drawnScale;
-        /** @type {Map<number, Drawn>} */
-        this.plans = new Map();
-        /**
-         * Of vectors that are drawn here, by name: under which they are in the plans.
-         * @type {Map<string, string>}
-         */
-        this.keys = new Map();
         /** A body, or a pin, cut free. */
         this.isFree = /^(body|pin)-/.test(info.name);
         const isHeld = this.isFree || /^(lines-|curvature-|joukowsky$)/.test(info.name);
-        this.isMechanism = ['mechanism', 'centres', 'velocities'].includes(info.name) || isHeld && info.name !== 'joukowsky';
+        this.isMechanism =
+            ['mechanism', 'centres', 'velocities'].includes(info.name) || (isHeld && info.name !== 'joukowsky');
         /** Of the vectors, units of the quantity for a mm; a drawing of the mechanism may bear vectors. */
         this.vectorScale = this.drawnScale;
         if (this.isMechanism) this.drawnScale = this.scale = info.places ?? 1;
@@ -132,66 +191,15 @@ class FigureView {
         this.drawnOrigin = this.origin;
         /** What is seen of the paper: left, top, width, height. */
         this.shownRoom = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
-        /**
-         * The scale bar: true at the drawing's scale alone.
-         * @type {Element[]}
-         */
-        this.measures = [];
-        /** @type {(() => void)[]} */
-        this.bindings = [];
-        /** @type {{label: Element, box: DOMRect, value: () => number | null, unit: string}[]} */
-        this.vectorLabels = [];
-        /** @type {(value: number) => string} */
-        this.written = String;
-        this.tellsValues = false;
-        /**
-         * A body cut free keeps its place: its points, and the middle of them as drawn.
-         * @type {{points: number[], middle: Spot} | null}
-         */
-        this.own = null;
-        /**
-         * What was changed, as it was and as it is.
-         * @type {Map<Element, Map<string, {drawn: string | null, now: string | null}>>}
-         */
-        this.drawn = new Map();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
-        /** What a polygon that fills its room is given: seen flat, or beside a detail, it may be of another shape elsewhere. */
+        /**
+         * What a polygon that fills its room is given: seen flat, or beside a detail, it may be of another shape
+         * elsewhere.
+         */
         this.fitRoom = this.isMechanism || isHeld ? this.viewBox : wellShaped(this.viewBox);
-        /**
-         * Arrows of a polygon, in the order in which they are drawn; where each stands beside its place.
-         * @type {string[]}
-         */
-        this.strokes = [];
-        /** @type {Map<string, Spot>} */
-        this.asides = new Map();
-        /**
-         * Labels that find their place once all else has one, and what they keep off.
-         * @type {(() => void)[]}
-         */
-        this.placings = [];
-        this.crowd = new Crowd();
-        /**
-         * Of points on guides of the frame: how far they go before and behind where they were drawn, mm.
-         * @type {Map<number, {from: number, to: number, drawn: Spot, e: Spot}>}
-         */
-        this.travels = new Map();
-        this.room = {left: 0, top: 0, right: 0, bottom: 0};
-        /**
-         * Of several in one drawing.
-         * @type {FigureView[][]}
-         */
-        this.rows = [];
-        /** @type {Companion | undefined} */
-        this.title = undefined;
-        /** @type {Companion | undefined} */
-        this.foot = undefined;
-        this.isBound = false;
         const figure = svg.closest('figure');
         this.note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
         this.captionOfScale = /** @type {HTMLElement | null} */ (figure?.querySelector('.scale'));
-        this.saysOtherScale = false;
-        /** Leaders, which go with their labels. */
-        this.taken = new Set();
     }
 
     /** Whether the figure can follow the mechanism at all. */
@@ -208,8 +216,12 @@ class FigureView {
         const {held, unit, scale, drawnScale} = this, forces = held && held.forces.length > 0 ?
             [{now: held.scale / held.inUnit, drawn: held.drawnScale / held.inUnit, unit: held.unit}] : [];
         if (this.isFree) return forces;
-        const own = held?.isLever ? Number(this.group.getAttribute('data-scale')) : this.isMechanism ? this.vectorScale : drawnScale;
-        return [{now: own * scale / drawnScale, drawn: own, unit}, ...forces];
+        const own = held?.isLever
+            ? Number(this.group.getAttribute('data-scale'))
+            : this.isMechanism
+              ? this.vectorScale
+              : drawnScale;
+        return [{now: (own * scale) / drawnScale, drawn: own, unit}, ...forces];
     }
     get caption() {
         return this.group.querySelector('title')?.textContent ?? '';
@@ -226,7 +238,8 @@ class FigureView {
             for (const [key, [element]] of this.vectorsOf(0)) {
                 const tail = axis && key.split('#')[0] === name ? this.motion.spot(element) : null;
                 if (!axis || !tail) continue;
-                const x = Number(axis.getAttribute('x1')) - tail.x / this.scale, y = Number(axis.getAttribute('y1')) + tail.y / this.scale;
+                const x = Number(axis.getAttribute('x1')) - tail.x / this.scale,
+                    y = Number(axis.getAttribute('y1')) + tail.y / this.scale;
                 told.push({name, key, x, y});
             }
         }
@@ -247,7 +260,7 @@ class FigureView {
         return this.names.points.findIndex(({label}) => label === name.slice(2).replace('*', ''));
     }
 
-    // --- where things are -----------------------------------------------------------------------------------------------------
+    // --- where things are --------------------------------------------------------------------------------------------
 
     /**
      * From SI to mm on paper.
@@ -278,7 +291,9 @@ class FigureView {
         found = {
             vectors: new Map(),
             spots: new Map(spots.filter(([figure]) => figure === own).map(([, name, point]) => [name, point])),
-            lines: new Map(lines.filter(([figure]) => figure === own).map(([, name, , line, ...points]) => [name, {line, points}])),
+            lines: new Map(
+                lines.filter(([figure]) => figure === own).map(([, name, , line, ...points]) => [name, {line, points}]),
+            ),
         };
         for (const [figure, name, tail, tip] of vectors) {
             if (figure !== from) continue;
@@ -345,7 +360,7 @@ class FigureView {
         return this.paper(this.motion.read.points[point]);
     }
 
-    // --- following ------------------------------------------------------------------------------------------------------------
+    // --- following ---------------------------------------------------------------------------------------------------
 
     /** Shows the sheet's figure. */
     restore() {
@@ -403,7 +418,8 @@ class FigureView {
         if (!bar || this.svg.querySelectorAll('g.figure').length > 1) return;
         const {left, bottom} = boxOf(spotsOf(parsePath(this.known(bar, 'd').drawn ?? '')));
         const isWidened = x !== this.viewBox[0] || y !== this.viewBox[1] || height !== this.viewBox[3];
-        for (const node of this.measures) this.translate(node, isWidened ? {x: x + 3 - left, y: y + height - 2 - bottom} : {x: 0, y: 0});
+        for (const node of this.measures)
+            this.translate(node, isWidened ? {x: x + 3 - left, y: y + height - 2 - bottom} : {x: 0, y: 0});
     }
     /** A body cut free turns, but does not leave. */
     stayInPlace() {
@@ -455,7 +471,8 @@ class FigureView {
      * @param {string} transform
      */
     transform(node, transform) {
-        const known = this.drawn.get(node)?.get('transform'), own = known ? known.drawn : node.getAttribute('transform');
+        const known = this.drawn.get(node)?.get('transform'),
+            own = known ? known.drawn : node.getAttribute('transform');
         this.set(node, 'transform', own ? `${transform} ${own}` : transform);
     }
     /**
@@ -466,7 +483,7 @@ class FigureView {
         this.transform(node, `translate(${by.x.toFixed(4)} ${by.y.toFixed(4)})`);
     }
 
-    // --- binding, in the drawn position ---------------------------------------------------------------------------------------
+    // --- binding, in the drawn position ------------------------------------------------------------------------------
 
     /** To be called once, in the drawn position, the figure visible. */
     bind() {
@@ -490,7 +507,9 @@ class FigureView {
         const {held, names, motion} = this;
         if (!held) return;
         if (this.isFree) {
-            const labels = [...this.group.querySelectorAll('g.label')].map((each) => each.getAttribute('data-label') ?? '');
+            const labels = [...this.group.querySelectorAll('g.label')].map(
+                (each) => each.getAttribute('data-label') ?? '',
+            );
             const said = new Set(labels.flatMap((each) => each.split(' ≡ ')));
             const body = names.bodies.findIndex(({id}) => this.info.name === `body-${id}`);
             const points = names.points.flatMap(({label}, i) =>
@@ -512,11 +531,14 @@ class FigureView {
         const d = node.tagName === 'path' && node.getAttribute('fill') !== 'none' ? node.getAttribute('d') ?? '' : '';
         const spots = /^M[^A]*Z$/.test(d) ? spotsOf(parsePath(d)) : [], box = boxOf(spots);
         if (spots.length !== 4 || box.bottom - box.top > 2) return;
-        for (let next = node, k = 0; next && k < 4; next = /** @type {Element} */ (next.nextElementSibling), ++k) this.measures.push(next);
+        for (let next = node, k = 0; next && k < 4; next = /** @type {Element} */ (next.nextElementSibling), ++k)
+            this.measures.push(next);
     }
     /** @param {Element} node */
     bindVector(node) {
-        const name = node.getAttribute('data-name') ?? '', axis = node.querySelector('line.axis'), place = this.vector(name);
+        const name = node.getAttribute('data-name') ?? '',
+            axis = node.querySelector('line.axis'),
+            place = this.vector(name);
         if (!place || apart(place[0], place[1]) < leastVector) return node.classList.add('still');
         if (this.isMechanism || !axis) return this.bindArrow(node, place, () => this.vector(name));
         const drawn = endsOf(axis);
@@ -534,7 +556,9 @@ class FigureView {
         if (apart(place[0], drawn[0]) < samePlace) return;
         for (const node of this.group.querySelectorAll(':scope > path')) {
             const [from, to, more] = spotsOf(parsePath(node.getAttribute('d') ?? ''));
-            const end = [0, 1].find((i) => to && !more && apart(from, place[i]) < samePlace && apart(to, drawn[i]) < samePlace);
+            const end = [0, 1].find(
+                (i) => to && !more && apart(from, place[i]) < samePlace && apart(to, drawn[i]) < samePlace,
+            );
             if (end === undefined || this.taken.has(node)) continue;
             this.taken.add(node);
             this.bindings.push(() => {
@@ -552,9 +576,13 @@ class FigureView {
         const isHead = (/** @type {Element} */ path) => path.getAttribute('fill') !== 'none';
         /** @type {Element[]} */
         const all = node.tagName === 'path' ? [node] : [...node.querySelectorAll('path')];
-        const [tip, left, , right] = all.filter(isHead).flatMap((path) => spotsOf(parsePath(path.getAttribute('d') ?? '')));
+        const [tip, left, , right] = all
+            .filter(isHead)
+            .flatMap((path) => spotsOf(parsePath(path.getAttribute('d') ?? '')));
         const shaft = Number(all.find((path) => !isHead(path))?.getAttribute('stroke-width') ?? 0);
-        return right ? {length: apart(tip, along(left, 0.5, minus(right, left))), width: apart(left, right), shaft} : null;
+        return right
+            ? {length: apart(tip, along(left, 0.5, minus(right, left))), width: apart(left, right), shaft}
+            : null;
     }
     /**
      * The whole head of an arrow that was too short for it: others of the drawing have one.
@@ -564,7 +592,9 @@ class FigureView {
     wholeHeadOf(node, length) {
         const own = this.headOf(node), others = [...this.svg.querySelectorAll(`g.${node.classList[0]}`)];
         if (!own || own.length < 0.99 * headShare * length) return own;
-        return others.flatMap((each) => this.headOf(each) ?? []).reduce((most, each) => each.length > most.length ? each : most, own);
+        return others
+            .flatMap((each) => this.headOf(each) ?? [])
+            .reduce((most, each) => (each.length > most.length ? each : most), own);
     }
     /**
      * Shaft and head keep their shape, however long the arrow becomes.
@@ -589,11 +619,16 @@ class FigureView {
             const map = (/** @type {Spot} */ at) => {
                 const {t, n: side} = local(at), atTail = t < 0.01 || length - t > head + 1;
                 const from = atTail ? now[0] : now[1];
-                return along(along(from, atTail ? t : long * (t - length), toward), (atTail ? 1 : broad) * side, across);
+                return along(
+                    along(from, atTail ? t : long * (t - length), toward),
+                    (atTail ? 1 : broad) * side,
+                    across,
+                );
             };
             for (const {path, segments} of paths) {
                 this.set(path, 'd', mappedPath(segments, map));
-                if (full && path.getAttribute('fill') === 'none') this.set(path, 'stroke-width', String(Math.min(full.shaft, 0.5 * wide)));
+                if (full && path.getAttribute('fill') === 'none')
+                    this.set(path, 'stroke-width', String(Math.min(full.shaft, 0.5 * wide)));
             }
             if (axis) this.setEnds(axis, ...now);
         });
@@ -653,7 +688,8 @@ class FigureView {
             if (figure !== own || (statement !== null && String(said) !== statement)) continue;
             const line = this.line(name);
             if (!line) continue;
-            const off = (/** @type {Spot} */ at) => Math.abs(dot(minus(at, line.points[0]), quarterTurn(line.direction)));
+            const off = (/** @type {Spot} */ at) =>
+                Math.abs(dot(minus(at, line.points[0]), quarterTurn(line.direction)));
             if (spots.every((at) => off(at) < samePlace)) return {name, line};
         }
         return null;
@@ -679,7 +715,10 @@ class FigureView {
             this.show(node, fits);
             if (!fits) return;
             // Where the points changed their order along the line, so did its ends.
-            const turned = Math.sign(dot(minus(now.points[now.points.length - 1], now.points[0]), now.direction)) * sense < 0 ? -1 : 1;
+            const turned =
+                Math.sign(dot(minus(now.points[now.points.length - 1], now.points[0]), now.direction)) * sense < 0
+                    ? -1
+                    : 1;
             const places = ends.map(({nearest, beyond}) => along(now.points[nearest], turned * beyond, now.direction));
             let next = 0;
             this.set(node, 'd', mappedPath(segments, () => places[next++]));
@@ -703,14 +742,15 @@ class FigureView {
         });
     }
 
-    // --- labels ---------------------------------------------------------------------------------------------------------------
+    // --- labels ------------------------------------------------------------------------------------------------------
 
     bindLabels() {
         this.bindLabelsOfDetails();
         const isDetailed = this.svg.querySelector('[data-figure=detail]') !== null;
         [...this.svg.querySelectorAll('g.label')].forEach((label, i) => {
             if (label.closest('.dimension') || label.closest('g.figure') !== this.group) return;
-            const told = this.info.labels[i] ?? [], names = told.length > 0 ? told : [label.getAttribute('data-label') ?? ''];
+            const told = this.info.labels[i] ?? [],
+                names = told.length > 0 ? told : [label.getAttribute('data-label') ?? ''];
             const box = /** @type {SVGGElement} */ (label).getBBox();
             const centre = {x: box.x + box.width / 2, y: box.y + box.height / 2};
             const parts = this.partsOf(label, centre);
@@ -719,25 +759,33 @@ class FigureView {
             this.cutNumber(label);
             const vector = names.find((name) => this.vector(name));
             const spot = names.find((name) => this.spot(name));
-            if (vector !== undefined) this.vectorLabels.push({label, box, value: () => this.sizeOf(vector), unit: this.unit});
+            if (vector !== undefined)
+                this.vectorLabels.push({label, box, value: () => this.sizeOf(vector), unit: this.unit});
             if (vector !== undefined) this.bindVectorLabel(parts, vector, centre, box);
-            else if (spot !== undefined && !this.isMechanism) this.bindAround(parts, () => this.spot(spot), centre, box);
+            else if (spot !== undefined && !this.isMechanism)
+                this.bindAround(parts, () => this.spot(spot), centre, box);
             else if (spot !== undefined) this.bindToPlace(parts, () => this.spot(spot));
             else if (this.isMechanism) this.bindMechanismLabel(label, parts, centre);
             else this.bindLineLabel(label, centre);
         });
     }
-    /** What is drawn again in a detail has its name there; elsewhere than drawn there is no detail, and the name stands here. */
+    /**
+     * What is drawn again in a detail has its name there; elsewhere than drawn there is no detail, and the name stands
+     * here.
+     */
     bindLabelsOfDetails() {
         if (this.isMechanism || this.held) return;
         const all = [...this.svg.querySelectorAll('g.label')], own = new Set(all.flatMap((label, i) =>
             label.closest('g.figure') === this.group ? this.info.labels[i] ?? [] : []));
         all.forEach((label, i) => {
             const detail = label.closest('g.figure[data-figure=detail]')?.getAttribute('data-id') ?? '';
-            const vector = (this.info.labels[i] ?? []).find((name) => this.keys.has(name) && !own.has(name) && this.vector(name));
+            const vector = (this.info.labels[i] ?? []).find(
+                (name) => this.keys.has(name) && !own.has(name) && this.vector(name),
+            );
             if (vector === undefined || !detail.startsWith(`${this.id}-detail`)) return;
             own.add(vector);
-            const copy = /** @type {SVGGElement} */ (label.cloneNode(true)), box = /** @type {SVGGElement} */ (label).getBBox();
+            const copy = /** @type {SVGGElement} */ (label.cloneNode(true)),
+                box = /** @type {SVGGElement} */ (label).getBBox();
             copy.classList.add('number');  // seen elsewhere alone
             copy.classList.remove('label');
             this.group.append(copy);
@@ -751,7 +799,8 @@ class FigureView {
      */
     partsOf(label, centre) {
         const parts = [label];
-        for (let next = label.nextElementSibling; next?.matches('g.text'); next = next.nextElementSibling) parts.push(next);
+        for (let next = label.nextElementSibling; next?.matches('g.text'); next = next.nextElementSibling)
+            parts.push(next);
         const before = label.previousElementSibling;
         if (before?.tagName === 'path') {
             const box = boxOf(spotsOf(parsePath(before.getAttribute('d') ?? '')));
@@ -772,7 +821,8 @@ class FigureView {
     leaderBefore(first, centre) {
         const dot = first.matches('g.text') ? null : first.previousElementSibling, line = dot?.previousElementSibling;
         if (dot?.tagName !== 'path' || line?.tagName !== 'path') return [];
-        const ends = spotsOf(parsePath(line.getAttribute('d') ?? '')), end = boxOf(spotsOf(parsePath(dot.getAttribute('d') ?? '')));
+        const ends = spotsOf(parsePath(line.getAttribute('d') ?? '')),
+            end = boxOf(spotsOf(parsePath(dot.getAttribute('d') ?? '')));
         const isLeader = end.right - end.left < 1.2 && ends.length === 2 && apart(end.centre, ends[0]) < samePlace;
         return isLeader && apart(ends[1], centre) < apart(ends[0], centre) ? [dot, line] : [];
     }
@@ -835,7 +885,9 @@ class FigureView {
     bindVectorLabel(parts, name, centre, box) {
         const place = /** @type {[Spot, Spot]} */ (this.vector(name));
         if (apart(...place) < leastVector) return this.bindToPlace(parts, () => this.vector(name)?.[0] ?? null);
-        const axis = this.isMechanism ? null : this.group.querySelector(`:scope > g.vector[data-name="${name}"] > line.axis`);
+        const axis = this.isMechanism
+            ? null
+            : this.group.querySelector(`:scope > g.vector[data-name="${name}"] > line.axis`);
         this.bindBeside(parts, axis ? endsOf(axis) : place, () => this.drawnVector(name), centre, box);
     }
     /**
@@ -849,11 +901,18 @@ class FigureView {
     bindBeside(parts, drawn, place, centre, box) {
         // A leader led from where the label was.
         for (const part of parts) if (this.taken.has(part)) part.classList.add('still');
-        const middle = (/** @type {[Spot, Spot]} */ [tail, tip]) => ({x: (tail.x + tip.x) / 2, y: (tail.y + tip.y) / 2});
-        const reach = (/** @type {Spot} */ n) => Math.abs(n.x) * box.width / 2 + Math.abs(n.y) * box.height / 2;
+        const middle = (/** @type {[Spot, Spot]} */ [tail, tip]) => ({
+            x: (tail.x + tip.x) / 2,
+            y: (tail.y + tip.y) / 2,
+        });
+        const reach = (/** @type {Spot} */ n) => (Math.abs(n.x) * box.width) / 2 + (Math.abs(n.y) * box.height) / 2;
         const length = apart(drawn[0], drawn[1]);
-        const e = unitOf(minus(drawn[1], drawn[0])), n = quarterTurn(e), off = minus(centre, middle(drawn));
-        const side = Math.sign(dot(off, n)) || 1, share = dot(off, e) / length, clearance = Math.abs(dot(off, n)) - reach(n);
+        const e = unitOf(minus(drawn[1], drawn[0])),
+            n = quarterTurn(e),
+            off = minus(centre, middle(drawn));
+        const side = Math.sign(dot(off, n)) || 1,
+            share = dot(off, e) / length,
+            clearance = Math.abs(dot(off, n)) - reach(n);
         // Beyond an end of a short vector, or at the end of a leader, it would be far from a long one, or upon it.
         const near = Math.min(Math.max(share, -0.4), 0.4), close = Math.min(Math.max(clearance, 0.8), 2.5);
         const isNear = Math.hypot(off.x, off.y) < length / 2 + 25;  // else it stood in a detail
@@ -861,8 +920,10 @@ class FigureView {
         this.placeLabel(parts, centre, box, () => {
             const now = place(), size = now ? apart(now[0], now[1]) : 0;
             if (!now || size < leastVector) return [];
-            const toward = unitOf(minus(now[1], now[0])), across = quarterTurn(toward);
-            const beside = (/** @type {number} */ t, /** @type {number} */ by) => along(along(middle(now), t * size, toward), by, across);
+            const toward = unitOf(minus(now[1], now[0])),
+                across = quarterTurn(toward);
+            const beside = (/** @type {number} */ t, /** @type {number} */ by) =>
+                along(along(middle(now), t * size, toward), by, across);
             const isAsDrawn = isNear && apart(minus(now[1], now[0]), minus(drawn[1], drawn[0])) < samePlace;
             return isAsDrawn ? [beside(share, side * (clearance + reach(across)))] :
                 sides.map((each) => beside(each.part, each.across * (close + reach(across))));
@@ -882,7 +943,9 @@ class FigureView {
                 text?.remove();
                 continue;
             }
-            text ??= /** @type {SVGTextElement} */ (drawn(label, 'text', {x: box.x + box.width + 0.6, y: box.y + 0.75 * box.height}));
+            text ??= /** @type {SVGTextElement} */ (
+                drawn(label, 'text', {x: box.x + box.width + 0.6, y: box.y + 0.75 * box.height})
+            );
             const size = value();
             text.textContent = size === null ? '' : `= ${written(Number(size.toPrecision(4)))} ${unit}`;
         }
@@ -913,9 +976,12 @@ class FigureView {
         }
         if (!best) return label.classList.add('still');
         const {name, line} = best;
-        const last = line.points.length - 1, from = line.points[last];
-        const t = dot(minus(centre, from), line.direction), n = dot(minus(centre, from), quarterTurn(line.direction));
-        const size = /** @type {SVGGElement} */ (label).getBBox(), steps = [0, 1, 2, -1, -2].map((k) => k * (size.width / 2 + 1));
+        const last = line.points.length - 1,
+            from = line.points[last];
+        const t = dot(minus(centre, from), line.direction),
+            n = dot(minus(centre, from), quarterTurn(line.direction));
+        const size = /** @type {SVGGElement} */ (label).getBBox(),
+            steps = [0, 1, 2, -1, -2].map((k) => k * (size.width / 2 + 1));
         this.placings.push(() => {
             const now = this.line(name);
             const fits = now !== null && last < now.points.length;
@@ -936,7 +1002,7 @@ class FigureView {
         });
     }
 
-    // --- the mechanism --------------------------------------------------------------------------------------------------------
+    // --- the mechanism -----------------------------------------------------------------------------------------------
 
     /**
      * A group of marks by their role.
@@ -975,7 +1041,8 @@ class FigureView {
         this.bindings.push(() => {
             const shape = givens.shapes[body], {x: c, y: s} = places.facing[body];
             if (shape || wasShaped) {
-                for (const {path, d} of paths) this.set(path, 'd', shape ? mappedPath(parsePath(d), (at) => this.shaped(body, at)) : d);
+                for (const {path, d} of paths)
+                    this.set(path, 'd', shape ? mappedPath(parsePath(d), (at) => this.shaped(body, at)) : d);
             }
             wasShaped = shape !== null;
             if (shape) return this.set(node, 'transform', '');
@@ -991,9 +1058,12 @@ class FigureView {
      * @param {Spot} drawn
      */
     shaped(body, drawn) {
-        const {places, data, givens} = this.motion, [rx, ry] = givens.drawn.bodies[body], {drawnScale, drawnOrigin} = this;
+        const {places, data, givens} = this.motion,
+            [rx, ry] = givens.drawn.bodies[body],
+            {drawnScale, drawnOrigin} = this;
         const at = {x: (drawn.x - drawnOrigin.x) * drawnScale, y: (drawnOrigin.y - drawn.y) * drawnScale};
-        const local = {x: at.x / data.unit - rx, y: at.y / data.unit - ry}, {x, y} = givens.shapes[body]?.(local) ?? local;
+        const local = {x: at.x / data.unit - rx, y: at.y / data.unit - ry},
+            {x, y} = givens.shapes[body]?.(local) ?? local;
         return this.paper(scaledBy(data.unit, places.world(body, x, y)));
     }
     /**
@@ -1003,8 +1073,11 @@ class FigureView {
      * @param {{id: string}[]} list
      */
     named(node, kind, list) {
-        const said = node.getAttribute('data-id') ?? '', {info} = this, free = this.isFree ? `${info.name}-` : '';
-        const load = info.name.match(/^lines-(load-.*)/)?.[1], prefixes = ['', 'velocities-', `${info.name}-`, free, `${load}-`];
+        const said = node.getAttribute('data-id') ?? '',
+            {info} = this,
+            free = this.isFree ? `${info.name}-` : '';
+        const load = info.name.match(/^lines-(load-.*)/)?.[1],
+            prefixes = ['', 'velocities-', `${info.name}-`, free, `${load}-`];
         return list.findIndex(({id}) => prefixes.some((prefix) => said === `${prefix}${kind}-${id}`));
     }
     /** @param {Element} node */
@@ -1020,7 +1093,9 @@ class FigureView {
     bindTint(node) {
         const outline = node.getAttribute('d') ?? '';
         const links = [...this.group.querySelectorAll('g.link')];
-        const link = links.find((each) => [...each.querySelectorAll('path')].some((path) => path.getAttribute('d') === outline));
+        const link = links.find((each) =>
+            [...each.querySelectorAll('path')].some((path) => path.getAttribute('d') === outline),
+        );
         const body = link ? this.named(link, 'link', this.names.bodies) : -1;
         if (body < 0) node.classList.add('still');
         else this.bindToBody(node, body);
@@ -1032,8 +1107,11 @@ class FigureView {
             const drawn = this.point(joint.point), {places} = this.motion;
             this.bindings.push(() => {
                 const by = minus(this.point(joint.point), drawn);
-                const turn = joint.turnsWith > 0 ? -places.turn[joint.turnsWith] * 180 / Math.PI : 0;
-                this.transform(node, `translate(${by.x.toFixed(4)} ${by.y.toFixed(4)}) rotate(${turn.toFixed(4)} ${drawn.x} ${drawn.y})`);
+                const turn = joint.turnsWith > 0 ? (-places.turn[joint.turnsWith] * 180) / Math.PI : 0;
+                this.transform(
+                    node,
+                    `translate(${by.x.toFixed(4)} ${by.y.toFixed(4)}) rotate(${turn.toFixed(4)} ${drawn.x} ${drawn.y})`,
+                );
             });
             return;
         }
@@ -1087,17 +1165,25 @@ class FigureView {
     bindGuide(node) {
         const segments = parsePath(node.getAttribute('d') ?? ''), spots = spotsOf(segments);
         if (this.held && node.hasAttribute('data-statement')) return node.classList.add('still');
-        if (node.hasAttribute('data-statement') && spots.length === 2) return this.bindThroughCentres(node, segments, spots);
-        const joint = spots.length !== 2 ? undefined : this.names.joints.find(({point, turnsWith}) => {
-            const e = unitOf(minus(spots[1], spots[0]));
-            return turnsWith >= 0 && Math.abs(dot(minus(this.point(point), spots[0]), quarterTurn(e))) < samePlace;
-        });
+        if (node.hasAttribute('data-statement') && spots.length === 2)
+            return this.bindThroughCentres(node, segments, spots);
+        const joint =
+            spots.length !== 2
+                ? undefined
+                : this.names.joints.find(({point, turnsWith}) => {
+                      const e = unitOf(minus(spots[1], spots[0]));
+                      return (
+                          turnsWith >= 0
+                          && Math.abs(dot(minus(this.point(point), spots[0]), quarterTurn(e))) < samePlace
+                      );
+                  });
         if (joint?.turnsWith === 0) this.bindToGuideOfFrame(node, spots, samePlace);
         else if (joint) this.bindToBody(node, joint.turnsWith);
         else node.classList.add('still');
     }
     /**
-     * What stands at a place of the frame stays there, unless that goes elsewhere with a length. False: there is none so near.
+     * What stands at a place of the frame stays there, unless that goes elsewhere with a length. False: there is none
+     * so near.
      * @param {Element} node
      * @param {number} reach mm
      */
@@ -1130,10 +1216,17 @@ class FigureView {
      * @param {number} reach
      */
     bindToGuideOfFrame(node, spots, reach) {
-        const {data, read} = this.motion, {centre} = boxOf(spots);
-        const across = (/** @type {number} */ joint) => quarterTurn(unitOf({x: read.guides[joint].x, y: -read.guides[joint].y}));
-        const joint = this.names.joints.findIndex(({bodies, point}, k) => data.joints[k].point >= 0 && bodies.includes(0) &&
-            (read.guides[k].x !== 0 || read.guides[k].y !== 0) && Math.abs(dot(minus(centre, this.point(point)), across(k))) < reach);
+        const {data, read} = this.motion,
+            {centre} = boxOf(spots);
+        const across = (/** @type {number} */ joint) =>
+            quarterTurn(unitOf({x: read.guides[joint].x, y: -read.guides[joint].y}));
+        const joint = this.names.joints.findIndex(
+            ({bodies, point}, k) =>
+                data.joints[k].point >= 0
+                && bodies.includes(0)
+                && (read.guides[k].x !== 0 || read.guides[k].y !== 0)
+                && Math.abs(dot(minus(centre, this.point(point)), across(k))) < reach,
+        );
         if (joint < 0) return false;
         const {point} = this.names.joints[joint], drawn = this.point(point), n = across(joint);
         this.carry(node, () => scaledBy(dot(minus(this.point(point), drawn), n), n));
@@ -1163,9 +1256,14 @@ class FigureView {
             // The outermost stroke may be cut: copies are of its neighbour.
             const pitch = count > 7 ? at[4] - at[2] : 0, step = Math.abs(pitch), isUp = pitch > 0;
             if (step < samePlace) return;
-            const copies = [{pair: isUp ? segments.slice(2, 4) : segments.slice(-4, -2), by: -step, reach: -from},
-                {pair: isUp ? segments.slice(-4, -2) : segments.slice(2, 4), by: step, reach: to}].flatMap(({pair, by, reach}) =>
-                Array.from({length: Math.floor(reach / step)}, (_, k) => mappedPath(pair, (spot) => along(spot, (k + 2) * by, e))));
+            const copies = [
+                {pair: isUp ? segments.slice(2, 4) : segments.slice(-4, -2), by: -step, reach: -from},
+                {pair: isUp ? segments.slice(-4, -2) : segments.slice(2, 4), by: step, reach: to},
+            ].flatMap(({pair, by, reach}) =>
+                Array.from({length: Math.floor(reach / step)}, (_, k) =>
+                    mappedPath(pair, (spot) => along(spot, (k + 2) * by, e)),
+                ),
+            );
             this.set(node, 'd', mappedPath(segments, (spot) => spot) + copies.join(''));
         });
     }
@@ -1200,7 +1298,9 @@ class FigureView {
     bindMechanismLabel(label, parts, centre) {
         const text = label.getAttribute('data-label') ?? '';
         const first = text.split(' ≡ ')[0];
-        const point = this.names.points.findIndex((each, i) => each.label === first && apart(this.point(i), centre) < 40);
+        const point = this.names.points.findIndex(
+            (each, i) => each.label === first && apart(this.point(i), centre) < 40,
+        );
         const body = this.names.bodies.findIndex((each) => each.label === text);
         if (/ = [−\d]/.test(text)) return this.bindNumber(parts, text, centre);
         const isBalloon = parts.some((part) => part.tagName === 'path');
@@ -1215,7 +1315,8 @@ class FigureView {
         }
     }
     /**
-     * What says a number is left out where it says another than holds: "ω_2 = 5 rad/s" of a driver stays as long as nobody changes it.
+     * What says a number is left out where it says another than holds: "ω_2 = 5 rad/s" of a driver stays as long as
+     * nobody changes it.
      * @param {Element[]} parts
      * @param {string} text
      * @param {Spot} centre
@@ -1244,7 +1345,7 @@ class FigureView {
         return {x: (at.x - this.origin.x) * this.scale, y: (this.origin.y - at.y) * this.scale};
     }
 
-    // --- room -----------------------------------------------------------------------------------------------------------------
+    // --- room --------------------------------------------------------------------------------------------------------
 
     /**
      * Of all that it must show here, at the drawing's scale, mm.
@@ -1267,8 +1368,10 @@ class FigureView {
      */
     extentHeld(held) {
         this.stayInPlace();
-        const [x, y, width, height] = this.viewBox, rim = width / 4;
-        const isNear = (/** @type {Spot} */ at) => at.x > x - rim && at.x < x + width + rim && at.y > y - rim && at.y < y + height + rim;
+        const [x, y, width, height] = this.viewBox,
+            rim = width / 4;
+        const isNear = (/** @type {Spot} */ at) =>
+            at.x > x - rim && at.x < x + width + rim && at.y > y - rim && at.y < y + height + rim;
         const places = [...held.places].flatMap((name) => held.place(name) ?? []);
         if (held.isLever) return places;
         const points = this.own ? this.own.points : this.motion.read.points.map((_, i) => i);
@@ -1305,9 +1408,12 @@ class FigureView {
      * @param {boolean} fits
      */
     placeCompanions(fits) {
-        const {room, title, foot} = this, centre = (room.left + room.right) / 2;
-        const put = (/** @type {Companion | undefined} */ of, /** @type {number} */ left, /** @type {number} */ top) => of?.nodes.forEach(
-            (node) => this.translate(node, fits ? {x: left - of.left, y: top - of.top} : {x: 0, y: 0}));
+        const {room, title, foot} = this,
+            centre = (room.left + room.right) / 2;
+        const put = (/** @type {Companion | undefined} */ of, /** @type {number} */ left, /** @type {number} */ top) =>
+            of?.nodes.forEach((node) =>
+                this.translate(node, fits ? {x: left - of.left, y: top - of.top} : {x: 0, y: 0}),
+            );
         put(title, room.left - 8, room.top - 8);
         if (foot) put(foot, centre - foot.width / 2, room.bottom + 7);
     }
@@ -1316,7 +1422,11 @@ class FigureView {
         if (this.rows.length > 0) return shareRoom(this.rows);
         const box = this.box(), {left, top, right, bottom} = this.room;
         if (!box) return 1e-9;
-        return Math.max((box.right - box.left) / Math.max(right - left, 20), (box.bottom - box.top) / Math.max(bottom - top, 20), 1e-9);
+        return Math.max(
+            (box.right - box.left) / Math.max(right - left, 20),
+            (box.bottom - box.top) / Math.max(bottom - top, 20),
+            1e-9,
+        );
     }
     /**
      * Scale and origin with which what it shows stands in the middle of its room.

@@ -1,5 +1,5 @@
-// Lengths and parameters that a reader may change: the numbers of the closure and of the plans that follow from them, and each
-// driver's way found anew, as far as the joints close. Knows no figure.
+// Lengths and parameters that a reader may change: the numbers of the closure and of the plans that follow from them,
+// and each driver's way found anew, as far as the joints close. Knows no figure.
 
 /** Positions on a whole way; how near a limit the last one stands; a start of Newton's method may be so far off. */
 const stepsOfWay = 72, shortOfLimit = 1e-6, nearEnough = 0.02, farthestChange = 0.3;
@@ -19,8 +19,9 @@ class Givens {
         this.kept = JSON.stringify(this.drawn);
         this.effects = data.effects.map(([way, ...terms]) => ({way, terms, value: partOf(data, way).value}));
         const read = places.read();
-        this.grounds = data.settings.map(
-            ({bar, ends}) => ends && bar === undefined ? ends.map((end) => scaledBy(1 / data.unit, read.points[end])) : null);
+        this.grounds = data.settings.map(({bar, ends}) =>
+            ends && bar === undefined ? ends.map((end) => scaledBy(1 / data.unit, read.points[end])) : null,
+        );
         /**
          * By body: where a place of it is now, of where it was drawn (from its reference); null: there.
          * @type {(((at: Spot) => Spot) | null)[]}
@@ -124,8 +125,11 @@ class Givens {
      */
     waysWith(courses, before, after, near) {
         const ways = courses.map((course) => {
-            const off = (/** @type {Sample} */ sample) => Math.min(Math.abs(sample.at), Math.abs(sample.at - near) + 1e-9);
-            for (const sample of [...course.samples].sort((a, b) => off(a) - off(b)).filter((_, i) => i < 2 || i % 6 === 0)) {
+            const off = (/** @type {Sample} */ sample) =>
+                Math.min(Math.abs(sample.at), Math.abs(sample.at - near) + 1e-9);
+            for (const sample of [...course.samples]
+                .sort((a, b) => off(a) - off(b))
+                .filter((_, i) => i < 2 || i % 6 === 0)) {
                 const q = this.reach(course, sample, before, after);
                 if (q) return course.byLaw ? this.timesFrom(course, sample, q) : this.wayFrom(course, sample.at, q);
             }
@@ -175,7 +179,12 @@ class Givens {
         const down = this.walk(course, from, q, -1, downward, course.turns ? whole : span);
         const all = [...down.samples.reverse(), {at: from, q}, ...up.samples];
         return {
-            ...course, changePoints: [], startsAtLimit: down.isLimit, endsAtLimit: up.isLimit, from: all[0].at, to: all[all.length - 1].at,
+            ...course,
+            changePoints: [],
+            startsAtLimit: down.isLimit,
+            endsAtLimit: up.isLimit,
+            from: all[0].at,
+            to: all[all.length - 1].at,
             samples: all.map(({at, q: there}) => ({at, coordinate: at, plan: -1, rate: 0, acceleration: 0, q: there})),
         };
     }
@@ -193,7 +202,9 @@ class Givens {
         const samples = [];
         const closed = (/** @type {number[]} */ guess, /** @type {number} */ at) =>
             this.places.close(guess, at, course.shares) ? [...this.places.q] : null;
-        const longest = way / stepsOfWay, nudge = 1e-4 * longest, first = most > 0 ? closed(start, from + sense * nudge) : null;
+        const longest = way / stepsOfWay,
+            nudge = 1e-4 * longest,
+            first = most > 0 ? closed(start, from + sense * nudge) : null;
         let slope = first ? first.map((value, k) => (value - start[k]) / nudge) : start.map(() => 0);
         let gone = 0, q = start, step = longest;
         while (gone < most) {
@@ -235,14 +246,18 @@ class Givens {
         return {...course, samples: [...earlier.reverse(), {...start, plan: -1, values: undefined, q}, ...later]};
     }
 
-    /** What became of the bodies: a bar is longer between its places, as it was beyond them; a plate goes with three of its places. */
+    /**
+     * What became of the bodies: a bar is longer between its places, as it was beyond them; a plate goes with three of
+     * its places.
+     */
     findShapes() {
         const {data} = this;
         this.shapes = data.bodies.map((_, body) => {
             const pairs = [{from: {x: 0, y: 0}, to: {x: 0, y: 0}}];
             /** @type {(on: number, was: number[], is: number[], first: number) => void} */
             const see = (on, was, is, first) => {
-                if (on === body) pairs.push({from: {x: was[first], y: was[first + 1]}, to: {x: is[first], y: is[first + 1]}});
+                if (on === body)
+                    pairs.push({from: {x: was[first], y: was[first + 1]}, to: {x: is[first], y: is[first + 1]}});
             };
             data.points.forEach((point, i) => see(point[0], this.drawn.points[i], point, 1));
             data.rows.filter(([kind]) => kind === together).forEach((row) => {
@@ -262,13 +277,23 @@ class Givens {
  */
 function shapeOf(pairs) {
     const [first] = pairs;
-    const far = pairs.reduce((best, each) => apart(each.from, first.from) > apart(best.from, first.from) ? each : best, first);
-    const a = minus(far.from, first.from), size = Math.hypot(a.x, a.y);
+    const far = pairs.reduce(
+        (best, each) => (apart(each.from, first.from) > apart(best.from, first.from) ? each : best),
+        first,
+    );
+    const a = minus(far.from, first.from),
+        size = Math.hypot(a.x, a.y);
     if (size === 0) return (at) => along(at, 1, minus(first.to, first.from));
-    const e = unitOf(a), n = quarterTurn(e), b = minus(far.to, first.to), longer = Math.hypot(b.x, b.y) - size, f = unitOf(b);
+    const e = unitOf(a),
+        n = quarterTurn(e),
+        b = minus(far.to, first.to),
+        longer = Math.hypot(b.x, b.y) - size,
+        f = unitOf(b);
     const off = (/** @type {{from: Spot}} */ {from}) => Math.abs(dot(minus(from, first.from), n));
-    const third = pairs.reduce((best, each) => off(each) > off(best) ? each : best, first);
-    const across = quarterTurn(f), lean = dot(minus(third.from, first.from), e), rise = dot(minus(third.from, first.from), n);
+    const third = pairs.reduce((best, each) => (off(each) > off(best) ? each : best), first);
+    const across = quarterTurn(f),
+        lean = dot(minus(third.from, first.from), e),
+        rise = dot(minus(third.from, first.from), n);
     const isPlate = Math.abs(rise) > 1e-9;
     const c = isPlate ? scaledBy(1 / rise, minus(third.to, along(first.to, lean / size, b))) : across;
     return (at) => {

@@ -1,6 +1,6 @@
-// Marks that say what they go with (`data-on`, written by render/backends/svg.cpp): forces and their lines of action, points of
-// concurrency, arms, strings, curvature, Joukowsky's lever. Each name is a place or a vector that every plan tells; here they are
-// found on paper, and the marks put there. Nothing is bound by where it happens to lie.
+// Marks that say what they go with (`data-on`, written by render/backends/svg.cpp): forces and their lines of action,
+// points of concurrency, arms, strings, curvature, Joukowsky's lever. Each name is a place or a vector that every plan
+// tells; here they are found on paper, and the marks put there. Nothing is bound by where it happens to lie.
 
 /** Names of forms as in render/ink/holds.cpp. Lines run on as far as the figure is seen, mm. */
 const leastLine = 1, largestRound = 1e4, shortestArc = 16, sameLine = 0.3;
@@ -13,7 +13,12 @@ const leastLine = 1, largestRound = 1e4, shortestArc = 16, sameLine = 0.3;
  */
 function holdOf(node) {
     const [form, ...on] = JSON.parse(node.getAttribute('data-on') ?? '[""]');
-    return {form, on, beyond: Number(node.getAttribute('data-beyond') ?? 0), unit: Number(node.getAttribute('data-number') ?? 0)};
+    return {
+        form,
+        on,
+        beyond: Number(node.getAttribute('data-beyond') ?? 0),
+        unit: Number(node.getAttribute('data-number') ?? 0),
+    };
 }
 
 class HeldMarks {
@@ -52,8 +57,10 @@ class HeldMarks {
         const longest = (/** @type {string} */ form, /** @type {(on: string[]) => number} */ sizeOf) => {
             let scale = 0, most = 0;
             for (const node of all) {
-                const {form: own, on} = holdOf(node), axis = own === form ? node.querySelector(':scope > line.axis') : null;
-                const size = axis ? sizeOf(on) : 0, length = axis ? apart(...endsOf(axis)) : 0;
+                const {form: own, on} = holdOf(node),
+                    axis = own === form ? node.querySelector(':scope > line.axis') : null;
+                const size = axis ? sizeOf(on) : 0,
+                    length = axis ? apart(...endsOf(axis)) : 0;
                 if (size > 0 && length > most) [most, scale] = [length, size / length];
             }
             return scale;
@@ -73,7 +80,7 @@ class HeldMarks {
         this.longest = Math.max(0, ...this.forces.map((force) => this.sizeOf(['', force])));
     }
 
-    // --- where names are --------------------------------------------------------------------------------------------------------
+    // --- where names are ---------------------------------------------------------------------------------------------
 
     /**
      * @param {number} element
@@ -144,7 +151,7 @@ class HeldMarks {
         return at && e ? {at, e, n: quarterTurn(e)} : null;
     }
 
-    // --- following --------------------------------------------------------------------------------------------------------------
+    // --- following ---------------------------------------------------------------------------------------------------
 
     /** Before marks are put anywhere; forces keep the length of the longest where figures fill their room. */
     take(/** @type {boolean} */ fits) {
@@ -214,7 +221,8 @@ class HeldMarks {
         if (!known) return node.classList.add('still');
         const length = this.sizeOf(on) / this.drawnScale;
         const [tail, tip] = axis ? endsOf(axis) : [known.at, along(known.at, length, known.e)];
-        const [begins, ends] = [tail, tip].map((at) => dot(minus(at, known.at), known.e)), pulls = Math.abs(begins) <= Math.abs(ends);
+        const [begins, ends] = [tail, tip].map((at) => dot(minus(at, known.at), known.e)),
+            pulls = Math.abs(begins) <= Math.abs(ends);
         const aside = dot(minus(tail, known.at), known.n);
         const now = () => {
             const here = this.axes(on), size = this.sizeOf(on) / this.scale;
@@ -257,7 +265,7 @@ class HeldMarks {
         });
     }
 
-    // --- what is drawn now ------------------------------------------------------------------------------------------------------
+    // --- what is drawn now -------------------------------------------------------------------------------------------
 
     /**
      * How much of a line is seen.
@@ -267,7 +275,10 @@ class HeldMarks {
     seen(at, e) {
         const [left, top, width, height] = this.view.shownRoom, rim = 1;
         let [from, to] = [-Infinity, Infinity];
-        for (const [x, dx, low, high] of [[at.x, e.x, left + rim, left + width - rim], [at.y, e.y, top + rim, top + height - rim]]) {
+        for (const [x, dx, low, high] of [
+            [at.x, e.x, left + rim, left + width - rim],
+            [at.y, e.y, top + rim, top + height - rim],
+        ]) {
             if (dx === 0 && (x < low || x > high)) return {from: 0, to: 0};
             if (dx === 0) continue;
             const [a, b] = [(low - x) / dx, (high - x) / dx];
@@ -294,13 +305,22 @@ class HeldMarks {
         const middle = on.indexOf('');
         const lines = on.slice(0, middle).flatMap((force) => this.axes([force, force]) ?? []);
         const places = [...lines.map(({at}) => at), ...on.slice(middle + 1).flatMap((name) => this.place(name) ?? [])];
-        const off = (/** @type {Spot} */ at, /** @type {{at: Spot, n: Spot}} */ line) => Math.abs(dot(minus(at, line.at), line.n));
-        const several = lines.filter((line, i) => !lines.slice(0, i).some(
-            (known) => off(line.at, known) < sameLine && Math.abs(dot(line.e, known.n)) < 1e-3));
-        return several.map((line) => {
-            const reached = places.filter((at) => off(at, line) < sameLine).map((at) => dot(minus(at, line.at), line.e));
-            return this.piece(line.at, line.e, Math.min(...reached) - beyond, Math.max(...reached) + beyond);
-        }).join('');
+        const off = (/** @type {Spot} */ at, /** @type {{at: Spot, n: Spot}} */ line) =>
+            Math.abs(dot(minus(at, line.at), line.n));
+        const several = lines.filter(
+            (line, i) =>
+                !lines
+                    .slice(0, i)
+                    .some((known) => off(line.at, known) < sameLine && Math.abs(dot(line.e, known.n)) < 1e-3),
+        );
+        return several
+            .map((line) => {
+                const reached = places
+                    .filter((at) => off(at, line) < sameLine)
+                    .map((at) => dot(minus(at, line.at), line.e));
+                return this.piece(line.at, line.e, Math.min(...reached) - beyond, Math.max(...reached) + beyond);
+            })
+            .join('');
     }
     /** @param {Hold} hold */
     segmentNow({on, beyond}) {
@@ -325,12 +345,14 @@ class HeldMarks {
         const isWhole = centre.x - radius > left && centre.x + radius < left + width && centre.y - radius > top &&
             centre.y + radius < top + height;
         if (isWhole) return round(centre, radius);
-        const half = Math.min(Math.PI, Math.max(shortestArc / radius, 0.4)), toward = Math.atan2(at.y - centre.y, at.x - centre.x);
+        const half = Math.min(Math.PI, Math.max(shortestArc / radius, 0.4)),
+            toward = Math.atan2(at.y - centre.y, at.x - centre.x);
         const steps = Array.from({length: 33}, (_, i) => toward + half * (i / 16 - 1));
-        return `M${steps.map((angle) => written(along(centre, radius, {x: Math.cos(angle), y: Math.sin(angle)}))).join('L')}`;
+        const spots = steps.map((angle) => along(centre, radius, {x: Math.cos(angle), y: Math.sin(angle)}));
+        return `M${spots.map(written).join('L')}`;
     }
 
-    // --- labels -----------------------------------------------------------------------------------------------------------------
+    // --- labels ------------------------------------------------------------------------------------------------------
 
     /**
      * @param {Element} label
@@ -392,8 +414,12 @@ class HeldMarks {
         const symbol = said.slice(name.length + 3).replace(/^[−\d.,]+(?: ?· ?10\S*)? ?/, '');
         view.bindings.push(() => {
             const [a, b] = form === 'segment' || form === 'arc' ? on.map((each) => this.place(each)) : [];
-            const value = form === 'couple' ? Math.abs(this.couple(on[1])) / unit : a && b ? apart(a, b) * view.scale / unit :
-                this.sizeOf(on) / unit;
+            const value =
+                form === 'couple'
+                    ? Math.abs(this.couple(on[1])) / unit
+                    : a && b
+                      ? (apart(a, b) * view.scale) / unit
+                      : this.sizeOf(on) / unit;
             text.textContent = `= ${view.written(Number(value.toPrecision(4)))} ${symbol}`;
         });
     }

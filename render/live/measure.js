@@ -1,5 +1,5 @@
-// What a reader lays on a figure: ends that are dragged or moved by keys, a ruler, values beside vectors. Knows figures, and of the
-// page only which are shown and what its words are.
+// What a reader lays on a figure: ends that are dragged or moved by keys, a ruler, values beside vectors. Knows
+// figures, and of the page only which are shown and what its words are.
 
 /** What an arrow key moves an end by, and with the shift key, mm. */
 const keyStep = 0.25, longKeyStep = 5;
@@ -24,7 +24,8 @@ function drawn(parent, tag, attributes) {
  * @param {Spot} to
  */
 function putLine(line, from, to) {
-    for (const [name, value] of Object.entries({x1: from.x, y1: from.y, x2: to.x, y2: to.y})) line.setAttribute(name, value.toFixed(3));
+    for (const [name, value] of Object.entries({x1: from.x, y1: from.y, x2: to.x, y2: to.y}))
+        line.setAttribute(name, value.toFixed(3));
 }
 
 /**
@@ -153,10 +154,14 @@ class Ruler {
             const [a, b] = handles.map((each) => each.at), figure = page.scaleOf(svg);
             putLine(line, a, b);
             const turn = Math.atan2(a.y - b.y, b.x - a.x) * 180 / Math.PI;
-            text.textContent = `${measured(apart(a, b), figure.scale, figure.unit, (value) => page.numberText(value))}, ${
-                page.numberText(Math.round(turn * 10) / 10)}°`;
-            const middle = {x: (a.x + b.x) / 2, y: (a.y + b.y) / 2}, size = text.getBBox().width;
-            text.setAttribute('x', Math.min(Math.max(middle.x - size / 2, x + 1), Math.max(x + width - size - 1, x + 1)).toFixed(3));
+            const length = measured(apart(a, b), figure.scale, figure.unit, (value) => page.numberText(value));
+            text.textContent = `${length}, ${page.numberText(Math.round(turn * 10) / 10)}°`;
+            const middle = {x: (a.x + b.x) / 2, y: (a.y + b.y) / 2},
+                size = text.getBBox().width;
+            text.setAttribute(
+                'x',
+                Math.min(Math.max(middle.x - size / 2, x + 1), Math.max(x + width - size - 1, x + 1)).toFixed(3),
+            );
             text.setAttribute('y', Math.max(middle.y - 2.5, y + 5).toFixed(3));
         };
         this.show();
@@ -191,8 +196,11 @@ class Ruler {
      * @param {Spot} at
      */
     snapped(svg, at) {
-        let best = at, least = 1.5;
-        for (const spot of this.page.figures.filter((view) => view.svg === svg && view.follows).flatMap((view) => view.extent())) {
+        let best = at,
+            least = 1.5;
+        for (const spot of this.page.figures
+            .filter((view) => view.svg === svg && view.follows)
+            .flatMap((view) => view.extent())) {
             if (apart(spot, at) < least) [best, least] = [spot, apart(spot, at)];
         }
         return best;

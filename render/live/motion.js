@@ -1,5 +1,5 @@
-// Where the mechanism is and what holds there: a driver's coordinate made places, the places made givens, the givens a program
-// replayed, the program's elements the values of the columns. Knows no figure.
+// Where the mechanism is and what holds there: a driver's coordinate made places, the places made givens, the givens a
+// program replayed, the program's elements the values of the columns. Knows no figure.
 
 /** @typedef {{points: Spot[], guides: Spot[], normals: Spot[], tangents: Spot[]}} Read */
 
@@ -66,8 +66,8 @@ class Motion {
     }
 
     /**
-     * Other values, as Motion.settings; the mechanism is where it was as far as it can be. False where the joints do not close with
-     * them: then nothing changed.
+     * Other values, as Motion.settings; the mechanism is where it was as far as it can be. False where the joints do
+     * not close with them: then nothing changed.
      * @param {number[]} settings
      */
     give(settings) {
@@ -185,7 +185,9 @@ class Motion {
             case 'spring':
                 return [rule.factor * (Math.hypot(between().x, between().y) - rule.offset)];
             case 'torsion':
-                return [-rule.factor * (rule.offset + this.places.turn[rule.bodies[0]] - this.places.turn[rule.bodies[1]])];
+                return [
+                    -rule.factor * (rule.offset + this.places.turn[rule.bodies[0]] - this.places.turn[rule.bodies[1]]),
+                ];
             case 'setting': {
                 const share = this.settings[rule.index] / this.data.settings[rule.index].value;
                 return this.data.plans[plan].givens[rule.given].map((each) => share * each);

@@ -67,14 +67,18 @@ class Page {
         return this.views[this.language] ?? [];
     }
 
-    // --- where it is ----------------------------------------------------------------------------------------------------------
+    // --- where it is -------------------------------------------------------------------------------------------------
 
     /** What a successor of this page is told, to begin where this one stops. */
     whereItIs() {
         const theme = this.at('theme');
         return {
-            language: this.language, step: this.step, theme: theme ? theme.value : '', fit: this.motion ? this.at('fit').checked : true,
-            driver: this.motion ? this.course.name : '', at: this.motion && !this.motion.isDrawn ? this.motion.at : null,
+            language: this.language,
+            step: this.step,
+            theme: theme ? theme.value : '',
+            fit: this.motion ? this.at('fit').checked : true,
+            driver: this.motion ? this.course.name : '',
+            at: this.motion && !this.motion.isDrawn ? this.motion.at : null,
         };
     }
     /**
@@ -97,7 +101,7 @@ class Page {
         this.showStep(Math.min(from.step, this.says.length - 1), false);
     }
 
-    // --- language, theme ------------------------------------------------------------------------------------------------------
+    // --- language, theme ---------------------------------------------------------------------------------------------
 
     /** @param {string} language */
     setLanguage(language) {
@@ -136,7 +140,8 @@ class Page {
             const info = this.data.figures[this.language][i], own = /** @type {SVGSVGElement} */ (svg);
             const figures = [...svg.querySelectorAll('g.figure:not([data-figure=detail])')];
             const groups = figures.filter((group) => !group.parentElement?.closest('g.figure'));
-            for (const node of svg.querySelectorAll('g.detail, g.figure[data-figure=detail]')) node.classList.add('still');
+            for (const node of svg.querySelectorAll('g.detail, g.figure[data-figure=detail]'))
+                node.classList.add('still');
             const views = groups.map((group) => new FigureView(own, group, info, motion, this.data.names));
             const follow = views.length > 0 && views.every((view) => view.follows);
             svg.classList.toggle('following', follow);
@@ -151,11 +156,13 @@ class Page {
         motion.moveTo(motion.courses[here.index], here.at);
     }
 
-    // --- reading --------------------------------------------------------------------------------------------------------------
+    // --- reading -----------------------------------------------------------------------------------------------------
 
     wireReading() {
-        this.at('previous').onclick = () => this.showStep(this.step < 0 ? this.says.length - 1 : Math.max(this.step - 1, 0));
-        this.at('next').onclick = () => this.showStep(this.step < 0 ? 0 : Math.min(this.step + 1, this.says.length - 1));
+        this.at('previous').onclick = () =>
+            this.showStep(this.step < 0 ? this.says.length - 1 : Math.max(this.step - 1, 0));
+        this.at('next').onclick = () =>
+            this.showStep(this.step < 0 ? 0 : Math.min(this.step + 1, this.says.length - 1));
         this.at('all').onclick = () => this.showStep(-1);
         this.at('print').onclick = () => window.print();
         this.at('language').onchange = () => this.setLanguage(this.at('language').value);
@@ -175,7 +182,9 @@ class Page {
                 this.teller.tell(event.target);
             });
             sheet.addEventListener('pointerdown', (event) => {
-                const svg = /** @type {SVGSVGElement | null} */ (/** @type {Element} */ (event.target).closest('.figures svg'));
+                const svg = /** @type {SVGSVGElement | null} */ (
+                    /** @type {Element} */ (event.target).closest('.figures svg')
+                );
                 if (svg && this.ruler.isOn) this.ruler.begin(svg, event);
                 else if (svg) this.exercise.touch(svg, event);
             });
@@ -236,7 +245,8 @@ class Page {
     light(number) {
         for (const node of this.sheet.querySelectorAll('.lit')) node.classList.remove('lit');
         if (number === null) return;
-        for (const node of this.sheet.querySelectorAll(`[data-statement="${number}"], [data-says="${number}"]`)) node.classList.add('lit');
+        for (const node of this.sheet.querySelectorAll(`[data-statement="${number}"], [data-says="${number}"]`))
+            node.classList.add('lit');
     }
     /**
      * @param {number} step −1: all
@@ -259,7 +269,12 @@ class Page {
             node.classList.toggle('past', this.step >= 0 && drawn < now);
             node.classList.toggle('later', this.step >= 0 && drawn > now);
         }
-        const where = this.step < 0 ? '' : this.word('step').replace('{0}', String(this.step + 1)).replace('{1}', String(says.length));
+        const where =
+            this.step < 0
+                ? ''
+                : this.word('step')
+                      .replace('{0}', String(this.step + 1))
+                      .replace('{1}', String(says.length));
         this.at('step').textContent = where;
         if (!announced || this.step < 0) return;
         says[this.step].scrollIntoView({block: 'nearest'});
@@ -305,7 +320,7 @@ class Page {
         this.at('announcement').textContent = words;
     }
 
-    // --- moving ---------------------------------------------------------------------------------------------------------------
+    // --- moving ------------------------------------------------------------------------------------------------------
 
     /** @param {Motion} motion */
     wireMoving(motion) {
@@ -330,7 +345,8 @@ class Page {
         this.traces.wire();
         this.panel.wire(motion);
         for (const sheet of this.sheets) {
-            for (const svg of sheet.querySelectorAll('.figures svg')) this.wireDragging(/** @type {SVGSVGElement} */ (svg), motion);
+            for (const svg of sheet.querySelectorAll('.figures svg'))
+                this.wireDragging(/** @type {SVGSVGElement} */ (svg), motion);
         }
     }
     /** @returns {Course} */
@@ -420,8 +436,11 @@ class Page {
         if (course !== this.shownWay) this.showWay();
         this.at('position').value = String(motion.at);
         this.at('where').textContent = this.positionText(motion.at);
-        const isNear = (/** @type {number} */ at) => Math.abs(at - motion.at) < 1e-6 * Math.abs(course.to - course.from);
-        const atLimit = course.startsAtLimit && isNear(samples[0].at) || course.endsAtLimit && isNear(samples[samples.length - 1].at);
+        const isNear = (/** @type {number} */ at) =>
+            Math.abs(at - motion.at) < 1e-6 * Math.abs(course.to - course.from);
+        const atLimit =
+            (course.startsAtLimit && isNear(samples[0].at))
+            || (course.endsAtLimit && isNear(samples[samples.length - 1].at));
         if (course.changePoints.some(isNear)) this.say(this.word('change point'));
         else if (atLimit) this.say(this.word('limit'));
         else this.say(motion.plan < 0 ? this.word('no construction') : '');
@@ -436,7 +455,8 @@ class Page {
             const text = value === null ? '–' : this.numberText(value / motion.data.columns[each.column].size);
             if (each.text !== text) each.cell.textContent = each.text = text;
         }
-        for (const note of this.sheet.querySelectorAll('.text .note')) /** @type {HTMLElement} */ (note).hidden = motion.isDrawn;
+        for (const note of this.sheet.querySelectorAll('.text .note'))
+            /** @type {HTMLElement} */ (note).hidden = motion.isDrawn;
     }
     /** @param {string} words */
     say(words) {
@@ -445,7 +465,8 @@ class Page {
     /** @param {number} value */
     numberText(value) {
         const size = Math.abs(value);
-        const text = size !== 0 && (size < 1e-3 || size >= 1e6) ? value.toExponential(4) : String(Number(value.toPrecision(6)));
+        const text =
+            size !== 0 && (size < 1e-3 || size >= 1e6) ? value.toExponential(4) : String(Number(value.toPrecision(6)));
         return (this.language === 'it' ? text.replace('.', ',') : text).replace('-', '−');
     }
     /**
@@ -459,7 +480,8 @@ class Page {
         if (motion.isDrawn || !canFollow) {
             view.restore();
             // So that a path is seen whole, and the figure stays where it is when it begins to move.
-            if (view.info.name === 'mechanism' && this.traces.isTraced) view.svg.setAttribute('viewBox', this.roomOf(view).join(' '));
+            if (view.info.name === 'mechanism' && this.traces.isTraced)
+                view.svg.setAttribute('viewBox', this.roomOf(view).join(' '));
             view.held?.take(false);
             return this.sayScale(view);
         }
@@ -487,7 +509,8 @@ class Page {
         }
     }
     /**
-     * The figure's own room and what it covers anywhere on the way: so nothing leaves it, and it stays as large throughout.
+     * The figure's own room and what it covers anywhere on the way: so nothing leaves it, and it stays as large
+     * throughout.
      * @param {FigureView} view
      */
     roomOf(view) {
@@ -506,7 +529,9 @@ class Page {
             if (!motion.moveTo(course, sample.at)) continue;
             for (const view of this.figures) {
                 if (!view.svg.matches('.following') || (view.isConstructed && motion.plan < 0)) continue;
-                const [x, y, width, height] = view.viewBox, room = /** @type {any} */ (rooms.get(view.svg)), margin = view.isFree ? 14 : 8;
+                const [x, y, width, height] = view.viewBox,
+                    room = /** @type {any} */ (rooms.get(view.svg)),
+                    margin = view.isFree ? 14 : 8;
                 view.scale = view.drawnScale;
                 view.origin = view.drawnOrigin;
                 view.held?.take(fits);
@@ -529,7 +554,7 @@ class Page {
             ([svg, room]) => [svg, [room.left, room.top, room.right - room.left, room.bottom - room.top]]));
     }
 
-    // --- dragging -------------------------------------------------------------------------------------------------------------
+    // --- dragging ----------------------------------------------------------------------------------------------------
 
     /**
      * A point that moves is taken by hand: the mechanism goes where on its way the point is nearest to the hand.
@@ -539,7 +564,8 @@ class Page {
     wireDragging(svg, motion) {
         /** @type {{point: number, path: Spot[], sample: number} | null} */
         let held = null;
-        const view = () => this.figures.find((each) => each.svg === svg && each.isMechanism && !each.isFree && each.follows);
+        const view = () =>
+            this.figures.find((each) => each.svg === svg && each.isMechanism && !each.isFree && each.follows);
         const spotOf = (/** @type {PointerEvent} */ event) => {
             const matrix = svg.getScreenCTM();
             return matrix ? new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse()) : null;
@@ -565,7 +591,12 @@ class Page {
         svg.addEventListener('pointermove', (event) => {
             const figure = view(), at = spotOf(event);
             if (!held || !figure || !at) return;
-            const near = nearestOnPath(held.path, figure.unpaper(at), held.sample, !this.course.startsAtLimit && !this.course.endsAtLimit);
+            const near = nearestOnPath(
+                held.path,
+                figure.unpaper(at),
+                held.sample,
+                !this.course.startsAtLimit && !this.course.endsAtLimit,
+            );
             held.sample = near.sample;
             const {samples} = this.course, next = samples[Math.min(near.sample + 1, samples.length - 1)];
             this.moveTo(samples[near.sample].at + near.share * (next.at - samples[near.sample].at));

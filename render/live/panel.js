@@ -1,5 +1,5 @@
-// The panel of what is given: speeds of drivers, sizes of loads, lengths, parameters of the file, which a reader may change. The
-// joints are closed and the record is replayed with them.
+// The panel of what is given: speeds of drivers, sizes of loads, lengths, parameters of the file, which a reader may
+// change. The joints are closed and the record is replayed with them.
 
 class Panel {
     /** @param {Page} page */

@@ -3,16 +3,47 @@
 
 /** In the order of Verb. */
 const verbs = [
-    'given_point', 'given_vector', 'given_scalar', 'pole', 'vector_between', 'perpendicular', 'direction_of_line',
-    'point_at_infinity', 'through', 'join', 'meet', 'meet_at_infinity', 'carry', 'add', 'subtract', 'negate', 'scale', 'turn',
-    'ratio', 'product', 'sum', 'difference', 'opposite', 'quotient', 'moment', 'projection', 'arm',
+    'given_point',
+    'given_vector',
+    'given_scalar',
+    'pole',
+    'vector_between',
+    'perpendicular',
+    'direction_of_line',
+    'point_at_infinity',
+    'through',
+    'join',
+    'meet',
+    'meet_at_infinity',
+    'carry',
+    'add',
+    'subtract',
+    'negate',
+    'scale',
+    'turn',
+    'ratio',
+    'product',
+    'sum',
+    'difference',
+    'opposite',
+    'quotient',
+    'moment',
+    'projection',
+    'arm',
 ];
 const pointVerbs = new Set(['given_point', 'pole', 'point_at_infinity', 'meet', 'meet_at_infinity', 'carry']);
 const lineVerbs = new Set(['through', 'join']);
 const scalarVerbs = new Set(
     ['given_scalar', 'ratio', 'product', 'sum', 'difference', 'opposite', 'quotient', 'moment', 'projection']);
 /** In the order of Guard::Question. */
-const coincide = 0, parallel = 1, zeroVector = 2, zeroScalar = 3, onTheLine = 4, signOf = 5, turnSign = 6, alongSign = 7;
+const coincide = 0,
+    parallel = 1,
+    zeroVector = 2,
+    zeroScalar = 3,
+    onTheLine = 4,
+    signOf = 5,
+    turnSign = 6,
+    alongSign = 7;
 const byPrecision = 2;
 const drawingPlane = 0, forcePlane = 3;
 const zeroBits = 30, vanishingBits = 42;
@@ -212,7 +243,12 @@ class Replay {
      */
     meet(i, l, m) {
         const w = this.x(l) * this.y(m) - this.y(l) * this.x(m);
-        this.put(i, (this.y(l) * this.w(m) - this.w(l) * this.y(m)) / w, (this.w(l) * this.x(m) - this.x(l) * this.w(m)) / w, 1);
+        this.put(
+            i,
+            (this.y(l) * this.w(m) - this.w(l) * this.y(m)) / w,
+            (this.w(l) * this.x(m) - this.x(l) * this.w(m)) / w,
+            1,
+        );
     }
     /**
      * @param {number} a
@@ -238,7 +274,7 @@ class Replay {
         return this.x(a) * this.x(b) + this.y(a) * this.y(b);
     }
 
-    // --- guards ---------------------------------------------------------------------------------------------------------------
+    // --- guards ------------------------------------------------------------------------------------------------------
 
     /**
      * A direction of a vector or a line.

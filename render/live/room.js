@@ -1,5 +1,6 @@
-// Where arrows, labels and polygons stand while the mechanism is elsewhere than drawn, so that none hides another: what the sheet
-// decides once (render/figures/polygon_parts.cpp, render/page/labels.cpp), here for each position. Owns no mark; answers with places.
+// Where arrows, labels and polygons stand while the mechanism is elsewhere than drawn, so that none hides another: what
+// the sheet decides once (render/figures/polygon_parts.cpp, render/page/labels.cpp), here for each position. Owns no
+// mark; answers with places.
 
 /** As polygon_parts.cpp has them, mm. */
 const lanePitch = 2.2, sameLane = 0.4, sharedLength = 1, oneVector = 0.05;
@@ -42,7 +43,8 @@ function setSideBySide(view) {
         const near = lanes.filter((lane) => hideEachOther(lane.ends, ends));
         const same = near.find((lane) => lane.ends.every((end, i) => apart(end, ends[i]) < oneVector));
         let number = same?.number ?? 0;
-        for (let n = 1; !same && near.some((lane) => lane.number === number); ++n) number = n % 2 === 1 ? (n + 1) / 2 : -n / 2;
+        for (let n = 1; !same && near.some((lane) => lane.number === number); ++n)
+            number = n % 2 === 1 ? (n + 1) / 2 : -n / 2;
         // At first away from the rest of the polygon.
         const beside = total(all.flatMap((each) => each.ends ?? []).map((at) => localOf(...ends)(at).n));
         const normal = near[0]?.normal ?? scaledBy(beside > 0 ? -1 : 1, quarterTurn(unitOf(minus(ends[1], ends[0]))));
@@ -74,12 +76,21 @@ class Crowd {
      * @param {{width: number, height: number}} size
      */
     best(places, {width, height}) {
-        const boxes = places.map(({x, y}) => ({left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2}));
-        const prices = boxes.map((box) => this.price(box)), best = prices.indexOf(Math.min(...prices));
+        const boxes = places.map(({x, y}) => ({
+            left: x - width / 2,
+            right: x + width / 2,
+            top: y - height / 2,
+            bottom: y + height / 2,
+        }));
+        const prices = boxes.map((box) => this.price(box)),
+            best = prices.indexOf(Math.min(...prices));
         this.boxes.push(boxes[best]);
         return places[best];
     }
-    /** @param {{left: number, right: number, top: number, bottom: number}} box mm² of other labels hidden, mm of strokes, twice */
+    /**
+     * @param {{left: number, right: number, top: number, bottom: number}} box mm² of other labels hidden, mm of
+     * strokes, twice
+     */
     price(box) {
         const both = (/** @type {number[]} */ [from, to], /** @type {number[]} */ [low, high]) =>
             Math.max(0, Math.min(to, high) - Math.max(from, low));
@@ -107,7 +118,8 @@ function lengthWithin(a, b, {left, right, top, bottom}) {
 }
 
 /**
- * As tall as three fifths of its width, as wide as it is tall at least: a polygon that is flat where it is drawn is not elsewhere.
+ * As tall as three fifths of its width, as wide as it is tall at least: a polygon that is flat where it is drawn is not
+ * elsewhere.
  * @param {number[]} room
  */
 function wellShaped([x, y, width, height]) {
@@ -120,13 +132,16 @@ function wellShaped([x, y, width, height]) {
  * @param {FigureView[]} views in the drawn position
  */
 function rowsOf(views) {
-    const all = views.flatMap((view) => ({view, box: view.box()})), middle = (/** @type {typeof all[0]} */ {box}) => box?.centre.y ?? 0;
+    const all = views.flatMap((view) => ({view, box: view.box()})),
+        middle = (/** @type {typeof all[0]} */ {box}) => box?.centre.y ?? 0;
     /** @type {(typeof all)[]} */
     const rows = [];
     for (const each of all.sort((a, b) => middle(a) - middle(b))) {
         const last = rows[rows.length - 1];
         // Beside each other they may stand at different heights, but never above each other.
-        const isBeside = last?.every(({box}) => box && each.box && (box.right < each.box.left || box.left > each.box.right));
+        const isBeside = last?.every(
+            ({box}) => box && each.box && (box.right < each.box.left || box.left > each.box.right),
+        );
         if (isBeside) last.push(each);
         else rows.push([each]);
     }
@@ -134,7 +149,8 @@ function rowsOf(views) {
 }
 /** @typedef {{nodes: SVGGraphicsElement[], left: number, top: number, width: number, height: number}} Companion */
 /**
- * What stands above a polygon of several in a drawing, its title, and below it, what is known of its forces. In the drawn position.
+ * What stands above a polygon of several in a drawing, its title, and below it, what is known of its forces. In the
+ * drawn position.
  * @param {FigureView} view
  * @param {FigureView[]} views
  */
@@ -147,14 +163,21 @@ function companionsOf(view, views) {
         if (!view.measures.includes(next)) below.push(next);
     }
     return [title?.matches('g.text') ? [title] : [], below].map((each) => {
-        const nodes = /** @type {SVGGraphicsElement[]} */ (each), boxes = nodes.map((node) => node.getBBox());
-        const {left, right, top, bottom} = boxOf(boxes.flatMap(({x, y, width, height}) => [{x, y}, {x: x + width, y: y + height}]));
+        const nodes = /** @type {SVGGraphicsElement[]} */ (each),
+            boxes = nodes.map((node) => node.getBBox());
+        const {left, right, top, bottom} = boxOf(
+            boxes.flatMap(({x, y, width, height}) => [
+                {x, y},
+                {x: x + width, y: y + height},
+            ]),
+        );
         if (nodes.length === 0) return {nodes, left: 0, top: 0, width: 0, height: 0};
         return {nodes, left, top, width: right - left, height: bottom - top};
     });
 }
 /**
- * How much smaller than on the sheet polygons of one drawing are all drawn, each in a room of its own that this gives it.
+ * How much smaller than on the sheet polygons of one drawing are all drawn, each in a room of its own that this gives
+ * it.
  * @param {FigureView[][]} rows
  */
 function shareRoom(rows) {
@@ -166,10 +189,18 @@ function shareRoom(rows) {
     const freeHeight = Math.max(height - 2 * rim - between * (rows.length - 1) - total(feet), rim);
     // What a table below takes of the width first, the rest as the polygons are wide.
     const widths = rows.map((row, i) => {
-        const least = row.map(({foot}) => foot?.width ?? 0), free = width - 2 * rim - between * (row.length - 1) - total(least);
-        return least.map((each, j) => each + Math.max(free, 0) * sizes[i][j].x / Math.max(total(sizes[i].map((size) => size.x)), 1e-9));
+        const least = row.map(({foot}) => foot?.width ?? 0),
+            free = width - 2 * rim - between * (row.length - 1) - total(least);
+        return least.map(
+            (each, j) =>
+                each + (Math.max(free, 0) * sizes[i][j].x) / Math.max(total(sizes[i].map((size) => size.x)), 1e-9),
+        );
     });
-    const k = Math.max(total(tall) / freeHeight, ...sizes.flatMap((row, i) => row.map((size, j) => size.x / widths[i][j])), 1e-9);
+    const k = Math.max(
+        total(tall) / freeHeight,
+        ...sizes.flatMap((row, i) => row.map((size, j) => size.x / widths[i][j])),
+        1e-9,
+    );
     const air = (freeHeight - total(tall) / k) / rows.length;
     let top = y + rim;
     rows.forEach((row, i) => {

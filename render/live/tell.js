@@ -1,5 +1,5 @@
-// What belongs to a vector: its body on the mechanism, its rows in the table of values, and what it is worth where the mechanism
-// is, which is written beside its name as long as the pointer rests on it.
+// What belongs to a vector: its body on the mechanism, its rows in the table of values, and what it is worth where the
+// mechanism is, which is written beside its name as long as the pointer rests on it.
 
 class Teller {
     /** @param {Page} page */
@@ -24,14 +24,19 @@ class Teller {
         const points = this.pointsOf(name), bodies = this.bodiesOf(name);
         motion.data.columns.forEach((column, i) => {
             const isPoint = points.includes(column.point) && column.name[0] === name[0];
-            const isForce = bodies.length === 2 && (column.name.endsWith(` ${bodies[0]} on ${bodies[1]}`) ||
-                column.name.endsWith(` ${bodies[1]} on ${bodies[0]}`));
-            if (isPoint || isForce) page.sheet.querySelector(`td[data-column="${i}"]`)?.closest('tr')?.classList.add('lit');
+            const isForce =
+                bodies.length === 2
+                && (column.name.endsWith(` ${bodies[0]} on ${bodies[1]}`)
+                    || column.name.endsWith(` ${bodies[1]} on ${bodies[0]}`));
+            if (isPoint || isForce)
+                page.sheet.querySelector(`td[data-column="${i}"]`)?.closest('tr')?.classList.add('lit');
         });
         const own = bodies.length === 2 ? this.names.bodies.findIndex(({label}) => label === bodies[1]) :
             points.length > 0 ? motion.data.points[points[0]][0] : -1;
         const {id} = this.names.bodies[own] ?? {};
-        if (own > 0) for (const link of page.sheet.querySelectorAll(`[data-id="link-${CSS.escape(id)}"]`)) link.classList.add('lit');
+        if (own > 0)
+            for (const link of page.sheet.querySelectorAll(`[data-id="link-${CSS.escape(id)}"]`))
+                link.classList.add('lit');
         this.write(node, view, name);
     }
     /**
@@ -70,7 +75,9 @@ class Teller {
         const said = `= ${page.numberText(Number(size.toPrecision(4)))} ${held ? held.unit : view.unit}`;
         const title = node.querySelector(':scope > title');  // what the browser shows by itself
         if (title) title.textContent = `${name} ${said}`;
-        const label = [...view.group.querySelectorAll('g.label')].find((each) => each.getAttribute('data-label') === name);
+        const label = [...view.group.querySelectorAll('g.label')].find(
+            (each) => each.getAttribute('data-label') === name,
+        );
         if (!label || label.querySelector('text')) return;
         const box = /** @type {SVGGraphicsElement} */ (label).getBBox();
         this.written = drawn(label, 'text', {x: box.x + box.width + 0.6, y: box.y + 0.75 * box.height});

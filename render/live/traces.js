@@ -1,4 +1,5 @@
-// The path of a point on the mechanism, and a value over the driver's way: both drawn once for a way, with a mark that runs along.
+// The path of a point on the mechanism, and a value over the driver's way: both drawn once for a way, with a mark that
+// runs along.
 
 /**
  * As the sheet calls it.
@@ -72,9 +73,14 @@ class Traces {
         else motion.moveTo(course, here.at);
         const known = values.flatMap((value) => value ?? []);
         if (known.length === 0) return;
-        const low = Math.min(0, ...known), high = Math.max(0, ...known), wide = 100, tall = 50, span = high - low || 1;
-        const x = (/** @type {number} */ at) => wide * (at - samples[0].at) / (samples[samples.length - 1].at - samples[0].at);
-        const y = (/** @type {number} */ value) => tall * (high - value) / span;
+        const low = Math.min(0, ...known),
+            high = Math.max(0, ...known),
+            wide = 100,
+            tall = 50,
+            span = high - low || 1;
+        const x = (/** @type {number} */ at) =>
+            (wide * (at - samples[0].at)) / (samples[samples.length - 1].at - samples[0].at);
+        const y = (/** @type {number} */ value) => (tall * (high - value)) / span;
         const figure = document.createElement('figure');
         figure.className = 'plot';
         page.sheet.querySelector('.figures')?.append(figure);
@@ -88,7 +94,8 @@ class Traces {
         drawn(svg, 'path', {d: `M0 ${y(0)}H${wide}M0 0V${tall}`, class: 'axis'});
         drawn(svg, 'path', {d, class: 'curve'});
         const words = (/** @type {number} */ at, /** @type {number} */ value) => {
-            drawn(svg, 'text', {x: 1, y: at}).textContent = `${page.numberText(Number(value.toPrecision(4)))} ${column.unit}`;
+            drawn(svg, 'text', {x: 1, y: at}).textContent =
+                `${page.numberText(Number(value.toPrecision(4)))} ${column.unit}`;
         };
         words(-1.5, high);
         if (low < 0) words(tall + 5, low);
@@ -101,7 +108,8 @@ class Traces {
             mark.setAttribute('cx', at);
             mark.setAttribute('cy', y((value ?? 0) / column.size).toFixed(2));
             mark.setAttribute('visibility', value === null ? 'hidden' : 'inherit');
-            caption.textContent = `${nameOf(column)} = ${value === null ? '–' : page.numberText(value / column.size)} ${column.unit}`;
+            const told = value === null ? '–' : page.numberText(value / column.size);
+            caption.textContent = `${nameOf(column)} = ${told} ${column.unit}`;
         });
     }
     show() {

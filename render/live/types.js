@@ -2,34 +2,44 @@
 
 /**
  * @typedef {{x: number, y: number}} Spot
- * @typedef {[number, number, number, number, number, number, number, number, number, number, number, number, number, number]} Row
+ * @typedef {[number, number, number, number, number, number, number, number, number, number, number, number, number,
+ *   number]} Row
  *   kind, bodies i and j, p, q, along (x and y each), offset, lever, share of i, share of j, driver (or −1)
  * @typedef {{turnsWith: number, bodies: [number, number], guide: [number, number], tangent: [number, number],
- *   locals: [[number, number], [number, number]], reaches: [number, number], straight: [boolean, boolean], circle: number,
+ *   locals: [[number, number], [number, number]], reaches: [number, number], straight: [boolean, boolean],
+ *   circle: number,
  *   point: number, arc: boolean, touches: boolean, meshes: boolean, pressure: [number, number]}} JointRule
- * @typedef {{rule: string, given: number, index: number, ends: [number, number], bodies: [number, number], factor: number,
+ * @typedef {{rule: string, given: number, index: number, ends: [number, number], bodies: [number, number],
+ *   factor: number,
  *   offset: number}} MovingGiven
  * @typedef {{givens: (number[])[], strokes: number[], guards: number[], doubtfulBits: number, moving: MovingGiven[],
  *   sources: number[], vectors: [string, string, number, number, number][], spots: [string, string, number][],
  *   lines: [string, string, number, number, ...number[]][], held: [string, number, number, number][]}} Plan
- *   strokes: verb, plane, two inputs, given of each; guards: question, how, two inputs, verdict, stroke before which it is asked;
+ *   strokes: verb, plane, two inputs, given of each; guards: question, how, two inputs, verdict,
+ *   stroke before which it is asked;
  *   sources: an element by column, −1 what vanishes, −2 what is not known
- * @typedef {{name: string, symbol?: string, kind: string, unit: string, size: number, body: number, point: number, joint: number,
+ * @typedef {{name: string, symbol?: string, kind: string, unit: string, size: number, body: number, point: number,
+ *   joint: number,
  *   component: string}} Column
  *   symbol: of an effort, as the sheet calls it
  * @typedef {{at: number, coordinate: number, plan: number, rate: number, acceleration: number, q: number[],
  *   values?: (number | null)[]}} Sample
  *   coordinate, rate and acceleration are written of a driver with a law alone; else Motion fills them in
- * @typedef {{driver: number, name: string, turns: boolean, rate: number, from: number, to: number, startsAtLimit: boolean,
+ * @typedef {{driver: number, name: string, turns: boolean, rate: number, from: number, to: number,
+ *   startsAtLimit: boolean,
  *   endsAtLimit: boolean, changePoints: number[], byLaw: boolean, shares: number[], samples: Sample[]}} Course
  * @typedef {{name: string, unit: string, size: number, value: number,
  *   ends?: [number, number], bar?: number, parameter?: boolean, radians?: number}} Changeable
- *   radians: of a parameter that is an angle; ends: points, of a length; bar: the body whose length it is, else the frame's
+ *   radians: of a parameter that is an angle; ends: points, of a length; bar: the body whose length it is,
+ *   else the frame's
  * @typedef {{size: number, unit: number, rows: Row[], bodies: [number, number, number, number][], frozen: boolean[],
  *   points: [number, number, number, number][], joints: JointRule[], directions: number[],
- *   settings: Changeable[], effects: [(string | number)[], ...number[]][], fixed: [string, string][], columns: Column[], plans: Plan[],
+ *   settings: Changeable[], effects: [(string | number)[], ...number[]][], fixed: [string, string][],
+ *   columns: Column[], plans: Plan[],
  *   courses: Course[]}} MovingData
- *   effects: the way to a number through this data; then for each term one or two of Givens.deltas (the second −1) and its factor
+ *   effects: the way to a number through this data;
+ *   then for each term one or two of Givens.deltas (the second −1) and its factor
  *   fixed: why a parameter can be changed in the file alone, and which
- *   bodies: reference x and y, columns of place (−1: a hinge on the frame) and turn; points: carrier, local x and y, contact
+ *   bodies: reference x and y, columns of place (−1: a hinge on the frame) and turn; points: carrier, local x and y,
+ *   contact
  */

@@ -1,5 +1,6 @@
-// A page that is served while its file is watched: it asks for what is new, shows what is wrong with the file as long as that
-// lasts, and gives way to its successor, which begins where it stopped. Knows the page only by what it remembers of it.
+// A page that is served while its file is watched: it asks for what is new, shows what is wrong with the file as long
+// as that lasts, and gives way to its successor, which begins where it stopped. Knows the page only by what it
+// remembers of it.
 
 /** @typedef {{line?: number, column?: number, where: string, en: string, it: string}} FileFault */
 
@@ -45,7 +46,10 @@ class Watching {
     }
     giveWay() {
         if (this.page) {
-            sessionStorage.setItem(location.pathname, JSON.stringify({page: this.page.whereItIs(), scroll: window.scrollY}));
+            sessionStorage.setItem(
+                location.pathname,
+                JSON.stringify({page: this.page.whereItIs(), scroll: window.scrollY}),
+            );
         }
         location.reload();
     }

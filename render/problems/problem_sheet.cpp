@@ -69,16 +69,203 @@ struct Item {
     bool spreads = false;     ///< begins a column where there is one to spare
 };
 
-class ProblemSheet {
-public:
-    ProblemSheet(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
+/// The blocks that a problem's sheets are put together of: its sections, the table of results, answers and remarks.
+class ProblemItems {
+protected:
+    ProblemItems(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
         : context_{solution, options.theme, fonts, options.language, Dimensions::off},
           format_(format_of(options.paper, options.orientation)),
-          signature_{options.author, options.date},
-          before_{options.pages_before},
-          after_{options.pages_after},
           figures_before_{options.figures_before},
           sections_(sections_of_problem(context_)) {}
+
+    const std::string& say(const Words& words) const { return in(words, context_.language); }
+    /// Type is set for the paper's size.
+    Block fitted(Block block) const { return scaled(std::move(block), format_.text_size); }
+    double measure() const { return format_.measure / format_.text_size; }
+    /// Whether the file asks for it; all is sought where it asks for nothing by name.
+    bool is_sought(const ProblemValue& value) const {
+        const auto& asked = asked_of(context_.solution.mechanism);
+        const auto is_it = [&](const AskedResult& other) { return other.name == value.name.en; };
+        return asked.empty() || std::any_of(asked.begin(), asked.end(), is_it);
+    }
+    static void add(std::vector<Item>& to, std::vector<Item> more) {
+        for (Item& each : more) to.push_back(std::move(each));
+    }
+
+    std::vector<Item> items(double figure_height) {
+        figures_ = figures_before_;
+        std::vector<Item> all;
+        for (std::size_t s = 0; s < sections_.size(); ++s) {
+            // The results come before what is only assumed.
+            if (sections_[s].question == "hypotheses") add(all, results(s));
+            add(all, this->section(s, figure_height));
+        }
+        add(all, remarks(sections_.size()));
+        return all;
+    }
+
+    std::vector<Item> section(std::size_t s, double figure_height) {
+        const ProblemSection& section = sections_[s];
+        std::vector<Item> all{
+            {fitted(heading_block(context_, measure(), say(section.heading))), s, between_sections, true}};
+        for (const ProblemFigure& figure : section.figures)
+            all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
+        const auto add_pieces = [&](std::size_t after) {
+            for (const PieceAfter& piece : section.pieces) {
+                // What announces a formula stays with it.
+                if (piece.after != after) continue;
+                if (!all.empty() && after > 0) all.back().holds_next = true;
+                all.push_back({fitted(piece_block(piece.item, measure())), s, 0, false});
+            }
+        };
+        add_pieces(0);
+        for (std::size_t k = 0; k < section.sentences.size(); ++k) {
+            all.push_back({sentence(section.sentences[k], measure()), s, 0, false});
+            add_pieces(k + 1);
+        }
+        return all;
+    }
+
+    std::vector<Item> results(std::size_t section) const {
+        std::vector<Item> all;
+        Block table;
+        const double width = measure();
+        double y = 0;
+        const auto rule = [&](double weight) {
+            table.marks.emplace_back(line({0, y}, {width, y}, {weight, context_.theme.text, {}, false}));
+            y += 1;
+        };
+        const auto row = [&](const std::array<RichText, 4>& cells, Colour colour) {
+            const std::array<double, 4> rights{0, 0.62 * width, 0.81 * width, width};
+            for (std::size_t i = 1; i < cells.size(); ++i) {
+                const ShapedLine shaped = context_.fonts.shape(cells.at(i), context_.theme.small);
+                set_text(table.marks, shaped, {rights.at(i) - shaped.width, y + 3.2}, colour, "text");
+            }
+            // A long name goes on below.
+            constexpr double first_line = 4.6, further_line = 3.5;
+            const std::vector<ShapedLine> name = context_.fonts.wrap(cells[0], context_.theme.small, 0.42 * width);
+            for (std::size_t i = 0; i < name.size(); ++i)
+                set_text(table.marks, name[i], {0, y + 3.2 + static_cast<double>(i) * further_line}, colour, "text");
+            y += first_line + further_line * static_cast<double>(std::max<std::size_t>(name.size(), 1) - 1);
+        };
+        rule(context_.theme.outline);
+        row({one_piece(say(head_of(0))), one_piece(say(head_of(1))), one_piece(say(head_of(2))),
+             one_piece(say(head_of(3)))},
+            context_.theme.secondary);
+        rule(context_.theme.thin);
+        const Units& units = context_.solution.mechanism.units;
+        for (const ProblemValue& each : context_.solution.problem->values) {
+            const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
+            RichText name = symbol_of(each.symbol);
+            append(name, one_piece("  " + say(spoken(each))));
+            row({name, with_powers(cells.found), with_powers(cells.numeric), with_powers(cells.difference)},
+                context_.theme.text);
+        }
+        rule(context_.theme.outline);
+        table.width = width;
+        table.height = y;
+        const Words heading("Results and numeric check", "Risultati e verifica numerica");
+        all.push_back({fitted(heading_block(context_, width, say(heading))), section, between_sections, true, true});
+        all.push_back({fitted(std::move(table)), section, 0, false});
+        return all;
+    }
+
+    /// Symbol, name and value of what is sought.
+    std::vector<Item> answer_table(std::size_t section) const {
+        std::vector<std::vector<Formula>> rows{
+            {Formula(), Formula::upright(say(head_of(0))), Formula::upright(word("value", context_.language))}};
+        const Units& units = context_.solution.mechanism.units;
+        for (const ProblemValue& each : context_.solution.problem->values) {
+            if (!is_sought(each)) continue;
+            const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
+            Formula symbol;
+            symbol.kind = Formula::Kind::text;
+            symbol.text = symbol_of(each.symbol);
+            rows.push_back({std::move(symbol), Formula::upright(say(spoken(each))), Formula::upright(cells.found)});
+        }
+        const EquationItem table{EquationItem::Kind::table, {}, {}, std::move(rows)};
+        NaturalBlocks natural;
+        std::vector<Item> all{{fitted(heading_block(context_, measure(), word("answers", context_.language))), section,
+                               between_sections, true}};
+        for (Block& line : equation_blocks(context_, {&table, 1}, measure(), natural))
+            all.push_back({fitted(std::move(line)), section, 0, false});
+        if (all.size() > 1) all[1].holds_next = true;
+        return all;
+    }
+
+    std::vector<Item> remarks(std::size_t section) const {
+        std::vector<Item> all;
+        if (context_.solution.problem->remarks.empty()) return all;
+        all.push_back({fitted(heading_block(context_, measure(), word("remarks", context_.language))), section,
+                       between_sections, true});
+        for (const Words& each : context_.solution.problem->remarks)
+            all.push_back({sentence(each, measure()), section, 0, false});
+        return all;
+    }
+
+    Block figure_block(const ProblemFigure& wanted, double width, double height) {
+        Figure figure = wanted.draw(width, height - 9);
+        Block block;
+        const double caption = set_caption(block.marks, context_, figure, ++figures_, {0, 0}, width);
+        figure.move(0.5 * (width - figure.box.width()) - figure.box.min.x, caption - figure.box.min.y);
+        block.marks.insert(block.marks.end(), figure.marks.begin(), figure.marks.end());
+        block.width = width;
+        block.height = caption + figure.box.height() + below_figure;
+        return block;
+    }
+
+    /// A formula under the sentence that announces it, or a table that stays together.
+    Block piece_block(const EquationItem& item, double width) const {
+        constexpr double indent = 5, air = 1.3;
+        if (item.kind == EquationItem::Kind::formula) {
+            Block alone = formula_block(item.formula, context_.fonts, context_.theme.derived, width - indent,
+                                        context_.theme.text);
+            Block block{{}, width, alone.height + air};
+            set(block.marks, std::move(alone), {indent, 0});
+            return block;
+        }
+        Block whole{{}, width, 0};
+        NaturalBlocks once;
+        for (Block& line : equation_blocks(context_, {&item, 1}, width, once)) {
+            const double height = line.height;
+            set(whole.marks, std::move(line), {0, whole.height});
+            whole.height += height;
+        }
+        return whole;
+    }
+
+    /// Prose, and its equations on lines of their own.
+    Block sentence(const Words& words, double width) const {
+        const std::string text = say(words);
+        Block block;
+        for (std::size_t from = 0; from <= text.size();) {
+            const std::size_t to = std::min(text.find('\n', from), text.size());
+            const bool is_equation = from > 0;
+            const Block line = paragraph_block(context_, width, formula(text.substr(from, to - from)),
+                                               is_equation ? equation_indent : 0, "");
+            set(block.marks, line, {0, block.height + (is_equation ? 0.6 : 0)});
+            block.height += line.height + (is_equation ? 0.6 : 0);
+            from = to + 1;
+        }
+        block.width = width;
+        block.height += 0.9;
+        return fitted(std::move(block));
+    }
+
+    DrawingContext context_;
+    SheetFormat format_;
+    int figures_before_;
+    std::vector<ProblemSection> sections_;
+    int figures_ = 0;
+};
+
+class ProblemSheet : ProblemItems {
+public:
+    ProblemSheet(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
+        : ProblemItems(solution, options, fonts),
+          signature_{options.author, options.date},
+          before_{options.pages_before},
+          after_{options.pages_after} {}
 
     std::vector<Page> pages() {
         // The tallest figures that need no more pages than the smallest; the results in a column of their own where
@@ -154,176 +341,6 @@ private:
             pages.push_back(framed_page(context_, format_, signature_, sheets[i], std::nullopt, before_ + i + 1,
                                         before_ + sheets.size() + after_, before_ + i == 0));
         return pages;
-    }
-    const std::string& say(const Words& words) const { return in(words, context_.language); }
-    /// Type is set for the paper's size.
-    Block fitted(Block block) const { return scaled(std::move(block), format_.text_size); }
-    double measure() const { return format_.measure / format_.text_size; }
-
-    /// Whether the file asks for it; all is sought where it asks for nothing by name.
-    bool is_sought(const ProblemValue& value) const {
-        const auto& asked = asked_of(context_.solution.mechanism);
-        const auto is_it = [&](const AskedResult& other) { return other.name == value.name.en; };
-        return asked.empty() || std::any_of(asked.begin(), asked.end(), is_it);
-    }
-
-    // --- what stands there
-    // ------------------------------------------------------------------------------------------------------
-    std::vector<Item> items(double figure_height) {
-        figures_ = figures_before_;
-        std::vector<Item> all;
-        for (std::size_t s = 0; s < sections_.size(); ++s) {
-            // The results come before what is only assumed.
-            if (sections_[s].question == "hypotheses") add(all, results(s));
-            add(all, this->section(s, figure_height));
-        }
-        add(all, remarks(sections_.size()));
-        return all;
-    }
-    std::vector<Item> section(std::size_t s, double figure_height) {
-        const ProblemSection& section = sections_[s];
-        std::vector<Item> all{
-            {fitted(heading_block(context_, measure(), say(section.heading))), s, between_sections, true}};
-        for (const ProblemFigure& figure : section.figures)
-            all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
-        const auto add_pieces = [&](std::size_t after) {
-            for (const PieceAfter& piece : section.pieces) {
-                // What announces a formula stays with it.
-                if (piece.after != after) continue;
-                if (!all.empty() && after > 0) all.back().holds_next = true;
-                all.push_back({fitted(piece_block(piece.item, measure())), s, 0, false});
-            }
-        };
-        add_pieces(0);
-        for (std::size_t k = 0; k < section.sentences.size(); ++k) {
-            all.push_back({sentence(section.sentences[k], measure()), s, 0, false});
-            add_pieces(k + 1);
-        }
-        return all;
-    }
-    static void add(std::vector<Item>& to, std::vector<Item> more) {
-        for (Item& each : more) to.push_back(std::move(each));
-    }
-    Block figure_block(const ProblemFigure& wanted, double width, double height) {
-        Figure figure = wanted.draw(width, height - 9);
-        Block block;
-        const double caption = set_caption(block.marks, context_, figure, ++figures_, {0, 0}, width);
-        figure.move(0.5 * (width - figure.box.width()) - figure.box.min.x, caption - figure.box.min.y);
-        block.marks.insert(block.marks.end(), figure.marks.begin(), figure.marks.end());
-        block.width = width;
-        block.height = caption + figure.box.height() + below_figure;
-        return block;
-    }
-    /// A formula under the sentence that announces it, or a table that stays together.
-    Block piece_block(const EquationItem& item, double width) const {
-        constexpr double indent = 5, air = 1.3;
-        if (item.kind == EquationItem::Kind::formula) {
-            Block alone = formula_block(item.formula, context_.fonts, context_.theme.derived, width - indent,
-                                        context_.theme.text);
-            Block block{{}, width, alone.height + air};
-            set(block.marks, std::move(alone), {indent, 0});
-            return block;
-        }
-        Block whole{{}, width, 0};
-        NaturalBlocks once;
-        for (Block& line : equation_blocks(context_, {&item, 1}, width, once)) {
-            const double height = line.height;
-            set(whole.marks, std::move(line), {0, whole.height});
-            whole.height += height;
-        }
-        return whole;
-    }
-    /// Prose, and its equations on lines of their own.
-    Block sentence(const Words& words, double width) const {
-        const std::string text = say(words);
-        Block block;
-        for (std::size_t from = 0; from <= text.size();) {
-            const std::size_t to = std::min(text.find('\n', from), text.size());
-            const bool is_equation = from > 0;
-            const Block line = paragraph_block(context_, width, formula(text.substr(from, to - from)),
-                                               is_equation ? equation_indent : 0, "");
-            set(block.marks, line, {0, block.height + (is_equation ? 0.6 : 0)});
-            block.height += line.height + (is_equation ? 0.6 : 0);
-            from = to + 1;
-        }
-        block.width = width;
-        block.height += 0.9;
-        return fitted(std::move(block));
-    }
-
-    std::vector<Item> results(std::size_t section) const {
-        std::vector<Item> all;
-        Block table;
-        const double width = measure();
-        double y = 0;
-        const auto rule = [&](double weight) {
-            table.marks.emplace_back(line({0, y}, {width, y}, {weight, context_.theme.text, {}, false}));
-            y += 1;
-        };
-        const auto row = [&](const std::array<RichText, 4>& cells, Colour colour) {
-            const std::array<double, 4> rights{0, 0.62 * width, 0.81 * width, width};
-            for (std::size_t i = 1; i < cells.size(); ++i) {
-                const ShapedLine shaped = context_.fonts.shape(cells.at(i), context_.theme.small);
-                set_text(table.marks, shaped, {rights.at(i) - shaped.width, y + 3.2}, colour, "text");
-            }
-            // A long name goes on below.
-            constexpr double first_line = 4.6, further_line = 3.5;
-            const std::vector<ShapedLine> name = context_.fonts.wrap(cells[0], context_.theme.small, 0.42 * width);
-            for (std::size_t i = 0; i < name.size(); ++i)
-                set_text(table.marks, name[i], {0, y + 3.2 + static_cast<double>(i) * further_line}, colour, "text");
-            y += first_line + further_line * static_cast<double>(std::max<std::size_t>(name.size(), 1) - 1);
-        };
-        rule(context_.theme.outline);
-        row({one_piece(say(head_of(0))), one_piece(say(head_of(1))), one_piece(say(head_of(2))),
-             one_piece(say(head_of(3)))},
-            context_.theme.secondary);
-        rule(context_.theme.thin);
-        const Units& units = context_.solution.mechanism.units;
-        for (const ProblemValue& each : context_.solution.problem->values) {
-            const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
-            RichText name = symbol_of(each.symbol);
-            append(name, one_piece("  " + say(spoken(each))));
-            row({name, with_powers(cells.found), with_powers(cells.numeric), with_powers(cells.difference)},
-                context_.theme.text);
-        }
-        rule(context_.theme.outline);
-        table.width = width;
-        table.height = y;
-        const Words heading("Results and numeric check", "Risultati e verifica numerica");
-        all.push_back({fitted(heading_block(context_, width, say(heading))), section, between_sections, true, true});
-        all.push_back({fitted(std::move(table)), section, 0, false});
-        return all;
-    }
-    /// Symbol, name and value of what is sought.
-    std::vector<Item> answer_table(std::size_t section) const {
-        std::vector<std::vector<Formula>> rows{
-            {Formula(), Formula::upright(say(head_of(0))), Formula::upright(word("value", context_.language))}};
-        const Units& units = context_.solution.mechanism.units;
-        for (const ProblemValue& each : context_.solution.problem->values) {
-            if (!is_sought(each)) continue;
-            const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
-            Formula symbol;
-            symbol.kind = Formula::Kind::text;
-            symbol.text = symbol_of(each.symbol);
-            rows.push_back({std::move(symbol), Formula::upright(say(spoken(each))), Formula::upright(cells.found)});
-        }
-        const EquationItem table{EquationItem::Kind::table, {}, {}, std::move(rows)};
-        NaturalBlocks natural;
-        std::vector<Item> all{{fitted(heading_block(context_, measure(), word("answers", context_.language))), section,
-                               between_sections, true}};
-        for (Block& line : equation_blocks(context_, {&table, 1}, measure(), natural))
-            all.push_back({fitted(std::move(line)), section, 0, false});
-        if (all.size() > 1) all[1].holds_next = true;
-        return all;
-    }
-    std::vector<Item> remarks(std::size_t section) const {
-        std::vector<Item> all;
-        if (context_.solution.problem->remarks.empty()) return all;
-        all.push_back({fitted(heading_block(context_, measure(), word("remarks", context_.language))), section,
-                       between_sections, true});
-        for (const Words& each : context_.solution.problem->remarks)
-            all.push_back({sentence(each, measure()), section, 0, false});
-        return all;
     }
 
     // --- where it stands
@@ -422,13 +439,8 @@ private:
         return marks;
     }
 
-    DrawingContext context_;
-    SheetFormat format_;
     Signature signature_;
     std::size_t before_, after_;  // pages of the same sheet
-    int figures_before_;
-    std::vector<ProblemSection> sections_;
-    int figures_ = 0;
 };
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "render/problems/problem_sheet.hpp"
 #include "render/scene/loads_alone.hpp"
 #include "render/scene/sentences.hpp"
+#include "render/sheet/statement_figures.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"
 
@@ -99,6 +100,32 @@ struct Contents {
     }
 };
 
+/// Lengths that statements read off the mechanism.
+std::vector<Mark> segments_read(const DrawingContext& context, const std::vector<StatementIndex>& statements,
+                                const Figure& mechanism) {
+    std::vector<Mark> marks;
+    const Solution& solution = context.solution;
+    if (mechanism.kind != "mechanism" || !(mechanism.scale > 0)) return marks;
+    const auto spot = [&](PointIndex point) {
+        const Vector& at = solution.pose.at(point);
+        return mechanism.origin + (1 / mechanism.scale) * Spot{at.x.to_double(), -at.y.to_double()};
+    };
+    for (const StatementIndex index : statements)
+        for (const Argument& argument : solution.protocol.statements[at_index(index)].message.arguments) {
+            const auto* segment = std::get_if<kinegraph::Segment>(&argument);
+            const auto from = segment ? solution.mechanism.point_named(segment->from) : std::nullopt;
+            const auto to = segment ? solution.mechanism.point_named(segment->to) : std::nullopt;
+            if (!from || !to) continue;
+            const Spot a = spot(*from), b = spot(*to);
+            constexpr double pin = 1.8;
+            if (length(b - a) < 3 * pin) continue;
+            const Spot along = unit(b - a);
+            marks.emplace_back(
+                line(a + pin * along, b - pin * along, {context.theme.link, context.theme.accent, {}, false}));
+        }
+    return marks;
+}
+
 class StepPages {
 public:
     StepPages(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
@@ -108,6 +135,7 @@ public:
           signature_{options.author, options.date},
           after_(options.pages_after),
           wanted_(context_, false),
+          shown_by_(solution, wanted_),
           prose_theme_(options.theme),
           prose_context_{solution, prose_theme_, fonts, options.language, options.dimensions},
           beside_context_(context_) {
@@ -160,44 +188,13 @@ private:
 
     const Statement& statement(StatementIndex index) const { return statements()[at_index(index)]; }
     const std::vector<Statement>& statements() const { return solution_.protocol.statements; }
-    bool is_wanted(const std::string& name) const {
-        return std::any_of(wanted_.list.begin(), wanted_.list.end(),
-                           [&](const Wanted& each) { return each.name == name; });
-    }
 
     // --- what belongs to which page
     // ------------------------------------------------------------------------------------------
 
     void collect() {
         page_of_.assign(statements().size(), 0);
-        std::map<StatementIndex, int> polygon_of;
-        const auto note = [&](StatementIndex statement, int polygon) {
-            if (statement != none && polygon >= 0) polygon_of.emplace(statement, polygon);
-        };
-        for (const DrawnVector& vector : solution_.protocol.vectors) note(vector.statement, vector.polygon);
-        for (const DrawnLine& line : solution_.protocol.lines) note(line.statement, line.polygon);
-        std::map<Topic, std::string> last_in;  // figure by section
-        for (const StatementIndex i : in_order()) {
-            const Statement& statement = this->statement(i);
-            std::string figure;
-            const auto found = polygon_of.find(i);
-            if (is_truss() && statement.section == Topic::forces)
-                figure = figure_of_truss(i, found == polygon_of.end() ? -1 : found->second);
-            else if (statement.section == Topic::forces)
-                figure = figure_of_forces(i);
-            else if (statement.section == Topic::curvature)
-                figure = "curvature-" + solution_.mechanism.body(statement.bodies.front()).name;
-            else if (found != polygon_of.end() && is_plane_of_motion(found->second))
-                figure = solution_.protocol.polygons[static_cast<std::size_t>(found->second)].id;
-            else if (statement.section == Topic::centres || statement.message.sentence == Sentence::second_way)
-                figure = "centres";
-            else
-                figure = last_in[statement.section];
-            if (figure.empty()) figure = first_polygon_of(statement.section);
-            if (!is_wanted(figure)) figure = "mechanism";
-            if (statement.message.sentence != Sentence::second_way) last_in[statement.section] = figure;
-            add(i, figure);
-        }
+        for (const auto& [statement, figure] : shown_by_.all()) add(statement, figure);
         for (std::size_t s = 0; s < steps_.size(); ++s)
             for (const StatementIndex statement : steps_[s].statements) page_of_[at_index(statement)] = s;
         for (const Wanted& wanted : wanted_.list) {
@@ -207,59 +204,6 @@ private:
             steps_.push_back(std::move(joined));
         }
         if (steps_.empty()) steps_.push_back({"mechanism", Topic::unnamed, {}, {}, 0, false, true});
-    }
-    /// Statements section by section, as each section is opened: a sliding told after the centres stands with its
-    /// polygon. What is found a second time comes after the section that has found it.
-    std::vector<StatementIndex> in_order() const {
-        std::vector<Topic> sections;
-        for (const Statement& statement : statements())
-            if (std::find(sections.begin(), sections.end(), statement.section) == sections.end())
-                sections.push_back(statement.section);
-        std::vector<StatementIndex> order;
-        for (const Topic section : sections)
-            for (const bool again : {false, true})
-                for (const StatementIndex i : indices_of(statements()))
-                    if (statement(i).section == section &&
-                        (statement(i).message.sentence == Sentence::second_way) == again)
-                        order.push_back(i);
-        return order;
-    }
-    /// Under all loads, or under those that act alone.
-    std::string figure_of_forces(StatementIndex statement) const {
-        const Solution& solution = wanted_.context_at(statement).solution;
-        const std::string load = load_at(statement);
-        if (solution_.superposition && solution_.superposition->statement == statement)
-            return is_wanted("sums") ? "sums" : "forces";
-        if (is_wanted("forces" + load) && completes_a_polygon(solution, statement)) return "forces" + load;
-        return load.empty() ? "lines-of-action" : "lines" + load;
-    }
-    /// `polygon`: in which it draws; −1: in none.
-    std::string figure_of_truss(StatementIndex statement, int polygon) const {
-        for (const TakenTogether& together : solution_.taken_together)
-            if (together.statement == statement) return render::name_of(solution_, together);
-        return polygon >= 0 && polygon == solution_.truss->polygon ? "cremona" : "truss";
-    }
-    /// "-load-3"; empty: all loads.
-    std::string load_at(StatementIndex statement) const {
-        const auto part = part_of(solution_, statement);
-        return part ? "-load-" + render::name_of(solution_.mechanism, solution_.superposition->parts[*part]) : "";
-    }
-    static bool completes_a_polygon(const Solution& solution, StatementIndex statement) {
-        const auto closes = [&](const auto& each) { return each.statement == statement; };
-        return std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(),
-                           [&](const FreeBody& body) { return has_force_polygon(solution, body) && closes(body); }) ||
-               std::any_of(solution.taken_together.begin(), solution.taken_together.end(), closes);
-    }
-    /// Its bars are not cut free one by one.
-    bool is_truss() const { return solution_.truss && solution_.free_bodies.empty(); }
-    bool is_plane_of_motion(int polygon) const {
-        return solution_.protocol.polygons[static_cast<std::size_t>(polygon)].plane != Plane::force;
-    }
-    std::string first_polygon_of(Topic section) const {
-        for (const Polygon& polygon : solution_.protocol.polygons)
-            if (polygon.plane == (section == Topic::acceleration ? Plane::acceleration : Plane::velocity))
-                return polygon.id;
-        return "";
     }
 
     /// A statement has a page of its own where it draws or points at something; else it stands with the one before it
@@ -280,7 +224,7 @@ private:
                   false};
         const Contents contents(large(figure).figure.marks), beside(small(step).marks);
         step.draws = contents.statements.contains(index) || beside.statements.contains(index) ||
-                     !contents.found(cited({index})).empty();
+                     !contents.found(names_cited(solution_, {index}, context_.language)).empty();
         // Loads that act alone begin anew.
         const bool begins = statement.message.sentence == Sentence::superposition;
         if (steps_.empty() || begins || steps_.back().section != step.section ||
@@ -325,17 +269,6 @@ private:
         return found;
     }
 
-    /// What the statements name, as `data-name` has it and as the figures write it.
-    std::set<std::string> cited(const std::vector<StatementIndex>& indices) const {
-        std::set<std::string> names;
-        for (const StatementIndex index : indices)
-            for (const Argument& argument : statement(index).message.arguments)
-                if (const auto* symbol = std::get_if<Symbol>(&argument)) {
-                    names.insert(name_of(*symbol));
-                    names.insert(plain(typeset(*symbol, context_.language)));
-                }
-        return names;
-    }
     // --- figures
     // -------------------------------------------------------------------------------------------------------------
 
@@ -379,7 +312,7 @@ private:
         std::string name = itself ? "" : "mechanism";
         if (step.figure == "centres")
             name = "circle-diagram";
-        else if (step.figure == "cremona" || (!itself && is_truss() && step.section == Topic::forces))
+        else if (step.figure == "cremona" || (!itself && shown_by_.is_truss() && step.section == Topic::forces))
             name = "truss";
         else if (!itself && step.figure.starts_with("forces-load-"))
             name = "lines" + step.figure.substr(std::string_view("forces").size());
@@ -412,10 +345,10 @@ private:
         std::set<std::string> names;
         std::vector<Mark> segments;
         if (!adds) {
-            names = cited(step.statements);
+            names = names_cited(solution_, step.statements, context_.language);
             const std::set<std::string> found =
                 Contents(revealed(placed.figure.marks, page_of_, index, theme)).found(names);
-            segments = segments_read(step, beside.kind == "mechanism" ? beside : placed.figure);
+            segments = segments_read(context_, step.statements, beside.kind == "mechanism" ? beside : placed.figure);
             if (found.empty() && segments.empty()) names.merge(groups_shown(step));
             names.insert(found.begin(), found.end());
         }
@@ -443,58 +376,14 @@ private:
         return framed_page(context_, format_, signature_, std::move(marks), scale_of_mechanism, index + 1,
                            steps_.size() + after_);
     }
-    /// Lengths that a page reads off the mechanism.
-    std::vector<Mark> segments_read(const Step& step, const Figure& mechanism) const {
-        std::vector<Mark> marks;
-        if (mechanism.kind != "mechanism" || !(mechanism.scale > 0)) return marks;
-        const auto spot = [&](PointIndex point) {
-            const Vector& at = solution_.pose.at(point);
-            return mechanism.origin + (1 / mechanism.scale) * Spot{at.x.to_double(), -at.y.to_double()};
-        };
-        for (const StatementIndex index : step.statements)
-            for (const Argument& argument : statement(index).message.arguments) {
-                const auto* segment = std::get_if<kinegraph::Segment>(&argument);
-                const auto from = segment ? solution_.mechanism.point_named(segment->from) : std::nullopt;
-                const auto to = segment ? solution_.mechanism.point_named(segment->to) : std::nullopt;
-                if (!from || !to) continue;
-                const Spot a = spot(*from), b = spot(*to);
-                constexpr double pin = 1.8;
-                if (length(b - a) < 3 * pin) continue;
-                const Spot along = unit(b - a);
-                marks.emplace_back(
-                    line(a + pin * along, b - pin * along, {context_.theme.link, context_.theme.accent, {}, false}));
-            }
-        return marks;
-    }
     /// The same as a figure has them that shows the loads of one body alone.
     std::set<std::string> groups_shown(const Step& step) const {
-        std::set<std::string> groups = groups_spoken_of(step.statements);
-        const std::string load = step.statements.empty() ? "" : load_at(step.statements.front());
+        std::set<std::string> groups = groups_spoken_of(solution_, step.statements);
+        const std::string load = step.statements.empty() ? "" : shown_by_.load_at(step.statements.front());
         if (load.empty()) return groups;
         std::set<std::string> alone;
         for (const std::string& group : groups) alone.insert(legal_id(load.substr(1)) + "-" + group);
         return alone;
-    }
-    /// Ids of the groups of the mechanism's bodies that the statements name, or else of the joints.
-    std::set<std::string> groups_spoken_of(const std::vector<StatementIndex>& indices) const {
-        std::set<std::string> links, joints;
-        const Mechanism& mechanism = solution_.mechanism;
-        for (const StatementIndex index : indices) {
-            const Message& message = statement(index).message;
-            for (const BodyIndex body : statement(index).bodies)
-                links.insert("link-" + legal_id(mechanism.bodies[at_index(body)].name));
-            for (const Argument& argument : message.arguments) {
-                if (const auto* body = std::get_if<BodyName>(&argument)) links.insert("link-" + legal_id(body->name));
-                const auto* symbol = std::get_if<Symbol>(&argument);
-                if (symbol && (symbol->letter == Symbol::Letter::omega || symbol->letter == Symbol::Letter::alpha))
-                    links.insert("link-" + legal_id(symbol->about));
-                const auto* point = std::get_if<PointName>(&argument);
-                for (const Joint& joint : mechanism.joints)
-                    if (point && mechanism.points[at_index(joint.point)].name == point->name)
-                        joints.insert("joint-" + legal_id(joint.name));
-            }
-        }
-        return links.empty() ? joints : links;
     }
     std::string heading_of(const Step& step) const {
         if (step.section == Topic::unnamed) return word("steps", context_.language);
@@ -509,6 +398,7 @@ private:
     Signature signature_;
     std::size_t after_;  // pages bound with these
     WantedFigures wanted_;
+    StatementFigures shown_by_;
     Theme prose_theme_;
     DrawingContext prose_context_, beside_context_;
     Box large_, small_, prose_;

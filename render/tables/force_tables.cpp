@@ -9,9 +9,7 @@
 
 #include "engine/number/assert.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/polygon_scene.hpp"
 #include "render/tables/checked_numbers.hpp"
-#include "render/tables/long_names.hpp"
 #include "render/tables/truss_table.hpp"
 #include "render/text/joined_names.hpp"
 
@@ -24,12 +22,6 @@ std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
 
 const std::string& body_name(const Mechanism& mechanism, BodyIndex body) {
     return mechanism.bodies[at_index(body)].name;
-}
-/// "1 frame"; its name alone where that says so itself.
-std::string frame_name(const Mechanism& mechanism, Language language) {
-    const std::string& name = body_name(mechanism, frame);
-    const bool says_so = name == word("frame", Language::en) || name == word("frame", Language::it);
-    return says_so ? name : name + " " + word("frame", language);
 }
 RichText point(const Mechanism& mechanism, PointIndex p, Language language) {
     return typeset(Symbol{Symbol::Letter::point, mechanism.points[at_index(p)].name, ""}, language);
@@ -107,6 +99,133 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     return std::nullopt;
 }
 
+/// Forces of one direction are found by moments: no triangle to be closed.
+bool are_parallel(const Solution& solution, const FreeBody& body) {
+    return std::all_of(body.forces.begin(), body.forces.end(), [&](const AppliedForce& each) {
+        const Vector& first = body.forces.front().force;
+        return std::abs(cross(each.force, first).to_double()) <=
+               least_share(solution.pose, 0) * kinegraph::length(each.force) * kinegraph::length(first);
+    });
+}
+
+/// A force of the equation with what is known of it.
+struct EquationColumn {
+    ShapedLine symbol, line;
+    bool magnitude = false, direction = true;
+    double width = 0, middle = 0;
+};
+
+EquationColumn equation_column(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied,
+                               const Symbol& symbol) {
+    EquationColumn column;
+    column.magnitude = is_load(applied.kind);
+    if (applied.kind == ForceKind::reaction)
+        if (const FreeBody* other = opposite(context.solution, body, applied)) column.magnitude = other < &body;
+    // A hinge whose line nothing gave: both are sought, the polygon has them at once.
+    const std::optional<RichText> line = line_of(context, body, applied);
+    column.direction = column.magnitude || applied.kind != ForceKind::reaction || line;
+    column.symbol = context.fonts.shape(typeset(symbol, context.language), context.theme.equation);
+    column.line =
+        context.fonts.shape(line ? *line : one_piece(word("any line", context.language)), context.theme.small);
+    column.width = std::max({9.0, column.symbol.width + 2, column.line.width + 2.4});
+    return column;
+}
+
+/// In the order of the polygon; nothing where a side of it is no force of the body, or where there are more forces or
+/// unknowns than one polygon gives.
+std::optional<std::vector<EquationColumn>> equation_columns(const DrawingContext& context, const FreeBody& body) {
+    const Protocol& protocol = context.solution.protocol;
+    std::vector<EquationColumn> columns;
+    int sought = 0;
+    for (const int index : protocol.polygons[at_index(body.polygon)].vectors) {
+        const DrawnVector& vector = protocol.vectors[at_index(index)];
+        const auto applied = std::find_if(body.forces.begin(), body.forces.end(), [&](const AppliedForce& each) {
+            return !each.force.is_zero() && quantity_of(body, each) == vector.quantity;
+        });
+        if (applied == body.forces.end()) return std::nullopt;
+        columns.push_back(equation_column(context, body, *applied, vector.symbol));
+        sought += (columns.back().magnitude ? 0 : 1) + (columns.back().direction ? 0 : 1);
+    }
+    if (columns.size() < 3 || columns.size() > 5 || sought > 2) return std::nullopt;
+    return columns;
+}
+
+constexpr std::array<const char*, 3> equation_rows{"magnitude", "direction", "line"};
+
+/// The equation F_g + F_01 + F_21 = 0, and below it the rows of what is known of each force.
+class ForceEquation {
+public:
+    ForceEquation(const DrawingContext& context, std::vector<EquationColumn> columns, bool with_names)
+        : theme_(context.theme), fonts_(context.fonts), columns_(std::move(columns)), with_names_(with_names) {
+        for (std::size_t i = 0; i < equation_rows.size() && with_names; ++i) {
+            names_[i] = fonts_.shape(one_piece(word(equation_rows[i], context.language)), theme_.small);
+            right_ = std::max(right_, names_[i].width + 1.8);
+        }
+        for (EquationColumn& column : columns_) {
+            if (&column != &columns_.front()) right_ += 2.4;
+            column.middle = right_ + column.width / 2;
+            right_ += column.width;
+        }
+    }
+
+    Block drawn(Colour letters) {
+        put_equation(letters);
+        put_rows();
+        return std::move(block_);
+    }
+
+private:
+    void centred(const ShapedLine& shaped, double middle, double baseline, Colour colour) {
+        set_text(block_.marks, shaped, {middle - shaped.width / 2, baseline}, colour, "text");
+    }
+    void put_rule(double y) {
+        block_.marks.emplace_back(line({0, y}, {block_.width, y}, {theme_.thin, theme_.text, {}, false}));
+    }
+
+    void put_equation(Colour letters) {
+        const ShapedLine plus = fonts_.shape(one_piece("+"), theme_.equation),
+                         zero = fonts_.shape(one_piece("= 0"), theme_.equation);
+        constexpr double baseline = 4.6;
+        double before = 0;
+        for (const EquationColumn& column : columns_) {
+            if (&column != &columns_.front())
+                centred(plus, 0.5 * (before + column.middle - column.symbol.width / 2), baseline, theme_.text);
+            centred(column.symbol, column.middle, baseline, letters);
+            before = column.middle + column.symbol.width / 2;
+        }
+        set_text(block_.marks, zero, {before + 1.8, baseline}, theme_.text, "text");
+        block_.width = std::max(right_, before + 1.8 + zero.width);
+    }
+
+    void put_rows() {
+        const ShapedLine tick = fonts_.shape(one_piece("✓"), 10),
+                         question = fonts_.shape(one_piece("?", Face::bold), 10);
+        constexpr double top = 6.6;
+        put_rule(top);
+        double baseline = top;
+        for (std::size_t row = 0; row < equation_rows.size(); ++row) {
+            baseline = top + 3.4 + 4.1 * static_cast<double>(row);
+            if (with_names_) set_text(block_.marks, names_[row], {0, baseline}, theme_.secondary, "text");
+            for (const EquationColumn& column : columns_)
+                if (row == 2)
+                    centred(column.line, column.middle, baseline, theme_.secondary);
+                else
+                    centred((row == 0 ? column.magnitude : column.direction) ? tick : question, column.middle, baseline,
+                            theme_.text);
+        }
+        block_.height = baseline + 1.8;
+        put_rule(block_.height);
+    }
+
+    const Theme& theme_;
+    const Fonts& fonts_;
+    std::vector<EquationColumn> columns_;
+    bool with_names_;
+    std::array<ShapedLine, 3> names_;
+    double right_ = 0;
+    Block block_;
+};
+
 std::optional<Measured> measured(const std::vector<Figure>& figures, const std::string& name) {
     std::optional<Measured> longest;  // the first one, or where it has a detail
     for (const Figure& figure : figures) {
@@ -127,9 +246,9 @@ Symbol couple_symbol(const AppliedForce& applied) {
 
 Block force_row_names(const DrawingContext& context) {
     Block block;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const ShapedLine shaped = context.fonts.shape(
-            one_piece(word(std::array{"magnitude", "direction", "line"}[i], context.language)), context.theme.small);
+    for (std::size_t i = 0; i < equation_rows.size(); ++i) {
+        const ShapedLine shaped =
+            context.fonts.shape(one_piece(word(equation_rows[i], context.language)), context.theme.small);
         set_text(block.marks, shaped, {0, 6.6 + 3.4 + 4.1 * static_cast<double>(i)}, context.theme.secondary, "text");
         block.width = std::max(block.width, shaped.width);
     }
@@ -138,91 +257,10 @@ Block force_row_names(const DrawingContext& context) {
 }
 
 Block force_equation_block(const DrawingContext& context, const FreeBody& body, bool with_names) {
-    const Solution& solution = context.solution;
-    const Theme& theme = context.theme;
-    const Language language = context.language;
-    Block block;
-    if (body.polygon < 0 || body.in_parts || is_open(body)) return block;
-    // Forces of one direction are found by moments: no triangle to be closed.
-    const auto is_parallel = [&](const AppliedForce& each) {
-        const Vector& first = body.forces.front().force;
-        return std::abs(cross(each.force, first).to_double()) <=
-               least_share(solution.pose, 0) * kinegraph::length(each.force) * kinegraph::length(first);
-    };
-    if (std::all_of(body.forces.begin(), body.forces.end(), is_parallel)) return block;
-    struct Column {
-        ShapedLine symbol, line;
-        bool magnitude = false, direction = true;
-        double width = 0, middle = 0;
-    };
-    std::vector<Column> columns;
-    int sought = 0;
-    for (const int index : solution.protocol.polygons[at_index(body.polygon)].vectors) {
-        const DrawnVector& vector = solution.protocol.vectors[at_index(index)];
-        const auto applied = std::find_if(body.forces.begin(), body.forces.end(), [&](const AppliedForce& each) {
-            return !each.force.is_zero() && quantity_of(body, each) == vector.quantity;
-        });
-        if (applied == body.forces.end()) return {};
-        Column column;
-        column.magnitude = is_load(applied->kind);
-        if (applied->kind == ForceKind::reaction)
-            if (const FreeBody* other = opposite(solution, body, *applied)) column.magnitude = other < &body;
-        // A hinge whose line nothing gave: both are sought, the polygon has them at once.
-        const std::optional<RichText> line = line_of(context, body, *applied);
-        column.direction = column.magnitude || applied->kind != ForceKind::reaction || line;
-        sought += (column.magnitude ? 0 : 1) + (column.direction ? 0 : 1);
-        column.symbol = context.fonts.shape(typeset(vector.symbol, language), theme.equation);
-        column.line = context.fonts.shape(line ? *line : one_piece(word("any line", language)), theme.small);
-        column.width = std::max({9.0, column.symbol.width + 2, column.line.width + 2.4});
-        columns.push_back(std::move(column));
-    }
-    if (columns.size() < 3 || columns.size() > 5 || sought > 2) return block;
-
-    const ShapedLine tick = context.fonts.shape(one_piece("✓"), 10),
-                     question = context.fonts.shape(one_piece("?", Face::bold), 10),
-                     plus = context.fonts.shape(one_piece("+"), theme.equation),
-                     zero = context.fonts.shape(one_piece("= 0"), theme.equation);
-    std::array<ShapedLine, 3> names;
-    double x = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (!with_names) break;
-        names[i] = context.fonts.shape(one_piece(word(std::array{"magnitude", "direction", "line"}[i], language)),
-                                       theme.small);
-        x = std::max(x, names[i].width + 1.8);
-    }
-    for (Column& column : columns) {
-        if (&column != &columns.front()) x += 2.4;
-        column.middle = x + column.width / 2;
-        x += column.width;
-    }
-    const auto centred = [&](const ShapedLine& shaped, double middle, double baseline, Colour colour) {
-        set_text(block.marks, shaped, {middle - shaped.width / 2, baseline}, colour, "text");
-    };
-    const Colour letters = theme.colour_of(body.body).letter;
-    double baseline = 4.6, before = 0;
-    for (const Column& column : columns) {
-        if (&column != &columns.front())
-            centred(plus, 0.5 * (before + column.middle - column.symbol.width / 2), baseline, theme.text);
-        centred(column.symbol, column.middle, baseline, letters);
-        before = column.middle + column.symbol.width / 2;
-    }
-    set_text(block.marks, zero, {before + 1.8, baseline}, theme.text, "text");
-    block.width = std::max(x, before + 1.8 + zero.width);
-    const double top = 6.6;
-    block.marks.emplace_back(line({0, top}, {block.width, top}, {theme.thin, theme.text, {}, false}));
-    for (std::size_t row = 0; row < 3; ++row) {
-        baseline = top + 3.4 + 4.1 * static_cast<double>(row);
-        if (with_names) set_text(block.marks, names[row], {0, baseline}, theme.secondary, "text");
-        for (const Column& column : columns)
-            if (row == 2)
-                centred(column.line, column.middle, baseline, theme.secondary);
-            else
-                centred((row == 0 ? column.magnitude : column.direction) ? tick : question, column.middle, baseline,
-                        theme.text);
-    }
-    block.height = baseline + 1.8;
-    block.marks.emplace_back(line({0, block.height}, {block.width, block.height}, {theme.thin, theme.text, {}, false}));
-    return block;
+    if (body.polygon < 0 || body.in_parts || is_open(body) || are_parallel(context.solution, body)) return {};
+    std::optional<std::vector<EquationColumn>> columns = equation_columns(context, body);
+    if (!columns) return {};
+    return ForceEquation(context, std::move(*columns), with_names).drawn(context.theme.colour_of(body.body).letter);
 }
 
 const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, const AppliedForce& applied) {
@@ -406,167 +444,6 @@ std::vector<const FreeBody*> closed_by(const Solution& solution, StatementIndex 
     for (const FreeBody& body : solution.free_bodies)
         if (!body.in_parts && body.statement == statement) closed.push_back(&body);
     return closed;
-}
-
-std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
-    const Solution& solution = context.solution;
-    const Mechanism& mechanism = solution.mechanism;
-    const Theme& theme = context.theme;
-    const Language language = context.language;
-    std::vector<Block> lines;
-    if (solution.free_bodies.empty()) return lines;
-    const auto symbol_of = [&](const AppliedForce& applied) {
-        return typeset(applied.force.is_zero() ? couple_symbol(applied) : applied.symbol, language);
-    };
-    const auto joined = [&](const std::vector<RichText>& parts) {
-        RichText all;
-        for (const RichText& part : parts) {
-            if (!all.empty()) append(all, ", ");
-            append(all, part);
-        }
-        return parts.empty() ? one_piece("–") : all;
-    };
-    // As wide as the words ask, and no name takes the room of what acts.
-    constexpr double most_of_name = 0.3;
-    double name_width = context.fonts.shape(one_piece(word("body", language)), theme.small).width,
-           active_width = context.fonts.shape(one_piece(word("active forces", language)), theme.small).width;
-    for (const FreeBody& body : solution.free_bodies) {
-        const std::string name = body.body != none
-                                     ? body_name(mechanism, body.body)
-                                     : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
-        name_width = std::max(name_width, context.fonts.shape(one_piece(name), theme.body_text).width);
-        std::vector<RichText> active;
-        for (const AppliedForce& applied : body.forces)
-            if (applied.kind != ForceKind::reaction && applied.kind != ForceKind::resultant) {
-                active.push_back(symbol_of(applied));
-                if (applied.joint != none) append(active.back(), " (M)");
-            }
-        active_width = std::max(active_width, context.fonts.shape(joined(active), theme.body_text).width);
-    }
-    name_width =
-        std::max(name_width, context.fonts.shape(one_piece(frame_name(mechanism, language)), theme.body_text).width);
-    name_width = std::min(name_width, most_of_name * width);
-    const double active_left = name_width + 4, active_room = std::min(active_width + 0.5, 0.4 * width);
-    const double reactions_left = active_left + active_room + 4;
-    const auto add = [&](const std::string& name, Colour colour, const RichText& active, const RichText& reactions,
-                         bool rule_above) {
-        Block block;
-        if (rule_above) block.marks.emplace_back(line({0, 0}, {width, 0}, {theme.thin, theme.secondary, {}, false}));
-        block.width = width;
-        double deepest = 0;
-        const auto fill = [&](std::vector<ShapedLine> set, double left, Colour letters) {
-            double baseline = 3.6;
-            for (ShapedLine& each : set) {
-                block.width = std::max(block.width, left + each.width);
-                set_text(block.marks, std::move(each), {left, baseline}, letters, "text");
-                baseline += 4.3;
-            }
-            deepest = std::max(deepest, baseline);
-        };
-        const auto broken = [&](const RichText& text, double room) {
-            return lines_in_cell(text, theme.body_text, context.fonts, room);
-        };
-        fill(broken(one_piece(name), name_width), 0, colour);
-        fill(broken(active, active_room), active_left, theme.text);
-        // Reactions that would have to shrink in a narrow column leave it, by which it is known to be too narrow for
-        // the table.
-        constexpr double narrow = 60;
-        const double room = width - reactions_left;
-        fill(width < narrow ? context.fonts.wrap(reactions, theme.body_text, room) : broken(reactions, room),
-             reactions_left, theme.text);
-        block.height = deepest - 3.6 + 0.5;
-        lines.push_back(std::move(block));
-    };
-    {
-        Block head;
-        head.marks.emplace_back(line({0, 0}, {width, 0}, {theme.outline, theme.text, {}, false}));
-        const auto put = [&](const std::string& key, double x) {
-            set_text(head.marks, context.fonts.shape(one_piece(word(key, language)), theme.small), {x, 3.4},
-                     theme.secondary, "text");
-        };
-        put("body", 0);
-        put("active forces", active_left);
-        put("reactions", reactions_left);
-        head.marks.emplace_back(line({0, 4.8}, {width, 4.8}, {theme.thin, theme.text, {}, false}));
-        head.width = width;
-        head.height = 5.0;
-        lines.push_back(std::move(head));
-    }
-    std::vector<RichText> on_frame;
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < solution.free_bodies.size(); ++i) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const auto rank = [&](std::size_t i) {
-            const BodyIndex body = solution.free_bodies[i].body;
-            return std::pair{body == none, body};
-        };
-        return rank(a) < rank(b);
-    });
-    const RichText* example = nullptr;
-    std::pair<BodyIndex, BodyIndex> example_bodies{none, none};
-    std::vector<RichText> kept;
-    kept.reserve(solution.free_bodies.size() * 8);
-    for (const std::size_t i : order) {
-        const FreeBody& body = solution.free_bodies[i];
-        std::vector<RichText> active, reactions;
-        for (const AppliedForce& applied : body.forces) {
-            if (applied.kind == ForceKind::resultant) continue;  // it acts on nothing
-            RichText text = symbol_of(applied);
-            if (applied.kind == ForceKind::reaction && !example && applied.from != none && body.body != none) {
-                kept.push_back(text);
-                example = &kept.back();
-                example_bodies = {applied.from, body.body};
-            }
-            if (applied.joint != none) {
-                append(text, " (");
-                append(text, point(mechanism, mechanism.joints[at_index(applied.joint)].point, language));
-                append(text, ")");
-            }
-            (applied.kind == ForceKind::reaction ? reactions : active).push_back(std::move(text));
-            if (applied.kind == ForceKind::reaction && applied.from == frame && body.body > frame) {
-                const std::string& own = body_name(mechanism, body.body);
-                const std::string& fixed = body_name(mechanism, frame);
-                Symbol back{applied.force.is_zero() ? Symbol::Letter::M : Symbol::Letter::F,
-                            own.size() == 1 && fixed.size() == 1 ? own + fixed : own + "," + fixed,
-                            applied.symbol.term};
-                RichText action = typeset(back, language);
-                append(action, " = −");
-                append(action, symbol_of(applied));
-                on_frame.push_back(std::move(action));
-            }
-        }
-        const std::string name = body.body != none
-                                     ? body_name(mechanism, body.body)
-                                     : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
-        add(name, theme.colour_of(body.body).letter, joined(active), joined(reactions), false);
-    }
-    if (!on_frame.empty())
-        add(frame_name(mechanism, language), theme.secondary, one_piece("–"), joined(on_frame), true);
-    lines.back().marks.emplace_back(line({0, lines.back().height + 0.3}, {width, lines.back().height + 0.3},
-                                         {theme.outline, theme.text, {}, false}));
-    lines.back().height += 0.6;
-    if (example) {
-        std::string words = word("action and reaction", language);
-        const auto fill = [&](const std::string& place, BodyIndex body) {
-            if (const std::size_t found = words.find(place); found != std::string::npos)
-                words.replace(found, place.size(), body_name(mechanism, body));
-        };
-        fill("{0}", example_bodies.first);
-        fill("{1}", example_bodies.second);
-        RichText text = *example;
-        append(text, " " + words);
-        if (!closed_polygons(solution).empty()) append(text, " " + word("internal sides", language));
-        Block note;
-        double baseline = 4.2;
-        for (ShapedLine& each : context.fonts.wrap(text, theme.small, width)) {
-            set_text(note.marks, std::move(each), {0, baseline}, theme.secondary, "text");
-            baseline += 3.9;
-        }
-        note.width = width;
-        note.height = baseline - 3.4;
-        lines.push_back(std::move(note));
-    }
-    return lines;
 }
 
 }  // namespace kinegraph::render

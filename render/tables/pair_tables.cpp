@@ -194,13 +194,22 @@ std::string pair_catalogue(Language language, TextForm form) {
     return page.finish();
 }
 
-std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, const std::vector<Message>& remarks,
-                        Language language, TextForm form) {
-    if (form == TextForm::json) return pair_report_json(mechanism, mobility, remarks);
-    const auto say_word = [&](std::string_view key) { return word(key, language); };
-    Writer page(form);
-    page.title(in(mechanism.title, language));
+namespace {
 
+/// "M: multiplicity 2, 3 equivalent schemes: …".
+std::string multiple_hinge_line(const Joint& joint, const std::vector<std::string>& bodies, Language language) {
+    const auto n = static_cast<int>(bodies.size());
+    std::string line = joint.name + ": " + word("multiplicity", language) + " " + std::to_string(n - 1) + ", " +
+                       schemes_of(n) + " " + word("equivalent schemes", language);
+    constexpr int listed_bodies = 4;  // 16 schemes
+    if (n > listed_bodies) return line;
+    std::string all;
+    for (const BinaryScheme& scheme : binary_schemes(n)) all += (all.empty() ? ": " : ", ") + spelt(scheme, bodies);
+    return line + all;
+}
+
+void write_pairs(Writer& page, const Mechanism& mechanism, Language language) {
+    const auto say_word = [&](std::string_view key) { return word(key, language); };
     page.heading(say_word("pairs"));
     std::vector<Cells> rows{
         {say_word("joint"), say_word("kind of pair"), say_word("bodies of a pair"), say_word("class")}};
@@ -215,37 +224,27 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
         }
         rows.push_back({joint.name, say_word("pair " + std::string(pair.key)), bodies,
                         pair.freedoms() > 0 ? std::to_string(pair.freedoms()) : "–"});
-        if (names.size() < 3) continue;
-        const auto n = static_cast<int>(names.size());
-        std::string line = joint.name + ": " + say_word("multiplicity") + " " + std::to_string(n - 1) + ", " +
-                           schemes_of(n) + " " + say_word("equivalent schemes");
-        constexpr int listed_bodies = 4;  // 16 schemes
-        if (n <= listed_bodies) {
-            std::string all;
-            for (const BinaryScheme& scheme : binary_schemes(n))
-                all += (all.empty() ? ": " : ", ") + spelt(scheme, names);
-            line += all;
-        }
-        multiple.push_back(std::move(line));
+        if (names.size() >= 3) multiple.push_back(multiple_hinge_line(joint, names, language));
     }
     page.table(rows);
-    if (!multiple.empty()) {
-        page.heading(say_word("multiple hinges"));
-        for (const std::string& line : multiple) page.line(line);
-    }
+    if (multiple.empty()) return;
+    page.heading(say_word("multiple hinges"));
+    for (const std::string& line : multiple) page.line(line);
+}
 
-    write_chain(page, mechanism, language);
-
-    const Mobility& m = mobility;
+void write_count(Writer& page, const Mobility& m, Language language) {
     const std::string moving = signed_text(m.bodies - 1), c1 = signed_text(m.class_1), c2 = signed_text(m.class_2),
                       welds = signed_text(m.welds), n = signed_text(m.gruebler);
-    page.heading(say_word("count"));
+    page.heading(word("count", language));
     page.line("n = 3(m − 1) − 2c₁ − c₂" + std::string(m.welds > 0 ? " − 3w" : "") + " = 3·" + moving + " − 2·" + c1 +
               " − " + c2 + (m.welds > 0 ? " − 3·" + welds : "") + " = " + n);
     page.line("n = 3n_c − n₁ − 2n₂ − 3n₃ = 3·" + moving + " − " + c2 + " − 2·" + c1 + " − 3·" + welds + " = " + n);
-    page.note(say_word("symbols of the first count"));
-    page.note(say_word("symbols of the second count"));
+    page.note(word("symbols of the first count", language));
+    page.note(word("symbols of the second count", language));
+}
 
+void write_verdict(Writer& page, const Mobility& m, Language language) {
+    const auto say_word = [&](std::string_view key) { return word(key, language); };
     page.heading(say_word("at this position"));
     const int freedoms = 3 * (m.bodies - 1);
     page.line(say_word("rank") + ": " + std::to_string(freedoms - m.effective) + " = " +
@@ -253,8 +252,21 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
               std::to_string(m.repeated()) + " " + say_word("repeated") + "; " + signed_text(m.effective) + " " +
               say_word(m.effective == 1 ? "effective one" : "effective"));
     page.line(say_word("verdict") + ": " + verdict_words(m, language));
+}
+
+}  // namespace
+
+std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, const std::vector<Message>& remarks,
+                        Language language, TextForm form) {
+    if (form == TextForm::json) return pair_report_json(mechanism, mobility, remarks);
+    Writer page(form);
+    page.title(in(mechanism.title, language));
+    write_pairs(page, mechanism, language);
+    write_chain(page, mechanism, language);
+    write_count(page, mobility, language);
+    write_verdict(page, mobility, language);
     if (!remarks.empty()) {
-        page.heading(say_word("remarks"));
+        page.heading(word("remarks", language));
         for (const Message& remark : remarks) page.line(tell(remark, language));
     }
     return page.finish();

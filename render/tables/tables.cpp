@@ -751,66 +751,85 @@ std::vector<RichText> coincident_points(BodyIndex body, const Solution& solution
     return all;
 }
 
-RichText describe(BodyIndex index, const Solution& solution, Language language) {
-    const Mechanism& mechanism = solution.mechanism;
-    const Body& body = mechanism.bodies[at_index(index)];
+/// What the joints of a body make of it.
+struct RolesOfBody {
     std::vector<PointIndex> hinges;
     bool on_frame = false, slides_on_frame = false, slides = false, carries_guide = false, driven = false;
     bool is_rod = false, is_barrel = false;
+};
+
+RolesOfBody roles_of(BodyIndex index, const Mechanism& mechanism) {
+    RolesOfBody roles;
     for (const Joint& joint : mechanism.joints) {
         const auto found = std::find(joint.bodies.begin(), joint.bodies.end(), index);
         if (found == joint.bodies.end()) continue;
         const bool with_frame = std::find(joint.bodies.begin(), joint.bodies.end(), frame) != joint.bodies.end();
         if (joint.pair().is_hinge()) {
-            hinges.push_back(joint.point);
-            on_frame = on_frame || with_frame;
+            roles.hinges.push_back(joint.point);
+            roles.on_frame = roles.on_frame || with_frame;
         }
         if (joint.pair().is_sleeve()) {
-            slides_on_frame = slides_on_frame || with_frame;
-            (found == joint.bodies.begin() ? slides : carries_guide) = true;
+            roles.slides_on_frame = roles.slides_on_frame || with_frame;
+            (found == joint.bodies.begin() ? roles.slides : roles.carries_guide) = true;
             if (is_cylinder(mechanism.index_of(joint), mechanism))
-                (found == joint.bodies.begin() ? is_rod : is_barrel) = true;
+                (found == joint.bodies.begin() ? roles.is_rod : roles.is_barrel) = true;
         }
-        if (joint.pair().is_slot() && found != joint.bodies.begin()) carries_guide = true;
+        if (joint.pair().is_slot() && found != joint.bodies.begin()) roles.carries_guide = true;
     }
     for (const Driver& driver : mechanism.drivers)
-        if (const auto* spin = std::get_if<SpinDriver>(&driver)) driven = driven || spin->body == index;
+        if (const auto* spin = std::get_if<SpinDriver>(&driver)) roles.driven = roles.driven || spin->body == index;
+    return roles;
+}
 
+/// The key of the word for what textbooks call a body with these roles.
+const char* kind_of_body(BodyIndex index, const RolesOfBody& roles, const Solution& solution) {
+    return solution.mechanism.bodies[at_index(index)].circle ? "disc"
+           : roles.slides_on_frame                           ? "slider"
+           : roles.is_barrel                                 ? "cylinder"
+           : roles.is_rod                                    ? "rod"
+           : roles.carries_guide                             ? "slotted link"
+           : roles.slides                                    ? "sleeve"
+           : roles.on_frame && roles.driven                  ? "crank"
+           : goes_round(index, solution)                     ? "crank"
+           : carries_wheel(index, solution)                  ? "arm"
+           : roles.on_frame && roles.hinges.size() == 2      ? "rocker"
+           : !roles.on_frame && roles.hinges.size() >= 2     ? "coupler"
+                                                             : "link";
+}
+
+/// "80 mm". A length that the file gives shows as given; one that follows, to four digits.
+std::string length_between(PointIndex a, PointIndex b, const Solution& solution, Language language) {
+    const Unit& unit = solution.mechanism.units.length;
+    const Vector between = solution.pose.at(b) - solution.pose.at(a);
+    const double l = length(Spot{(between.x / unit.si).to_double(), (between.y / unit.si).to_double()});
+    const double nice = std::round(l * 1e6) / 1e6;
+    const std::string exact = shortest(nice, language);
+    return (exact.size() <= 6 ? exact : number(l, 4, language)) + " " + unit.symbol;
+}
+
+/// "crank O₂A, 80 mm".
+RichText describe(BodyIndex index, const Solution& solution, Language language) {
+    const Mechanism& mechanism = solution.mechanism;
+    const Body& body = mechanism.bodies[at_index(index)];
+    const RolesOfBody roles = roles_of(index, mechanism);
     RichText text;
     if (!body.label.empty()) {
         append(text, in(body.label, language));
         append(text, " ");
     } else {
-        const char* kind = body.circle                       ? "disc"
-                           : slides_on_frame                 ? "slider"
-                           : is_barrel                       ? "cylinder"
-                           : is_rod                          ? "rod"
-                           : carries_guide                   ? "slotted link"
-                           : slides                          ? "sleeve"
-                           : on_frame && driven              ? "crank"
-                           : goes_round(index, solution)     ? "crank"
-                           : carries_wheel(index, solution)  ? "arm"
-                           : on_frame && hinges.size() == 2  ? "rocker"
-                           : !on_frame && hinges.size() >= 2 ? "coupler"
-                                                             : "link";
-        append(text, word(kind, language) + " ");
+        append(text, word(kind_of_body(index, roles, solution), language) + " ");
     }
-    std::vector<PointIndex> points = hinges;
+    constexpr std::size_t most_points = 6;
+    std::vector<PointIndex> points = roles.hinges;
     for (const PointIndex p : body.points)
-        if (std::find(points.begin(), points.end(), p) == points.end() && points.size() < 6) points.push_back(p);
+        if (std::find(points.begin(), points.end(), p) == points.end() && points.size() < most_points)
+            points.push_back(p);
     RichText joined;
     for (const PointIndex p : points)
         append_point(joined, typeset(Symbol{Symbol::Letter::point, point_name(mechanism, p), ""}, language));
     append(text, joined);
-    if (points.size() == 2 && !slides && !slides_on_frame) {
-        const Unit& unit = mechanism.units.length;
-        const Vector between = solution.pose.at(points[1]) - solution.pose.at(points[0]);
-        const double l = length(Spot{(between.x / unit.si).to_double(), (between.y / unit.si).to_double()});
-        // A length that the file gives shows as given; one that follows, to four digits.
-        const double nice = std::round(l * 1e6) / 1e6;
-        const std::string exact = shortest(nice, language);
-        append(text, ", " + (exact.size() <= 6 ? exact : number(l, 4, language)) + " " + unit.symbol);
-    }
+    if (points.size() == 2 && !roles.slides && !roles.slides_on_frame)
+        append(text, ", " + length_between(points[0], points[1], solution, language));
     for (const RichText& each : coincident_points(index, solution, language)) {
         append(text, ", ");
         append(text, each);

@@ -1593,79 +1593,84 @@ std::string unbroken(std::string unit) {
 /// As symbols are set in the figures, or with names as files and commands spell them.
 enum class Setting { typeset, spelt };
 
-RichText in_a_row(const std::vector<RichText>& members) {
-    RichText text;
-    for (const RichText& member : members) {
-        if (!text.empty()) text.push_back(piece(", "));
-        append(text, member);
+/// Sets an argument of a sentence, each kind as its own overload does.
+class ArgumentSetter {
+public:
+    ArgumentSetter(Language language, Setting setting) : language_(language), setting_(setting) {}
+
+    RichText operator()(const PointName& value) const { return name(value.name); }
+    RichText operator()(const BodyName& value) const {
+        return value.as == BodyName::As::pin ? name(value.name) : RichText{piece(value.name)};
     }
-    return text;
-}
+    RichText operator()(const JointName& value) const {
+        return value.own ? RichText{piece(value.name)} : name(value.name);
+    }
+    RichText operator()(const Count& value) const {
+        return {piece((value.value < 0 ? "−" : "") + std::to_string(std::abs(value.value)))};
+    }
+    RichText operator()(const Symbol& value) const {
+        return setting_ == Setting::spelt ? RichText{piece(name_of(value))} : typeset(value, language_);
+    }
+    RichText operator()(const Names& value) const {
+        return in_a_row(value, [&](const std::string& each) { return name(each); });
+    }
+    RichText operator()(const Symbols& value) const { return in_a_row(value, *this); }
+    RichText operator()(const Ratios& value) const { return in_a_row(value, *this); }
+    RichText operator()(const Ratio& value) const {
+        constexpr int digits = 5;
+        RichText text = (*this)(value.above);
+        text.push_back(piece("/"));
+        append(text, (*this)(value.below));
+        text.push_back(piece(" = " + number(value.value, digits, language_)));
+        return text;
+    }
+    RichText operator()(const kinegraph::Segment& value) const {
+        RichText text = name(value.from);
+        append_point(text, name(value.to));
+        return text;
+    }
+    RichText operator()(const std::string& value) const { return {piece(value)}; }
+    RichText operator()(const Amount& value) const {
+        return {piece(number(value.value, 3, language_) + blank() +
+                      (setting_ == Setting::typeset ? unbroken(value.unit) : value.unit))};
+    }
+    RichText operator()(const RollingLever& value) const {
+        if (value == RollingLever::on_straight) return {piece("r", Face::italic)};
+        return {piece("R" + blank() + "r", Face::italic),
+                piece("/("),
+                piece("R", Face::italic),
+                piece(blank() + (value == RollingLever::outside ? "+" : "−") + blank()),
+                piece("r", Face::italic),
+                piece(")")};
+    }
+    RichText operator()(const LineReason& value) const {
+        RichText text = typeset(value, language_);
+        if (!text.empty() && text.front().text.ends_with(' '))
+            text.front().text.replace(text.front().text.size() - 1, 1, blank());
+        return text;
+    }
+
+private:
+    std::string blank() const { return setting_ == Setting::typeset ? unbroken_blank : " "; }
+    RichText name(const std::string& of) const {
+        return setting_ == Setting::spelt ? RichText{piece(of)} : point_name(of);
+    }
+    template <class Members, class Set>
+    static RichText in_a_row(const Members& members, const Set& set) {
+        RichText text;
+        for (const auto& member : members) {
+            if (!text.empty()) text.push_back(piece(", "));
+            append(text, set(member));
+        }
+        return text;
+    }
+
+    Language language_;
+    Setting setting_;
+};
 
 RichText argument(const Argument& arg, Language language, Setting setting) {
-    const auto name = [&](const std::string& of) {
-        return setting == Setting::spelt ? RichText{piece(of)} : point_name(of);
-    };
-    const std::string blank = setting == Setting::typeset ? unbroken_blank : " ";
-    const auto symbol = [&](const Symbol& of) {
-        return setting == Setting::spelt ? RichText{piece(name_of(of))} : typeset(of, language);
-    };
-    return std::visit(
-        [&](const auto& value) -> RichText {
-            using T = std::decay_t<decltype(value)>;
-            if constexpr (std::is_same_v<T, PointName>) {
-                return name(value.name);
-            } else if constexpr (std::is_same_v<T, BodyName>) {
-                return value.as == BodyName::As::pin ? name(value.name) : RichText{piece(value.name)};
-            } else if constexpr (std::is_same_v<T, JointName>) {
-                return value.own ? RichText{piece(value.name)} : name(value.name);
-            } else if constexpr (std::is_same_v<T, Count>) {
-                return {piece((value.value < 0 ? "−" : "") + std::to_string(std::abs(value.value)))};
-            } else if constexpr (std::is_same_v<T, Symbol>) {
-                return symbol(value);
-            } else if constexpr (std::is_same_v<T, Names>) {
-                std::vector<RichText> members;
-                for (const std::string& each : value) members.push_back(name(each));
-                return in_a_row(members);
-            } else if constexpr (std::is_same_v<T, Ratios>) {
-                std::vector<RichText> members;
-                for (const Ratio& each : value) {
-                    RichText member = symbol(each.above);
-                    member.push_back(piece("/"));
-                    append(member, symbol(each.below));
-                    constexpr int digits = 5;
-                    member.push_back(piece(" = " + number(each.value, digits, language)));
-                    members.push_back(std::move(member));
-                }
-                return in_a_row(members);
-            } else if constexpr (std::is_same_v<T, Symbols>) {
-                std::vector<RichText> members;
-                for (const Symbol& each : value) members.push_back(symbol(each));
-                return in_a_row(members);
-            } else if constexpr (std::is_same_v<T, kinegraph::Segment>) {
-                RichText text = name(value.from);
-                append_point(text, name(value.to));
-                return text;
-            } else if constexpr (std::is_same_v<T, std::string>) {
-                return {piece(value)};
-            } else if constexpr (std::is_same_v<T, Amount>) {
-                return {piece(number(value.value, 3, language) + blank +
-                              (setting == Setting::typeset ? unbroken(value.unit) : value.unit))};
-            } else if constexpr (std::is_same_v<T, RollingLever>) {
-                if (value == RollingLever::on_straight) return {piece("r", Face::italic)};
-                RichText text{piece("R" + blank + "r", Face::italic), piece("/("), piece("R", Face::italic)};
-                text.push_back(piece(blank + (value == RollingLever::outside ? "+" : "−") + blank));
-                text.push_back(piece("r", Face::italic));
-                text.push_back(piece(")"));
-                return text;
-            } else {
-                RichText text = typeset(value, language);
-                if (!text.empty() && text.front().text.ends_with(' '))
-                    text.front().text.replace(text.front().text.size() - 1, 1, blank);
-                return text;
-            }
-        },
-        arg);
+    return std::visit(ArgumentSetter(language, setting), arg);
 }
 
 /// Sorted first: to hold each against each asks more of a compiler than some allow.
@@ -1760,70 +1765,108 @@ bool is_one(const Argument& arg) {
     return false;
 }
 
-void append_words(RichText& to, const RichText& words) { append(to, words); }
+/// A sentence's pattern with its arguments, written stretch by stretch.
+class PatternSetter {
+public:
+    PatternSetter(const std::vector<Argument>& arguments, Language language, Setting setting,
+                  const BeforeLine& before_line)
+        : arguments_(arguments), language_(language), setting_(setting), before_line_(before_line) {}
 
-/// Sets a stretch of a pattern; true where every argument it names is given.
-bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Language language, Setting setting,
-          RichText& to, const BeforeLine& before_line = {}) {
-    bool all_given = true;
-    bool behind_point = false;  // at once: two points name a line
-    std::string plain_text;
-    const auto flush = [&] {
-        if (!plain_text.empty()) to.push_back(piece(plain_text));
-        plain_text.clear();
-    };
-    for (std::size_t i = 0; i < pattern.size();) {
-        if (pattern[i] != '{') behind_point = false;
-        if (pattern[i] == '{') {
-            const auto index = static_cast<std::size_t>(pattern[i + 1] - '0');
-            const std::size_t end = pattern.find('}', i), bar = pattern.find('|', i);
-            const bool given = index < arguments.size() && !is_empty(arguments[index]);
-            if (bar < end) {
-                const std::size_t second = pattern.find('|', bar + 1);
-                plain_text += given && is_one(arguments[index]) ? pattern.substr(bar + 1, second - bar - 1)
-                                                                : pattern.substr(second + 1, end - second - 1);
-            } else if (given) {
-                flush();
-                const auto* line = std::get_if<LineReason>(&arguments[index]);
-                if (line && before_line) to.push_back(piece(before_line(*line)));
-                const bool is_point = std::holds_alternative<PointName>(arguments[index]);
-                (is_point && behind_point ? append_point : append_words)(to,
-                                                                         argument(arguments[index], language, setting));
-                behind_point = is_point;
-                i = end + 1;
-                continue;
-            } else {
-                all_given = false;
-            }
-            i = end + 1;
-        } else if (pattern[i] == '[') {
-            const std::size_t end = pattern.find(']', i);
-            flush();
-            RichText optional_part;
-            if (fill(pattern.substr(i + 1, end - i - 1), arguments, language, setting, optional_part, before_line))
-                append(to, optional_part);
-            i = end + 1;
-        } else if (pattern[i] == '~') {
-            plain_text += setting == Setting::typeset ? unbroken_blank : " ";
-            ++i;
-        } else if (pattern.substr(i).starts_with("ω")) {
-            flush();
-            to.push_back(piece("ω", Face::italic));
-            i += std::string_view("ω").size();
-        } else if (pattern.substr(i).starts_with("α")) {
-            flush();
-            append(to, typeset(Symbol{Symbol::Letter::alpha, "", ""}, language));
-            i += std::string_view("α").size();
-        } else if (pattern.substr(i).starts_with("²") && plain_text.empty() && !to.empty()) {
-            to.back().sup = "2";
-            i += std::string_view("²").size();
-        } else {
-            plain_text += pattern[i++];
+    /// What stands between [ and ] is left out where an argument in it is not given.
+    RichText set(std::string_view pattern) {
+        for (std::size_t i = 0; i < pattern.size();) {
+            const char first = pattern[i];
+            if (first != '{') behind_point_ = false;
+            if (first == '{')
+                i = put_place(pattern, i);
+            else if (first == '[')
+                i = put_optional_part(pattern, i);
+            else
+                i += put_text(pattern.substr(i));
         }
+        flush();
+        return std::move(to_);
     }
-    flush();
-    return all_given;
-}
+    bool all_given() const { return all_given_; }
+
+private:
+    void flush() {
+        if (!plain_text_.empty()) to_.push_back(piece(plain_text_));
+        plain_text_.clear();
+    }
+
+    /// "{0}" or "{0|is|are}" at `begin`; returns where it ends.
+    std::size_t put_place(std::string_view pattern, std::size_t begin) {
+        const auto index = static_cast<std::size_t>(pattern[begin + 1] - '0');
+        const std::size_t end = pattern.find('}', begin), bar = pattern.find('|', begin);
+        const bool given = index < arguments_.size() && !is_empty(arguments_[index]);
+        if (bar < end) {
+            const std::size_t second = pattern.find('|', bar + 1);
+            plain_text_ += given && is_one(arguments_[index]) ? pattern.substr(bar + 1, second - bar - 1)
+                                                              : pattern.substr(second + 1, end - second - 1);
+        } else if (given) {
+            put_argument(arguments_[index]);
+        } else {
+            all_given_ = false;
+        }
+        return end + 1;
+    }
+    void put_argument(const Argument& value) {
+        flush();
+        const auto* line = std::get_if<LineReason>(&value);
+        if (line && before_line_) to_.push_back(piece(before_line_(*line)));
+        const bool is_point = std::holds_alternative<PointName>(value);
+        const RichText text = argument(value, language_, setting_);
+        if (is_point && behind_point_)
+            append_point(to_, text);
+        else
+            append(to_, text);
+        behind_point_ = is_point;
+    }
+
+    std::size_t put_optional_part(std::string_view pattern, std::size_t begin) {
+        const std::size_t end = pattern.find(']', begin);
+        flush();
+        PatternSetter inner(arguments_, language_, setting_, before_line_);
+        const RichText part = inner.set(pattern.substr(begin + 1, end - begin - 1));
+        if (inner.all_given()) append(to_, part);
+        return end + 1;
+    }
+
+    /// Returns how many bytes of `rest` were set.
+    std::size_t put_text(std::string_view rest) {
+        constexpr std::string_view omega = "ω", alpha = "α", squared = "²";
+        if (rest.starts_with('~')) {
+            plain_text_ += setting_ == Setting::typeset ? unbroken_blank : " ";
+            return 1;
+        }
+        if (rest.starts_with(omega)) {
+            flush();
+            to_.push_back(piece(omega, Face::italic));
+            return omega.size();
+        }
+        if (rest.starts_with(alpha)) {
+            flush();
+            append(to_, typeset(Symbol{Symbol::Letter::alpha, "", ""}, language_));
+            return alpha.size();
+        }
+        if (rest.starts_with(squared) && plain_text_.empty() && !to_.empty()) {
+            to_.back().sup = "2";
+            return squared.size();
+        }
+        plain_text_ += rest.front();
+        return 1;
+    }
+
+    const std::vector<Argument>& arguments_;
+    Language language_;
+    Setting setting_;
+    BeforeLine before_line_;
+    bool all_given_ = true;
+    bool behind_point_ = false;  ///< at once: two points name a line
+    std::string plain_text_;
+    RichText to_;
+};
 
 std::string superscript(int value) {
     static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -1937,8 +1980,8 @@ bool is_all_zero(std::string_view decimal) {
 
 RichText say(const Message& message, Language language) { return say(message, language, {}); }
 RichText say(const Message& message, Language language, const BeforeLine& before_line) {
-    RichText text;
-    fill(pattern_of(message, language), message.arguments, language, Setting::typeset, text, before_line);
+    RichText text =
+        PatternSetter(message.arguments, language, Setting::typeset, before_line).set(pattern_of(message, language));
     const std::vector<RichText> workings = worked_out(message.workings, language);
     for (std::size_t i = 0; i < workings.size(); ++i) {
         text.push_back(piece(i == 0 ? " " : "; "));
@@ -1972,9 +2015,7 @@ RichText say_likewise(const std::vector<const Message*>& messages, Language lang
 }
 
 std::string tell(const Message& message, Language language) {
-    RichText text;
-    fill(pattern_of(message, language), message.arguments, language, Setting::spelt, text);
-    return plain(text);
+    return plain(PatternSetter(message.arguments, language, Setting::spelt, {}).set(pattern_of(message, language)));
 }
 
 /// A load that the file calls P_1: written with its letter, not as F with a script P_1.

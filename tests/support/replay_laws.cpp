@@ -12,6 +12,7 @@
 
 #include "constructions/solving/solve.hpp"
 #include "engine/board/replay.hpp"
+#include "engine/solution/found_elements.hpp"
 
 namespace kinegraph::tests {
 namespace {

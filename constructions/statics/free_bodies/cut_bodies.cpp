@@ -55,67 +55,72 @@ void CutBodies::cut_together(const Run& run) {
 }
 
 void CutBodies::free_body(MemberIndex member, const Run& run) {
-    FreeBody body = way_.empty_body(member);
-    std::vector<Side> sides;
+    CutBody cut{way_.empty_body(member), {}};
+    FreeBody& body = cut.body;
     body.in_parts = run.in_parts;
-    const auto apply = [&](AppliedForce applied, const std::optional<Force>& force, int bond) {
-        if (force) {
-            applied.elements.force = force->element;
-            const bool external = bond < 0 || model_.bonds()[at(bond)].first == member_of(frame) ||
-                                  model_.bonds()[at(bond)].second == member_of(frame);
-            sides.push_back({applied.symbol, *force, bond, external, quantity_of(body, applied)});
-        }
-        if (applied.elements.force != none || applied.elements.couple != none)
-            body.forces.push_back(std::move(applied));
-    };
-    for (const Load& load : *under_.loads) {
-        if (load.member != member) continue;
-        apply(way_.applied_load(load), load.force, -1);
-    }
-    for (const int b : model_.bonds_of(member)) {
-        const Bond& bond = model_.bonds()[at(b)];
-        const Reaction& reaction = run.reactions[at(b)];
-        const bool reversed = bond.second == member;
-        for (Symbol& symbol : Verdict::open_symbols(bond, reaction, reversed)) body.open.push_back(std::move(symbol));
-        if (!reaction.known && reaction.alike == Reaction::Alike::nothing && !reaction.couple_alike) continue;
-        AppliedForce applied;
-        applied.symbol = marked(reversed ? bond.reverse : bond.symbol, under_.mark);
-        applied.is_component = !reaction.known;
-        if (reaction.alike == Reaction::Alike::component && !reaction.known)
-            applied.symbol.term += (applied.symbol.term.empty() ? "" : ",") + std::string(reaction.axis);
-        applied.kind = bond.effort >= 0 ? AppliedForce::Kind::effort : AppliedForce::Kind::reaction;
-        applied.joint = bond.joint;
-        applied.given = bond.effort;
-        if (bond.effort < 0) applied.line_statement = reaction.line_statement;
-        applied.force_statement = reaction.force_statement;
-        body.statement = std::max(body.statement, reaction.force_statement);
-        applied.from = model_.body_of(reversed ? bond.first : bond.second);
-        applied.elements.at = bond.place.element;
-        applied.line_by_construction = reaction.deduced;
-        std::optional<Force> force;
-        if (reaction.force) force = reversed ? board_.negate(*reaction.force) : *reaction.force;
-        if (reaction.couple) {
-            const ScalarHandle couple = reversed ? board_.opposite(*reaction.couple) : *reaction.couple;
-            // A force with a couple is the same force moved aside: its real line. A part of a force has none.
-            if (force && reaction.known) {
-                applied.elements.at = board_.carry(bond.place, board_.arm(couple, *force)).element;
-            } else {
-                applied.elements.couple = couple.element;
-            }
-        }
-        apply(std::move(applied), force, b);
-    }
+    for (const Load& load : *under_.loads)
+        if (load.member == member) apply(cut, way_.applied_load(load), load.force, -1);
+    for (const int b : model_.bonds_of(member)) apply_reaction(cut, member, b, run.reactions[at(b)]);
     way_.list_meets(member, body);
     const std::vector<const Added*> leading = way_.add_way(member, run, body);
     const bool whole = is_whole(member, run);
     if (!whole) body.statement = none;  // no one sentence closes it
-    if (!sides.empty() && whole) {
-        way_.put_in_order(sides, leading);
-        if (body.funicular) way_.put_in_order(sides, *body.funicular);
-        body.polygon = polygons_.draw_polygon(member, sides, under_.suffix());
-        polygons_.keep(member, std::move(sides));
+    if (!cut.sides.empty() && whole) {
+        way_.put_in_order(cut.sides, leading);
+        if (body.funicular) way_.put_in_order(cut.sides, *body.funicular);
+        body.polygon = polygons_.draw_polygon(member, cut.sides, under_.suffix());
+        polygons_.keep(member, std::move(cut.sides));
     }
     if (!body.forces.empty()) results_.bodies.push_back(std::move(body));
+}
+
+void CutBodies::apply(CutBody& cut, AppliedForce applied, const std::optional<Force>& force, int bond) {
+    if (force) {
+        applied.elements.force = force->element;
+        const bool external = bond < 0 || model_.bonds()[at(bond)].first == member_of(frame) ||
+                              model_.bonds()[at(bond)].second == member_of(frame);
+        cut.sides.push_back({applied.symbol, *force, bond, external, quantity_of(cut.body, applied)});
+    }
+    if (applied.elements.force != none || applied.elements.couple != none)
+        cut.body.forces.push_back(std::move(applied));
+}
+
+void CutBodies::apply_reaction(CutBody& cut, MemberIndex member, int b, const Reaction& reaction) {
+    const Bond& bond = model_.bonds()[at(b)];
+    const bool reversed = bond.second == member;
+    for (Symbol& symbol : Verdict::open_symbols(bond, reaction, reversed)) cut.body.open.push_back(std::move(symbol));
+    if (!reaction.known && reaction.alike == Reaction::Alike::nothing && !reaction.couple_alike) return;
+    AppliedForce applied = applied_reaction(bond, reaction, reversed);
+    cut.body.statement = std::max(cut.body.statement, reaction.force_statement);
+    std::optional<Force> force;
+    if (reaction.force) force = reversed ? board_.negate(*reaction.force) : *reaction.force;
+    if (reaction.couple) {
+        const ScalarHandle couple = reversed ? board_.opposite(*reaction.couple) : *reaction.couple;
+        // A force with a couple is the same force moved aside: its real line. A part of a force has none.
+        if (force && reaction.known) {
+            applied.elements.at = board_.carry(bond.place, board_.arm(couple, *force)).element;
+        } else {
+            applied.elements.couple = couple.element;
+        }
+    }
+    apply(cut, std::move(applied), force, b);
+}
+
+AppliedForce CutBodies::applied_reaction(const Bond& bond, const Reaction& reaction, bool reversed) const {
+    AppliedForce applied;
+    applied.symbol = marked(reversed ? bond.reverse : bond.symbol, under_.mark);
+    applied.is_component = !reaction.known;
+    if (reaction.alike == Reaction::Alike::component && !reaction.known)
+        applied.symbol.term += (applied.symbol.term.empty() ? "" : ",") + std::string(reaction.axis);
+    applied.kind = bond.effort >= 0 ? AppliedForce::Kind::effort : AppliedForce::Kind::reaction;
+    applied.joint = bond.joint;
+    applied.given = bond.effort;
+    if (bond.effort < 0) applied.line_statement = reaction.line_statement;
+    applied.force_statement = reaction.force_statement;
+    applied.from = model_.body_of(reversed ? bond.first : bond.second);
+    applied.elements.at = bond.place.element;
+    applied.line_by_construction = reaction.deduced;
+    return applied;
 }
 
 bool CutBodies::has_diagonal(const Balanced& balanced, const Run& run) {

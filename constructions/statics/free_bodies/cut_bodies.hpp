@@ -30,7 +30,17 @@ public:
     void cut_together(const Run& run);
 
 private:
+    /// A body on the way to be cut free, and the sides of its polygon.
+    struct CutBody {
+        FreeBody body;
+        std::vector<Side> sides;
+    };
     void free_body(MemberIndex member, const Run& run);
+    /// `force` is that of a bond, or of a load (-1).
+    void apply(CutBody& cut, AppliedForce applied, const std::optional<Force>& force, int bond);
+    void apply_reaction(CutBody& cut, MemberIndex member, int b, const Reaction& reaction);
+    /// The reaction without its values, at the bond's place.
+    AppliedForce applied_reaction(const Bond& bond, const Reaction& reaction, bool reversed) const;
     /// What is known and a force that is sought were added.
     static bool has_diagonal(const Balanced& balanced, const Run& run);
     /// By which the group was balanced; null: otherwise.

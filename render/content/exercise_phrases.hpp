@@ -1,0 +1,68 @@
+// Phrases of an exercise: names, amounts, directions and bodies as its sentences have them. Owns how each is written,
+// not which sentences there are.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/content/exercise_text.hpp"
+
+namespace kinegraph::render {
+
+/// What a text of sentences is written with, and its sentences so far.
+class ExercisePhrases {
+protected:
+    explicit ExercisePhrases(const DrawingContext& context)
+        : context_(context),
+          solution_(context.solution),
+          mechanism_(context.solution.mechanism),
+          units_(mechanism_.units) {}
+
+    Language language() const { return context_.language; }
+    static RichText plain_words(const std::string& words) { return one_piece(words); }
+    RichText amount(const Exact& si, const Unit& unit) const { return given_amount(si, unit, language()); }
+    RichText scalar(const Symbol& of) const { return letter(of.letter, of.about, of.term); }
+    RichText filled(const char* key, const std::vector<RichText>& parts) const { return word(key, parts, language()); }
+    void say(const char* key, const std::vector<RichText>& parts) { rows_.push_back(filled(key, parts)); }
+    RichText name(PointIndex point) const;
+    RichText number_of(double value) const;
+    /// A short fraction as such, where its decimals go on and on: 1/3.
+    RichText ratio(const Exact& value) const;
+    RichText angle(const Angle& angle) const;
+    RichText pair(double x, double y) const;
+    RichText vector(const Vector& si, const Unit& unit) const;
+    RichText join(PointIndex from, PointIndex to) const;
+    RichText bearing(const Bearing& bearing) const;
+    RichText place(const kinegraph::Place& place) const;
+    static RichText equation(RichText left, const RichText& right);
+    /// A bearing where its bare numbers would be taken for a place.
+    RichText direction(const Bearing& of) const;
+    /// In a list of the bodies of a hinge.
+    std::string listed(BodyIndex body) const;
+    /// "body 2", "bar AB", "the frame"; "of body 2", "of bar AB", "of the frame".
+    RichText subject(BodyIndex body) const;
+    RichText owner(BodyIndex body) const;
+    RichText called(BodyIndex body, const char* as_frame, const char* as_body) const;
+    /// A bearing, components told from a place by their words.
+    RichText way(const Bearing& of) const;
+    /// "along AB", "along 0°".
+    RichText course(const Bearing& of) const;
+    RichText letter(Symbol::Letter letter, const std::string& about, const std::string& term = "") const;
+    RichText symbol_of_force(const std::string& given, Symbol::Letter letter) const;
+    /// Of a truss: by its pins.
+    std::string bar(BodyIndex body) const;
+    /// Between points that the file names, else by its angle in the drawn position.
+    RichText positive_sense(JointIndex index) const;
+    RichText positive_sense(const Bearing& of) const;
+    /// "on body 3", "from the frame".
+    RichText subject_of_action(BodyIndex body, std::string_view preposition) const;
+
+    const DrawingContext& context_;
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+    const Units& units_;
+    std::vector<RichText> rows_;
+};
+
+}  // namespace kinegraph::render

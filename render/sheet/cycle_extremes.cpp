@@ -1,0 +1,231 @@
+#include "render/sheet/cycle_extremes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "render/equations/prose.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/extremes.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+class ExtremesTable {
+public:
+    ExtremesTable(const DrawingContext& context, const CycleTable& table,
+                  const std::vector<std::vector<std::size_t>>& plots, double width, double most_height)
+        : context_(context),
+          theme_(context.theme),
+          table_(table),
+          plots_(plots),
+          width_(width),
+          most_height_(most_height) {}
+
+    Block drawn() {
+        Block block;
+        set(block.marks,
+            heading_block(context_, width_, word(table_.parameter ? "extremes of rows" : "extremes", context_.language),
+                          {}),
+            {0, 0});
+        y_ = 6.2;
+        rule(block, theme_.outline);
+        cells(block,
+              {one_piece(word("quantity", context_.language)), one_piece(word("least", context_.language)),
+               one_piece(word("at the position", context_.language)), one_piece(word("greatest", context_.language)),
+               one_piece(word("at the position", context_.language))},
+              theme_.secondary);
+        rule(block, theme_.thin);
+        for (const auto& plot : plots_)
+            for (const std::size_t column : plot) row_of(block, column);
+        rule(block, theme_.outline);
+        y_ += 1;
+        for (const RichText& each : facts()) {
+            const Block line = paragraph_block(context_, width_, each, 0, "");
+            set(block.marks, line, {0, y_});
+            y_ += line.height;
+        }
+        block.width = width_;
+        block.height = y_;
+        return block;
+    }
+
+private:
+    using Kind = Quantity::Kind;
+
+    std::string coordinate(double si) const {
+        if (table_.parameter) {
+            const Unit& unit = table_.parameter->unit;
+            const bool is_close = unit.symbol.empty() || unit.symbol == "°";
+            return number(si / unit.si.to_double(), 4, context_.language) + (is_close ? "" : " ") + unit.symbol;
+        }
+        const Unit unit =
+            table_.turns ? Unit{"°", pi() / 180} : unit_of(QuantityKind::length, context_.solution.mechanism);
+        return number(si / unit.si.to_double(), 4, context_.language) + (table_.turns ? "°" : " " + unit.symbol);
+    }
+
+    /// Where something is: the driver's coordinate, or the time where it has a law.
+    std::string place(double at) const {
+        return table_.travel.times ? number(at, 4, context_.language) + " s" : coordinate(at);
+    }
+
+    std::string amount(double si, QuantityKind kind) const {
+        const Unit unit = unit_of(kind, context_.solution.mechanism);
+        return number(si / unit.si.to_double(), 4, context_.language) + (unit.symbol == "°" ? "°" : " " + unit.symbol);
+    }
+
+    void rule(Block& block, double weight) {
+        block.marks.emplace_back(line({0, y_}, {width_, y_}, {weight, theme_.text, {}, false}));
+        y_ += 1;
+    }
+
+    void cells(Block& block, const std::array<RichText, 5>& words, Colour colour) {
+        const std::array<double, 5> rights{0, 0.44 * width_, 0.6 * width_, 0.84 * width_, width_};
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const ShapedLine shaped = context_.fonts.shape(words[i], theme_.small);
+            set_text(block.marks, shaped, {i == 0 ? 0 : rights[i] - shaped.width, y_ + 3.2}, colour, "text");
+        }
+        y_ += 4.4;
+    }
+
+    void row_of(Block& block, std::size_t column) {
+        if (table_.rows.empty() || y_ > most_height_) return;
+        const auto [least, most] = extremes_of(table_, column);
+        const QuantityKind unit = table_.columns[column].unit;
+        const RichText name = typeset(table_.columns[column], context_.solution.mechanism, context_.language);
+        if (is_constant(table_, column)) {
+            const RichText value = with_powers(amount((least.value + most.value) / 2, unit));
+            return cells(block, {name, value, {}, value, {}}, theme_.text);
+        }
+        cells(block,
+              {name, with_powers(amount(least.value, unit)), one_piece(place(least.at)),
+               with_powers(amount(most.value, unit)), one_piece(place(most.at))},
+              theme_.text);
+    }
+
+    /// What else a reader wants of a motion.
+    std::vector<RichText> facts() const {
+        std::vector<RichText> said;
+        const auto say = [&](const std::string& what, const std::string& value) {
+            said.push_back(with_powers(what + ": " + value));
+        };
+        const auto in_words = [&](const char* key) { return word(key, context_.language); };
+        const std::string at = " " + in_words("at the position") + " ";
+        const Travel& travel = table_.travel;
+        if (travel.starts_at_limit || travel.ends_at_limit)
+            say(in_words("limits of the driver"), (travel.starts_at_limit ? coordinate(travel.from) : "") +
+                                                      (travel.starts_at_limit && travel.ends_at_limit ? ", " : "") +
+                                                      (travel.ends_at_limit ? coordinate(travel.to) : ""));
+        if (!travel.change_points.empty()) {
+            std::string all;
+            for (const double each : travel.change_points) all += (all.empty() ? "" : ", ") + coordinate(each);
+            say(in_words("change points"), all);
+        }
+        for (std::size_t i = 0; i < table_.columns.size(); ++i) tell_of_column(i, said);
+        if (table_.transmission)
+            say(in_words("least transmission angle"),
+                // To hundredths: at a dead point, where it is zero, the position is known no better.
+                number(std::round(table_.transmission->least * 18000 / std::numbers::pi) / 100, 4, context_.language) +
+                    "°" + at + coordinate(table_.transmission->at));
+        if (const auto fastest = largest_of_points(Kind::velocity)) say(in_words("largest speed"), *fastest);
+        if (const auto hardest = largest_of_points(Kind::acceleration)) say(in_words("largest acceleration"), *hardest);
+        for (const Words& fact : table_.facts) {
+            std::string line = in(fact, context_.language);
+            for (std::size_t sign = 0; (sign = line.find(" -", sign)) != std::string::npos;)
+                line.replace(sign, 2, " −");
+            said.push_back(with_powers(line));
+        }
+        return said;
+    }
+
+    void tell_of_column(std::size_t column, std::vector<RichText>& said) const {
+        const Column& of = table_.columns[column];
+        if (table_.rows.size() < 3) return;
+        const auto say = [&](const char* key, const std::string& value) {
+            RichText text = one_piece(word(key, context_.language) + "  ");
+            append(text, typeset(of, context_.solution.mechanism, context_.language));
+            append(text, with_powers(": " + value));
+            said.push_back(std::move(text));
+        };
+        const auto [least, most] = extremes_of(table_, column);
+        if (of.kind == Column::Kind::slid) {
+            say("stroke", amount(most.value - least.value, of.unit));
+            // Over a whole turn at constant speed the time goes with the turn between the two ends of the stroke.
+            const double whole = std::abs(table_.travel.to - table_.travel.from), one = std::abs(most.at - least.at);
+            if (!table_.turns || table_.travel.times || std::abs(whole - 2 * std::numbers::pi) > 1e-9 || one == 0 ||
+                one == whole || rests(column, least) || rests(column, most))
+                return;
+            const double ratio = std::max(one, whole - one) / std::min(one, whole - one);
+            // A stroke that takes as long there as back is no quick return.
+            if (ratio > 1.001) say("time ratio", number(ratio, 4, context_.language));
+        }
+        if (of.quantity.kind == Kind::effort) {
+            double sum = 0, way = 0;
+            for (std::size_t i = 1; i < table_.rows.size(); ++i) {
+                const double step = table_.rows[i][table_.over()] - table_.rows[i - 1][table_.over()];
+                sum += (table_.rows[i][column] + table_.rows[i - 1][column]) / 2 * step;
+                way += step;
+            }
+            const double rounding = 1e-9 * std::max(std::abs(least.value), std::abs(most.value));
+            if (way != 0) say("mean", amount(std::abs(sum / way) < rounding ? 0 : sum / way, of.unit));
+        }
+    }
+
+    /// At its extreme it stays for more than two rows: an end of the stroke that is no one position.
+    bool rests(std::size_t column, const Extreme& end) const {
+        const double near = 1e-9 * std::abs(end.value) + rounding_of(table_, column);
+        return std::count_if(table_.rows.begin(), table_.rows.end(),
+                             [&](const auto& row) { return std::abs(row[column] - end.value) <= near; }) > 2;
+    }
+
+    /// Next to a limit of the travel, where velocities grow without bound: no value is the largest.
+    bool grows_to_a_limit(const Extreme& largest, const std::vector<double>& sizes) const {
+        if (table_.limits.empty() || sizes.size() < 2) return false;
+        const double at = largest.at;
+        const double first = table_.rows.front()[table_.over()], last = table_.rows.back()[table_.over()];
+        return (at == first && table_.travel.starts_at_limit) || (at == last && table_.travel.ends_at_limit);
+    }
+
+    /// "1.23 m/s (A) at 45°".
+    std::optional<std::string> largest_of_points(Kind kind) const {
+        Extreme largest;
+        PointIndex point;
+        for (std::size_t i = 0; i + 1 < table_.columns.size(); ++i) {
+            const Column &x = table_.columns[i], &y = table_.columns[i + 1];
+            if (x.kind != Column::Kind::result || x.quantity.kind != kind ||
+                x.quantity.component != Quantity::Component::x || y.quantity.point != x.quantity.point ||
+                y.quantity.kind != kind)
+                continue;
+            std::vector<double> sizes;
+            for (const auto& row : table_.rows) sizes.push_back(length(Spot{row[i], row[i + 1]}));
+            const Extreme of_point = extremes_of(table_, sizes).second;
+            if (grows_to_a_limit(of_point, sizes)) return std::nullopt;
+            if (of_point.value <= largest.value * (1 + 1e-9)) continue;
+            largest = of_point;
+            point = x.quantity.point;
+        }
+        if (point == none) return std::nullopt;
+        return amount(largest.value, kind == Kind::velocity ? QuantityKind::velocity : QuantityKind::acceleration) +
+               " (" + context_.solution.mechanism.point(point).name + ") " +
+               word("at the position", context_.language) + " " + place(largest.at);
+    }
+
+    const DrawingContext& context_;
+    const Theme& theme_;
+    const CycleTable& table_;
+    const std::vector<std::vector<std::size_t>>& plots_;
+    double width_, most_height_;
+    double y_ = 0;
+};
+
+}  // namespace
+
+Block cycle_extremes(const DrawingContext& context, const CycleTable& table,
+                     const std::vector<std::vector<std::size_t>>& plots, double width, double most_height) {
+    return ExtremesTable(context, table, plots, width, most_height).drawn();
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,136 @@
+#include "render/sheet/statement_figures.hpp"
+
+#include <algorithm>
+#include <map>
+#include <variant>
+
+#include "render/page/shapes.hpp"
+#include "render/scene/loads_alone.hpp"
+#include "render/scene/sentences.hpp"
+#include "render/text/words.hpp"
+
+namespace kinegraph::render {
+
+std::vector<ShownStatement> StatementFigures::all() const {
+    std::vector<ShownStatement> all;
+    std::map<StatementIndex, int> polygon_of;
+    const auto note = [&](StatementIndex statement, int polygon) {
+        if (statement != none && polygon >= 0) polygon_of.emplace(statement, polygon);
+    };
+    for (const DrawnVector& vector : solution_.protocol.vectors) note(vector.statement, vector.polygon);
+    for (const DrawnLine& line : solution_.protocol.lines) note(line.statement, line.polygon);
+    std::map<Topic, std::string> last_in;  // figure by section
+    for (const StatementIndex i : in_order()) {
+        const Statement& statement = this->statement(i);
+        std::string figure;
+        const auto found = polygon_of.find(i);
+        if (is_truss() && statement.section == Topic::forces)
+            figure = figure_of_truss(i, found == polygon_of.end() ? -1 : found->second);
+        else if (statement.section == Topic::forces)
+            figure = figure_of_forces(i);
+        else if (statement.section == Topic::curvature)
+            figure = "curvature-" + solution_.mechanism.body(statement.bodies.front()).name;
+        else if (found != polygon_of.end() && is_plane_of_motion(found->second))
+            figure = solution_.protocol.polygons[static_cast<std::size_t>(found->second)].id;
+        else if (statement.section == Topic::centres || statement.message.sentence == Sentence::second_way)
+            figure = "centres";
+        else
+            figure = last_in[statement.section];
+        if (figure.empty()) figure = first_polygon_of(statement.section);
+        if (!is_wanted(figure)) figure = "mechanism";
+        if (statement.message.sentence != Sentence::second_way) last_in[statement.section] = figure;
+        all.push_back({i, figure});
+    }
+    return all;
+}
+
+bool StatementFigures::is_wanted(const std::string& name) const {
+    return std::any_of(wanted_.list.begin(), wanted_.list.end(), [&](const Wanted& each) { return each.name == name; });
+}
+
+std::vector<StatementIndex> StatementFigures::in_order() const {
+    std::vector<Topic> sections;
+    for (const Statement& statement : statements())
+        if (std::find(sections.begin(), sections.end(), statement.section) == sections.end())
+            sections.push_back(statement.section);
+    std::vector<StatementIndex> order;
+    for (const Topic section : sections)
+        for (const bool again : {false, true})
+            for (const StatementIndex i : indices_of(statements()))
+                if (statement(i).section == section && (statement(i).message.sentence == Sentence::second_way) == again)
+                    order.push_back(i);
+    return order;
+}
+
+std::string StatementFigures::figure_of_forces(StatementIndex statement) const {
+    const Solution& solution = wanted_.context_at(statement).solution;
+    const std::string load = load_at(statement);
+    if (solution_.superposition && solution_.superposition->statement == statement)
+        return is_wanted("sums") ? "sums" : "forces";
+    if (is_wanted("forces" + load) && completes_a_polygon(solution, statement)) return "forces" + load;
+    return load.empty() ? "lines-of-action" : "lines" + load;
+}
+
+std::string StatementFigures::figure_of_truss(StatementIndex statement, int polygon) const {
+    for (const TakenTogether& together : solution_.taken_together)
+        if (together.statement == statement) return render::name_of(solution_, together);
+    return polygon >= 0 && polygon == solution_.truss->polygon ? "cremona" : "truss";
+}
+
+std::string StatementFigures::load_at(StatementIndex statement) const {
+    const auto part = part_of(solution_, statement);
+    return part ? "-load-" + render::name_of(solution_.mechanism, solution_.superposition->parts[*part]) : "";
+}
+
+bool StatementFigures::completes_a_polygon(const Solution& solution, StatementIndex statement) {
+    const auto closes = [&](const auto& each) { return each.statement == statement; };
+    return std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(),
+                       [&](const FreeBody& body) { return has_force_polygon(solution, body) && closes(body); }) ||
+           std::any_of(solution.taken_together.begin(), solution.taken_together.end(), closes);
+}
+
+bool StatementFigures::is_plane_of_motion(int polygon) const {
+    return solution_.protocol.polygons[static_cast<std::size_t>(polygon)].plane != Plane::force;
+}
+
+std::string StatementFigures::first_polygon_of(Topic section) const {
+    for (const Polygon& polygon : solution_.protocol.polygons)
+        if (polygon.plane == (section == Topic::acceleration ? Plane::acceleration : Plane::velocity))
+            return polygon.id;
+    return "";
+}
+
+std::set<std::string> names_cited(const Solution& solution, const std::vector<StatementIndex>& indices,
+                                  Language language) {
+    std::set<std::string> names;
+    for (const StatementIndex index : indices)
+        for (const Argument& argument : solution.protocol.statements[at_index(index)].message.arguments)
+            if (const auto* symbol = std::get_if<Symbol>(&argument)) {
+                names.insert(name_of(*symbol));
+                names.insert(plain(typeset(*symbol, language)));
+            }
+    return names;
+}
+
+std::set<std::string> groups_spoken_of(const Solution& solution, const std::vector<StatementIndex>& indices) {
+    std::set<std::string> links, joints;
+    const Mechanism& mechanism = solution.mechanism;
+    for (const StatementIndex index : indices) {
+        const Statement& statement = solution.protocol.statements[at_index(index)];
+        for (const BodyIndex body : statement.bodies)
+            links.insert("link-" + legal_id(mechanism.bodies[at_index(body)].name));
+        for (const Argument& argument : statement.message.arguments) {
+            if (const auto* body = std::get_if<BodyName>(&argument)) links.insert("link-" + legal_id(body->name));
+            const auto* symbol = std::get_if<Symbol>(&argument);
+            if (symbol && (symbol->letter == Symbol::Letter::omega || symbol->letter == Symbol::Letter::alpha))
+                links.insert("link-" + legal_id(symbol->about));
+            const auto* point = std::get_if<PointName>(&argument);
+            for (const Joint& joint : mechanism.joints)
+                if (point && mechanism.points[at_index(joint.point)].name == point->name)
+                    joints.insert("joint-" + legal_id(joint.name));
+        }
+    }
+    return links.empty() ? joints : links;
+}
+
+}  // namespace kinegraph::render

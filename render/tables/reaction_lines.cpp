@@ -1,0 +1,240 @@
+// Active forces and reactions, body by body: see force_tables.hpp. Owns the columns of that table and its note on
+// action and reaction.
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "engine/number/index.hpp"
+#include "render/page/shapes.hpp"
+#include "render/scene/polygon_scene.hpp"
+#include "render/tables/force_tables.hpp"
+#include "render/tables/long_names.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+/// Texts with commas between them; a dash for none.
+RichText with_commas(const std::vector<RichText>& parts) {
+    RichText all;
+    for (const RichText& part : parts) {
+        if (!all.empty()) append(all, ", ");
+        append(all, part);
+    }
+    return parts.empty() ? one_piece("–") : all;
+}
+
+/// What acts on a body, as the row shows it.
+struct ActingForces {
+    std::vector<RichText> active, reactions;
+};
+
+/// The table of the forces on each body: head, rows, the frame's row, and a note on action and reaction.
+class ReactionTable {
+public:
+    ReactionTable(const DrawingContext& context, double width)
+        : context_(context), mechanism_(context.solution.mechanism), theme_(context.theme), width_(width) {
+        measure_columns();
+    }
+
+    std::vector<Block> lines() {
+        add_head();
+        for (const FreeBody* body : in_order_of_bodies()) {
+            const ActingForces forces = forces_on(*body);
+            add_row(name_of(*body), theme_.colour_of(body->body).letter, with_commas(forces.active),
+                    with_commas(forces.reactions), false);
+        }
+        if (!on_frame_.empty())
+            add_row(name_of_frame(), theme_.secondary, one_piece("–"), with_commas(on_frame_), true);
+        close_table();
+        if (example_) add_note(*example_);
+        return std::move(lines_);
+    }
+
+private:
+    using Kind = AppliedForce::Kind;
+
+    /// A reaction between two bodies, on which the note explains action and reaction.
+    struct Example {
+        RichText symbol;
+        BodyIndex from, on;
+    };
+
+    std::string word_for(std::string_view key) const { return word(key, context_.language); }
+    const std::string& name_of(BodyIndex body) const { return mechanism_.bodies[at_index(body)].name; }
+    std::string name_of(const FreeBody& body) const {
+        if (body.body != none) return name_of(body.body);
+        return word_for("pin") + " " + mechanism_.points[at_index(body.pin)].name;
+    }
+    /// "1 frame"; its name alone where that says so itself.
+    std::string name_of_frame() const {
+        const std::string& name = name_of(frame);
+        const bool says_so = name == word("frame", Language::en) || name == word("frame", Language::it);
+        return says_so ? name : name + " " + word_for("frame");
+    }
+    RichText symbol_of(const AppliedForce& applied) const {
+        return typeset(applied.force.is_zero() ? couple_symbol(applied) : applied.symbol, context_.language);
+    }
+    double width_of(const RichText& text, double size) const { return context_.fonts.shape(text, size).width; }
+
+    /// As wide as the words ask, and no name takes the room of what acts.
+    void measure_columns() {
+        constexpr double most_of_name = 0.3, most_of_active = 0.4, gap = 4;
+        double active_width = width_of(one_piece(word_for("active forces")), theme_.small);
+        name_width_ = width_of(one_piece(word_for("body")), theme_.small);
+        for (const FreeBody& body : context_.solution.free_bodies) {
+            name_width_ = std::max(name_width_, width_of(one_piece(name_of(body)), theme_.body_text));
+            active_width = std::max(active_width, width_of(with_commas(measured_forces(body)), theme_.body_text));
+        }
+        name_width_ = std::max(name_width_, width_of(one_piece(name_of_frame()), theme_.body_text));
+        name_width_ = std::min(name_width_, most_of_name * width_);
+        active_left_ = name_width_ + gap;
+        active_room_ = std::min(active_width + 0.5, most_of_active * width_);
+        reactions_left_ = active_left_ + active_room_ + gap;
+    }
+    /// The active forces with a letter for the joint of each, which is about as wide as any.
+    std::vector<RichText> measured_forces(const FreeBody& body) const {
+        std::vector<RichText> active;
+        for (const AppliedForce& applied : body.forces)
+            if (applied.kind != Kind::reaction && applied.kind != Kind::resultant) {
+                active.push_back(symbol_of(applied));
+                if (applied.joint != none) append(active.back(), " (M)");
+            }
+        return active;
+    }
+
+    void add_head() {
+        Block head;
+        head.marks.emplace_back(line({0, 0}, {width_, 0}, {theme_.outline, theme_.text, {}, false}));
+        const auto put = [&](const char* key, double x) {
+            set_text(head.marks, context_.fonts.shape(one_piece(word_for(key)), theme_.small), {x, 3.4},
+                     theme_.secondary, "text");
+        };
+        put("body", 0);
+        put("active forces", active_left_);
+        put("reactions", reactions_left_);
+        head.marks.emplace_back(line({0, 4.8}, {width_, 4.8}, {theme_.thin, theme_.text, {}, false}));
+        head.width = width_;
+        head.height = 5.0;
+        lines_.push_back(std::move(head));
+    }
+
+    /// The bodies in the file's order, then the pins.
+    std::vector<const FreeBody*> in_order_of_bodies() const {
+        std::vector<const FreeBody*> order;
+        for (const FreeBody& body : context_.solution.free_bodies) order.push_back(&body);
+        std::stable_sort(order.begin(), order.end(), [](const FreeBody* a, const FreeBody* b) {
+            return std::pair{a->body == none, a->body} < std::pair{b->body == none, b->body};
+        });
+        return order;
+    }
+
+    /// Notes beside it what acts on the frame, and the first reaction between two bodies.
+    ActingForces forces_on(const FreeBody& body) {
+        ActingForces forces;
+        for (const AppliedForce& applied : body.forces) {
+            if (applied.kind == Kind::resultant) continue;  // it acts on nothing
+            const bool is_reaction = applied.kind == Kind::reaction;
+            RichText text = symbol_of(applied);
+            if (is_reaction && !example_ && applied.from != none && body.body != none)
+                example_ = Example{text, applied.from, body.body};
+            if (applied.joint != none) {
+                const PointIndex at = mechanism_.joints[at_index(applied.joint)].point;
+                append(text, " (");
+                append(text, typeset(Symbol{Symbol::Letter::point, mechanism_.points[at_index(at)].name, ""},
+                                     context_.language));
+                append(text, ")");
+            }
+            (is_reaction ? forces.reactions : forces.active).push_back(std::move(text));
+            if (is_reaction && applied.from == frame && body.body > frame)
+                on_frame_.push_back(action_on_frame(body.body, applied));
+        }
+        return forces;
+    }
+    /// F_21 = −F_12.
+    RichText action_on_frame(BodyIndex body, const AppliedForce& applied) const {
+        const std::string &own = name_of(body), &fixed = name_of(frame);
+        const Symbol back{applied.force.is_zero() ? Symbol::Letter::M : Symbol::Letter::F,
+                          own.size() == 1 && fixed.size() == 1 ? own + fixed : own + "," + fixed, applied.symbol.term};
+        RichText action = typeset(back, context_.language);
+        append(action, " = −");
+        append(action, symbol_of(applied));
+        return action;
+    }
+
+    void add_row(const std::string& name, Colour colour, const RichText& active, const RichText& reactions,
+                 bool rule_above) {
+        Block block;
+        if (rule_above) block.marks.emplace_back(line({0, 0}, {width_, 0}, {theme_.thin, theme_.secondary, {}, false}));
+        block.width = width_;
+        double deepest = 0;
+        const auto fill = [&](std::vector<ShapedLine> set, double left, Colour letters) {
+            double baseline = 3.6;
+            for (ShapedLine& each : set) {
+                block.width = std::max(block.width, left + each.width);
+                set_text(block.marks, std::move(each), {left, baseline}, letters, "text");
+                baseline += 4.3;
+            }
+            deepest = std::max(deepest, baseline);
+        };
+        const auto broken = [&](const RichText& text, double room) {
+            return lines_in_cell(text, theme_.body_text, context_.fonts, room);
+        };
+        fill(broken(one_piece(name), name_width_), 0, colour);
+        fill(broken(active, active_room_), active_left_, theme_.text);
+        // Reactions that would have to shrink in a narrow column leave it, by which it is known to be too narrow for
+        // the table.
+        constexpr double narrow = 60;
+        const double room = width_ - reactions_left_;
+        fill(width_ < narrow ? context_.fonts.wrap(reactions, theme_.body_text, room) : broken(reactions, room),
+             reactions_left_, theme_.text);
+        block.height = deepest - 3.6 + 0.5;
+        lines_.push_back(std::move(block));
+    }
+    void close_table() {
+        Block& last = lines_.back();
+        last.marks.emplace_back(
+            line({0, last.height + 0.3}, {width_, last.height + 0.3}, {theme_.outline, theme_.text, {}, false}));
+        last.height += 0.6;
+    }
+
+    void add_note(const Example& example) {
+        std::string words = word_for("action and reaction");
+        const auto fill = [&](const std::string& place, BodyIndex body) {
+            if (const std::size_t found = words.find(place); found != std::string::npos)
+                words.replace(found, place.size(), name_of(body));
+        };
+        fill("{0}", example.from);
+        fill("{1}", example.on);
+        RichText text = example.symbol;
+        append(text, " " + words);
+        if (!closed_polygons(context_.solution).empty()) append(text, " " + word_for("internal sides"));
+        Block note;
+        double baseline = 4.2;
+        for (ShapedLine& each : context_.fonts.wrap(text, theme_.small, width_)) {
+            set_text(note.marks, std::move(each), {0, baseline}, theme_.secondary, "text");
+            baseline += 3.9;
+        }
+        note.width = width_;
+        note.height = baseline - 3.4;
+        lines_.push_back(std::move(note));
+    }
+
+    const DrawingContext& context_;
+    const Mechanism& mechanism_;
+    const Theme& theme_;
+    double width_;
+    double name_width_ = 0, active_left_ = 0, active_room_ = 0, reactions_left_ = 0;
+    std::vector<RichText> on_frame_;
+    std::optional<Example> example_;
+    std::vector<Block> lines_;
+};
+
+}  // namespace
+
+std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
+    if (context.solution.free_bodies.empty()) return {};
+    return ReactionTable(context, width).lines();
+}
+
+}  // namespace kinegraph::render
