@@ -39,7 +39,6 @@ struct SolveRequest {
     std::string driver;           ///< whose coordinate `at` is; empty: the first of the file
     int branch = 0;  ///< out of a change point that is drawn: from 1, as results list them; 0: none is asked for
     std::vector<std::string> with;  ///< figures on request: "joukowsky"
-    render::Crew* crew = nullptr;   ///< draws figures side by side, where there is one
 };
 Status solve_command(const SolveRequest& request);
 

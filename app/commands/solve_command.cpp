@@ -5,10 +5,8 @@
 #include <array>
 #include <iterator>
 #include <optional>
-#include <thread>
 
 #include "app/library/asked_values.hpp"
-#include "app/commands/block_memory.hpp"
 #include "app/commands/commands.hpp"
 #include "app/library/driver_choice.hpp"
 #include "app/commands/memory_ahead.hpp"
@@ -22,7 +20,6 @@
 #include "engine/motion/moved.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
-#include "render/layout/crew.hpp"
 #include "render/live/live_page.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/handout.hpp"
@@ -225,7 +222,6 @@ render::SheetOptions options_of(const SolveRequest& request, const render::Theme
     options.detail = request.detail;
     options.kind = request.sheet;
     options.grid = request.grid;
-    options.crew = request.crew;
     return options;
 }
 
@@ -462,17 +458,6 @@ tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vect
     return found;
 }
 
-namespace {
-
-/// Of processors, besides the one that this runs on, as many as there are figures for.
-int helpers_at_hand() {
-    constexpr unsigned most = 3;
-    const unsigned processors = std::thread::hardware_concurrency();  // 0: not known
-    return processors > 1 ? static_cast<int>(std::min(processors - 1, most)) : 0;
-}
-
-}  // namespace
-
 Status solve_command(const SolveRequest& request) {
     const Language language = request.language;
     constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::tex, Format::json, Format::html};
@@ -483,14 +468,9 @@ Status solve_command(const SolveRequest& request) {
     if (const Words fault = meaningless_on_page(request, *targets); !fault.empty()) return refuse(fault, language);
     const std::future<void> modules = Press::load_ahead(*targets);
     std::optional<Press> press;
-    std::optional<render::Crew> crew;
-    SolveRequest manned = request;
-    if (std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.is_drawn(); })) {
+    if (std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.is_drawn(); }))
         take_memory_ahead(Ahead::of_a_sheet);
-        manned.crew = &crew.emplace(
-            helpers_at_hand(), [] { take_memory_ahead(Ahead::of_its_figures); }, give_back_block_memory);
-    }
-    const auto found = solved(manned, *targets, *theme, press);
+    const auto found = solved(request, *targets, *theme, press);
     if (!found) return found.error();
     if (const auto failure = write_all(found->outputs)) return fail_to_write(*failure, language);
     const auto tell_of = [&](const Words& where, const char* kind, const std::string& line) {

@@ -1,88 +1,71 @@
 #include "engine/file/expression_gap.hpp"
 
 #include <algorithm>
+#include <boost/numeric/interval.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace kinegraph {
 namespace {
 
 using Kind = Expression::Kind;
+namespace intervals = boost::numeric::interval_lib;
+
+/// Bounds are rounded to the nearest: a search that ends at a billionth of the interval needs no directed rounding.
+/// What is not a number is the empty interval, what is out of bounds is infinite; neither throws.
+using Values =
+    boost::numeric::interval<double,
+                             intervals::policies<intervals::save_state_nothing<intervals::rounded_transc_exact<double>>,
+                                                 intervals::checking_base<double>>>;
 
 /// All values that an expression may take on an interval, or more; and what may be wrong there.
 struct Range {
-    double low = 0, high = 0;
+    Values values;
     bool has_pole = false, leaves_domain = false;
 
-    bool holds(double value) const { return low <= value && value <= high; }
-    bool is_doubtful() const { return has_pole || leaves_domain || !std::isfinite(low) || !std::isfinite(high); }
+    bool is_doubtful() const {
+        return has_pole || leaves_domain || !std::isfinite(values.lower()) || !std::isfinite(values.upper());
+    }
 };
 
-Range sum(const Range& a, const Range& b) { return {a.low + b.low, a.high + b.high}; }
-Range product(const Range& a, const Range& b) {
-    const auto [low, high] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-    return {low, high};
-}
+Range pole() { return {Values::whole(), true, false}; }
+Range outside_domain() { return {Values::whole(), false, true}; }
 
 /// base^n for a whole n.
-Range whole_power(const Range& base, double n) {
-    if (n < 0 && base.holds(0)) return {-1, 1, true, false};
-    const double first = std::pow(base.low, n), last = std::pow(base.high, n);
-    Range range{std::min(first, last), std::max(first, last)};
-    if (n > 0 && std::fmod(n, 2) == 0 && base.holds(0)) range.low = 0;
-    return range;
+Range whole_power(const Values& base, double n) {
+    if (n < 0 && zero_in(base)) return pole();
+    const Values values = Values::hull(std::pow(base.lower(), n), std::pow(base.upper(), n));
+    return {n > 0 && std::fmod(n, 2) == 0 && zero_in(base) ? hull(values, 0.0) : values};
 }
-Range power(const Range& base, const Range& exponent) {
-    if (exponent.low == exponent.high && std::floor(exponent.low) == exponent.low)
-        return whole_power(base, exponent.low);
-    if (base.low < 0) return {-1, 1, false, true};
-    if (base.low == 0 && exponent.low < 0) return {-1, 1, true, false};
-    const auto [low, high] = std::minmax({std::pow(base.low, exponent.low), std::pow(base.low, exponent.high),
-                                          std::pow(base.high, exponent.low), std::pow(base.high, exponent.high)});
-    return {low, high};
+/// Boost has whole exponents alone.
+Range power(const Values& base, const Values& exponent) {
+    if (singleton(exponent) && std::floor(exponent.lower()) == exponent.lower())
+        return whole_power(base, exponent.lower());
+    if (base.lower() < 0) return outside_domain();
+    if (base.lower() == 0 && exponent.lower() < 0) return pole();
+    return {hull(Values::hull(std::pow(base.lower(), exponent.lower()), std::pow(base.lower(), exponent.upper())),
+                 Values::hull(std::pow(base.upper(), exponent.lower()), std::pow(base.upper(), exponent.upper())))};
 }
 
-/// Whether some offset + k·period, k whole, lies in it.
-bool holds_any(const Range& range, double offset, double period) {
-    return std::floor((range.high - offset) / period) >= std::ceil((range.low - offset) / period);
-}
-Range cosine(const Range& of) {
-    constexpr double turn = 2 * std::numbers::pi;
-    const auto [low, high] = std::minmax({std::cos(of.low), std::cos(of.high)});
-    return {holds_any(of, std::numbers::pi, turn) ? -1 : low, holds_any(of, 0, turn) ? 1 : high};
-}
-Range even(const Range& of, double first, double last) {
-    return {of.holds(0) ? std::min({first, last, 1.0}) : std::min(first, last), std::max(first, last)};
-}
-
-Range function(Elementary which, const Range& of) {
-    constexpr double quarter = std::numbers::pi / 2;
-    const auto rising = [&](double (*f)(double)) { return Range{f(of.low), f(of.high)}; };
+Range function(Elementary which, const Values& of) {
     switch (which) {
-        case Elementary::sin: return cosine({of.low - quarter, of.high - quarter});
-        case Elementary::cos: return cosine(of);
-        case Elementary::tan:
-            if (holds_any(of, quarter, std::numbers::pi)) return {-1, 1, true, false};
-            return rising(std::tan);
-        case Elementary::asin:
-            if (of.low < -1 || of.high > 1) return {-1, 1, false, true};
-            return rising(std::asin);
-        case Elementary::acos:
-            if (of.low < -1 || of.high > 1) return {-1, 1, false, true};
-            return {std::acos(of.high), std::acos(of.low)};
-        case Elementary::atan: return rising(std::atan);
-        case Elementary::sinh: return rising(std::sinh);
-        case Elementary::cosh: return even(of, std::cosh(of.low), std::cosh(of.high));
-        case Elementary::tanh: return rising(std::tanh);
-        case Elementary::exp: return rising(std::exp);
+        case Elementary::sin: return {sin(of)};
+        case Elementary::cos: return {cos(of)};
+        case Elementary::tan: {
+            const Values values = tan(of);
+            return std::isfinite(values.upper() - values.lower()) ? Range{values} : pole();
+        }
+        case Elementary::asin: return subset(of, Values(-1, 1)) ? Range{asin(of)} : outside_domain();
+        case Elementary::acos: return subset(of, Values(-1, 1)) ? Range{acos(of)} : outside_domain();
+        case Elementary::atan: return {atan(of)};
+        case Elementary::sinh: return {sinh(of)};
+        case Elementary::cosh: return {cosh(of)};
+        case Elementary::tanh: return {tanh(of)};
+        case Elementary::exp: return {exp(of)};
         case Elementary::log:
-            if (of.low < 0) return {-1, 1, false, true};
-            if (of.low == 0) return {-1, 1, true, false};
-            return rising(std::log);
-        case Elementary::abs:
-            return {of.holds(0) ? 0 : std::min(std::abs(of.low), std::abs(of.high)),
-                    std::max(std::abs(of.low), std::abs(of.high))};
+            if (of.lower() < 0) return outside_domain();
+            return of.lower() == 0 ? pole() : Range{log(of)};
+        case Elementary::abs: return {abs(of)};
     }
     return {};
 }
@@ -96,7 +79,7 @@ public:
         constexpr int most = 4000;
         constexpr double fine = 1e-9;
         if (++asked_ > most) return std::nullopt;
-        const Range here = range(of_, {from, to});
+        const Range here = range(of_, {Values(from, to)});
         if (!here.is_doubtful()) return std::nullopt;
         const double middle = from + (to - from) / 2;
         if (to - from > fine * whole_ && middle > from && middle < to) {
@@ -124,7 +107,7 @@ private:
             case Kind::pi:
             case Kind::constant: {
                 const double value = estimate(of, constants_, 0).value;
-                return {value, value};
+                return {Values(value)};
             }
             case Kind::variable: return variable;
             case Kind::sum:
@@ -133,18 +116,18 @@ private:
                 for (std::size_t i = 1; i < of.parts.size() && !all.is_doubtful(); ++i) {
                     const Range each = range(of.parts[i], variable);
                     if (each.is_doubtful()) return each;
-                    all = of.kind == Kind::sum ? sum(all, each) : product(all, each);
+                    all.values = of.kind == Kind::sum ? all.values + each.values : all.values * each.values;
                 }
                 return all;
             }
             case Kind::power: {
                 const Range base = range(of.parts[0], variable), exponent = range(of.parts[1], variable);
                 if (base.is_doubtful()) return base;
-                return exponent.is_doubtful() ? exponent : power(base, exponent);
+                return exponent.is_doubtful() ? exponent : power(base.values, exponent.values);
             }
             case Kind::function: {
                 const Range argument = range(of.parts[0], variable);
-                return argument.is_doubtful() ? argument : function(of.function, argument);
+                return argument.is_doubtful() ? argument : function(of.function, argument.values);
             }
         }
         return {};

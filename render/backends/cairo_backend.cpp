@@ -4,17 +4,11 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 #include <png.h>
-#include <sys/mman.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
-#include <future>
 #include <memory>
 #include <numbers>
 #include <span>
@@ -144,67 +138,53 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned length) {
     return CAIRO_STATUS_SUCCESS;
 }
 
-/// Pixels of cairo's RGB24, rows of a picture from one on.
-struct Rows {
-    const unsigned char* pixels;
-    int width, count;
-    bool in_grey;
+struct PictureSize {
+    int width, height;
+    double scale;  // pixels to a mm
 };
 
-/// Rows as PNG compresses them: a stretch of a stream to which the next is added.
-struct Compressed {
-    std::string bytes;
-    uLong check = adler32(0, nullptr, 0);
-    std::size_t length = 0;  // before
-};
+PictureSize size_at(const Page& page, double dpi) {
+    KG_ASSERT(std::isfinite(dpi) && dpi > 0, "a picture has a resolution");
+    const double scale = dpi / 25.4;
+    const auto pixels = [scale](double mm) { return static_cast<int>(std::ceil(mm * scale - 1e-6)); };
+    const PictureSize size{pixels(page.width), pixels(page.height), scale};
+    KG_ASSERT(size.width > 0 && size.height > 0 && size.width <= 32767 && size.height <= 32767,
+              "the picture is one that cairo draws");
+    return size;
+}
 
-void put_row(const std::uint32_t* from, const Rows& rows, std::vector<unsigned char>& row) {
-    unsigned char* to = row.data() + 1;  // after the number of its filter: none
-    for (int x = 0; x < rows.width; ++x) {
-        if (!rows.in_grey) {
-            *to++ = static_cast<unsigned char>(from[x] >> 16);
-            *to++ = static_cast<unsigned char>(from[x] >> 8);
+/// A page as pixels of cairo's RGB24.
+Owned<cairo_surface_t> drawn(const Page& page, const Glyphs& glyphs, const PictureSize& size) {
+    Owned<cairo_surface_t> surface{cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)};
+    const Owned<cairo_t> cr{cairo_create(surface.get())};
+    KG_ASSERT(cairo_status(cr.get()) == CAIRO_STATUS_SUCCESS, "the picture fits into memory");
+    cairo_scale(cr.get(), size.scale, size.scale);
+    draw(cr.get(), page, [&](const TextMark& text) {
+        cairo_set_tolerance(cr.get(), type_tolerance);
+        cairo_new_path(cr.get());
+        for (const Glyph& g : text.glyphs) {
+            add_outline(cr.get(), glyphs.outline(g.face, g.index), g.size, g.origin);
+            cairo_fill(cr.get());  // one by one is quicker than a whole line
         }
-        *to++ = static_cast<unsigned char>(from[x]);
-    }
+        cairo_set_tolerance(cr.get(), drawn_tolerance);
+    });
+    cairo_surface_flush(surface.get());
+    return surface;
+}
+
+/// Shows take() each row of a surface, from the top.
+template <class Take>
+void for_each_row(cairo_surface_t* surface, const PictureSize& size, Take take) {
+    const unsigned char* const pixels = cairo_image_surface_get_data(surface);
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+    for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y)
+        take(std::span(reinterpret_cast<const std::uint32_t*>(pixels + y * stride),
+                       static_cast<std::size_t>(size.width)));
 }
 
 /// Sheets are mostly blank: filters make the file larger, and zlib's higher levels take twice the time for 3 % of the
-/// size. `is_last`: the stream ends with it.
-Compressed compressed(const Rows& rows, bool is_last) {
-    constexpr int level = 1, without_header = -15, usual_memory = 8;
-    z_stream stream{};
-    if (deflateInit2(&stream, level, Z_DEFLATED, without_header, usual_memory, Z_DEFAULT_STRATEGY) != Z_OK)
-        throw Fault("zlib does not start");
-    const std::unique_ptr<z_stream, decltype(&deflateEnd)> ends(&stream, &deflateEnd);
-    Compressed found;
-    std::vector<unsigned char> row(1 + static_cast<std::size_t>(rows.width) * (rows.in_grey ? 1 : 3)),
-        piece(std::size_t{1} << 16U);
-    const auto add = [&](std::size_t bytes, int flush) {
-        stream.next_in = row.data();
-        stream.avail_in = static_cast<uInt>(bytes);
-        do {
-            stream.next_out = piece.data();
-            stream.avail_out = static_cast<uInt>(piece.size());
-            deflate(&stream, flush);
-            found.bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size() - stream.avail_out);
-        } while (stream.avail_out == 0);
-    };
-    const std::size_t stride = static_cast<std::size_t>(rows.width) * 4;
-    for (int y = 0; y < rows.count; ++y) {
-        const unsigned char* const from = rows.pixels + static_cast<std::size_t>(y) * stride;
-        const bool as_above = y > 0 && std::memcmp(from, from - stride, stride) == 0;
-        if (!as_above) put_row(reinterpret_cast<const std::uint32_t*>(from), rows, row);
-        add(row.size(), Z_NO_FLUSH);
-        found.check = adler32_z(found.check, row.data(), row.size());
-        found.length += row.size();
-    }
-    add(0, is_last ? Z_FINISH : Z_SYNC_FLUSH);
-    return found;
-}
-
-/// A picture of rows that follow each other, each stretch of them compressed by itself.
-std::string png_of(int width, int height, bool in_grey, double dpi, std::span<const Compressed> stretches) {
+/// size.
+std::string png_of(cairo_surface_t* surface, const PictureSize& size, bool in_grey, double dpi) {
     std::string out;
     const auto fail = [](png_structp, png_const_charp message) { throw Fault(std::string("libpng: ") + message); };
     png_structp png =
@@ -217,27 +197,27 @@ std::string png_of(int width, int height, bool in_grey, double dpi, std::span<co
             static_cast<std::string*>(png_get_io_ptr(p))->append(reinterpret_cast<const char*>(data), length);
         },
         [](png_structp) {});
-    png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
+    png_set_IHDR(png, info, static_cast<png_uint_32>(size.width), static_cast<png_uint_32>(size.height), 8,
                  in_grey ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     const auto each_metre = static_cast<png_uint_32>(std::lround(dpi / 0.0254));
     png_set_pHYs(png, info, each_metre, each_metre, PNG_RESOLUTION_METER);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+    png_set_compression_level(png, 1);
     png_write_info(png, info);
-    const auto put = [png](const char* name, const std::string& data) {
-        png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), reinterpret_cast<png_const_bytep>(data.data()),
-                        data.size());
-    };
-    // Header and end of a zlib stream: RFC 1950.
-    put("IDAT", "\x78\x01");
-    uLong check = adler32(0, nullptr, 0);
-    for (const Compressed& each : stretches) {
-        put("IDAT", each.bytes);
-        check = adler32_combine(check, each.check, static_cast<z_off_t>(each.length));
-    }
-    std::string end;
-    for (const int shift : {24, 16, 8, 0}) end += static_cast<char>(check >> shift);
-    put("IDAT", end);
-    put("IEND", {});
+    std::vector<png_byte> row;
+    for_each_row(surface, size, [&](std::span<const std::uint32_t> pixels) {
+        row.clear();
+        for (const std::uint32_t pixel : pixels) {
+            if (!in_grey) {
+                row.push_back(static_cast<png_byte>(pixel >> 16));
+                row.push_back(static_cast<png_byte>(pixel >> 8));
+            }
+            row.push_back(static_cast<png_byte>(pixel));
+        }
+        png_write_row(png, row.data());
+    });
+    png_write_end(png, info);
     png_destroy_write_struct(&png, &info);
     return out;
 }
@@ -275,153 +255,22 @@ EmbeddedFace embedded_face(const Glyphs& glyphs, std::uint8_t face) {
     return {std::move(font), blank};
 }
 
-struct Free {
-    void operator()(unsigned char* memory) const { std::free(memory); }
-};
-using Pixels = std::unique_ptr<unsigned char, Free>;
-
-/// Memory for pictures, kept for the next page: in pages as large as the machine has them, since a thousand small ones
-/// take longer to get than to draw on. What it holds is the last picture, to be painted over.
-class Canvas {
-public:
-    unsigned char* pixels(std::size_t bytes) {
-        if (bytes <= size_) return pixels_.get();
-        constexpr std::size_t large_page = std::size_t{1} << 21;
-        pixels_.reset();
-        size_ = 0;
-        const std::size_t whole = (bytes + large_page - 1) / large_page * large_page;
-        pixels_.reset(static_cast<unsigned char*>(std::aligned_alloc(large_page, whole)));
-        KG_ASSERT(pixels_, "the picture fits into memory");
-        size_ = whole;
-        ::madvise(pixels_.get(), whole, MADV_HUGEPAGE);  // refused by some machines: then it is slower
-        return pixels_.get();
-    }
-
-private:
-    Pixels pixels_;
-    std::size_t size_ = 0;
-};
-
-}  // namespace
-
-namespace {
-
-/// The rows of a picture from one on, before another.
-struct Strip {
-    int first, end;
-};
-
-/// What a page shows in a strip of its picture, `pixels` from its first row on. Type that the strip does not touch is
-/// left out.
-void draw_strip(const Page& page, const Glyphs& glyphs, double scale, const Strip& strip, unsigned char* pixels,
-                int width) {
-    const int stride = 4 * width;
-    const Owned<cairo_surface_t> surface{
-        cairo_image_surface_create_for_data(pixels, CAIRO_FORMAT_RGB24, width, strip.end - strip.first, stride)};
-    cairo_surface_set_device_offset(surface.get(), 0, -strip.first);
-    const Owned<cairo_t> cr{cairo_create(surface.get())};
-    cairo_scale(cr.get(), scale, scale);
-    KG_ASSERT(cairo_status(cr.get()) == CAIRO_STATUS_SUCCESS, "the picture fits into memory");
-    const auto is_outside = [&](const Glyph& glyph) {
-        constexpr double highest = 3;  // em, from the baseline, either way
-        return (glyph.origin.y + highest * glyph.size) * scale < strip.first ||
-               (glyph.origin.y - highest * glyph.size) * scale > strip.end;
-    };
-    draw(cr.get(), page, [&](const TextMark& text) {
-        cairo_set_tolerance(cr.get(), type_tolerance);
-        cairo_new_path(cr.get());
-        for (const Glyph& g : text.glyphs) {
-            if (text.angle == 0 && is_outside(g)) continue;
-            add_outline(cr.get(), glyphs.outline(g.face, g.index), g.size, g.origin);
-            cairo_fill(cr.get());  // one by one is quicker than a whole line
-        }
-        cairo_set_tolerance(cr.get(), drawn_tolerance);
-    });
-    cairo_surface_flush(surface.get());
-}
-
-struct PictureSize {
-    int width, height;
-    double scale;  // pixels to a mm
-    std::size_t bytes(int rows) const {
-        return std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
-    }
-};
-
-PictureSize size_at(const Page& page, double dpi) {
-    KG_ASSERT(std::isfinite(dpi) && dpi > 0, "a picture has a resolution");
-    const double scale = dpi / 25.4;
-    const auto pixels = [scale](double mm) { return static_cast<int>(std::ceil(mm * scale - 1e-6)); };
-    const PictureSize size{pixels(page.width), pixels(page.height), scale};
-    KG_ASSERT(size.width > 0 && size.height > 0 && size.width <= 32767 && size.height <= 32767,
-              "the picture is one that cairo draws");
-    return size;
-}
-
-/// A page drawn by two threads, so many rows at a time: into what place(thread, strip) gives. done(number, strip,
-/// pixels) when a strip is drawn, on the thread that drew it.
-template <class Place, class Done>
-void draw_in_strips(const Page& page, const Glyphs& glyphs, const PictureSize& size, int rows, Place place, Done done) {
-    // An outline is made when it is first asked for, which is no matter for two at once.
-    for (const Mark& mark : page.marks)
-        if (const auto* text = std::get_if<TextMark>(&mark))
-            for (const Glyph& glyph : text->glyphs) glyphs.outline(glyph.face, glyph.index);
-    std::atomic<int> next = 0;
-    const auto draw_some = [&](std::size_t thread) {
-        for (int number = next++; number * rows < size.height; number = next++) {
-            const Strip strip{number * rows, std::min((number + 1) * rows, size.height)};
-            unsigned char* const pixels = place(thread, strip);
-            draw_strip(page, glyphs, size.scale, strip, pixels, size.width);
-            done(static_cast<std::size_t>(number), strip, pixels);
-        }
-    };
-    std::future<void> beside = std::async(std::launch::async | std::launch::deferred, draw_some, 1);
-    draw_some(0);
-    beside.get();
-}
-
-/// Memory for pictures: one of them is in use at a time.
-Canvas& canvas() {
-    static thread_local Canvas own;
-    return own;
-}
-
 }  // namespace
 
 std::string to_png(const Page& page, const Glyphs& glyphs, double dpi) {
     const PictureSize size = size_at(page, dpi);
-    const bool in_grey = grey(page);
-    // Memory that is used again is at hand; to draw a page in eight strips takes no longer than in two.
-    constexpr int strips = 8;
-    const int rows = (size.height + strips - 1) / strips;
-    unsigned char* const memory = canvas().pixels(2 * size.bytes(rows));
-    std::vector<Compressed> compressed_strips(static_cast<std::size_t>((size.height + rows - 1) / rows));
-    draw_in_strips(
-        page, glyphs, size, rows, [&](std::size_t thread, const Strip&) { return memory + thread * size.bytes(rows); },
-        [&](std::size_t number, const Strip& strip, const unsigned char* pixels) {
-            const bool is_last = strip.end == size.height;
-            compressed_strips[number] = compressed({pixels, size.width, strip.end - strip.first, in_grey}, is_last);
-        });
-    return png_of(size.width, size.height, in_grey, dpi, compressed_strips);
+    return png_of(drawn(page, glyphs, size).get(), size, grey(page), dpi);
 }
 
 Picture to_picture(const Page& page, const Glyphs& glyphs, double dpi) {
     const PictureSize size = size_at(page, dpi);
-    unsigned char* const memory = canvas().pixels(size.bytes(size.height));
-    draw_in_strips(
-        page, glyphs, size, (size.height + 1) / 2,
-        [&](std::size_t, const Strip& strip) { return memory + size.bytes(strip.first); },
-        [](std::size_t, const Strip&, const unsigned char*) {});
-    const auto width = static_cast<std::size_t>(size.width);
-    Picture picture{size.width, size.height, std::vector<Colour>(width * static_cast<std::size_t>(size.height)), dpi};
-    for (int y = 0; y < size.height; ++y) {
-        const auto* row = reinterpret_cast<const std::uint32_t*>(memory + size.bytes(y));
-        std::transform(row, row + width, picture.pixels.data() + width * static_cast<std::size_t>(y),
-                       [](std::uint32_t pixel) {
-                           return Colour{static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
-                                         static_cast<std::uint8_t>(pixel)};
-                       });
-    }
+    Picture picture{size.width, size.height, {}, dpi};
+    picture.pixels.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+    for_each_row(drawn(page, glyphs, size).get(), size, [&](std::span<const std::uint32_t> pixels) {
+        for (const std::uint32_t pixel : pixels)
+            picture.pixels.push_back({static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
+                                      static_cast<std::uint8_t>(pixel)});
+    });
     return picture;
 }
 

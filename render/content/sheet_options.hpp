@@ -11,8 +11,6 @@
 
 namespace kinegraph::render {
 
-class Crew;
-
 struct SheetOptions {
     Paper paper = Paper::a4;
     Language language = Language::en;
@@ -27,7 +25,6 @@ struct SheetOptions {
     // What is bound with these pages: how many come before and after them, and how many figures before.
     std::size_t pages_before = 0, pages_after = 0;
     int figures_before = 0;
-    Crew* crew = nullptr;  ///< draws figures side by side, where there is one; the sheet is the same
 };
 
 }  // namespace kinegraph::render

@@ -416,12 +416,12 @@ void WantedFigures::add_small() {
 }
 
 const DrawingContext& WantedFigures::unscaled() {
-    std::call_once(unscaled_once_, [this] {
+    if (!unscaled_context_) {
         unscaled_ = context_.solution;
         unscaled_->mechanism.scales.clear();
         unscaled_context_.emplace(
             DrawingContext{*unscaled_, context_.theme, context_.fonts, context_.language, context_.dimensions});
-    });
+    }
     return *unscaled_context_;
 }
 

@@ -5,7 +5,6 @@
 #include <deque>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -128,7 +127,6 @@ private:
     const DrawingContext& context_;
     SolutionDetail detail_;
     std::deque<PolygonScene> scenes_;   // of the polygons of motion; they stay where they are
-    std::once_flag unscaled_once_;      // figures may be drawn side by side
     std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
     std::optional<DrawingContext> unscaled_context_;
     std::deque<Solution> alone_;  // by part of the superposition

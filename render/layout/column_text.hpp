@@ -2,7 +2,6 @@
 // sentence.
 #pragma once
 
-#include <boost/container/small_vector.hpp>
 #include <vector>
 
 #include "render/content/bands.hpp"
@@ -13,8 +12,7 @@ namespace kinegraph::render {
 struct TextColumn {
     double x = 0, top = 0, lift = 0;
 };
-/// A plan tries thousands of them: no page has so many columns that they need memory.
-using TextColumns = boost::container::small_vector<TextColumn, 6>;
+using TextColumns = std::vector<TextColumn>;
 
 /// Whether a table or a heading is wider than a column of `measure` mm, rows scaled.
 bool is_wider(const Passage& passage, double scale, double measure);

@@ -8,7 +8,6 @@
 #include "render/figures/caption.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/layout/beside.hpp"
-#include "render/layout/crew.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
@@ -79,20 +78,13 @@ std::vector<DrawnFigures::InItsRoom> DrawnFigures::in_their_rooms(const SheetPla
 
 /// But for those that wait.
 void DrawnFigures::draw_each(const std::vector<InItsRoom>& all, bool refuse) {
-    struct Task {
-        DrawnFigure* drawn;
-        double coarsest;
-    };
-    std::vector<Task> tasks;
     for (const InItsRoom& each : all) {
         const Wanted& wanted = wanted_.list[each.drawn->wanted];
         if (each.drawn->waits) continue;
         constexpr double rounding = 1e-9;
         const bool may_refuse = refuse && wanted.draw_or_refuse && needs_.may_refuse(wanted);
-        tasks.push_back({each.drawn, may_refuse ? each.drawn->promised * (1 + rounding) : any_scale});
+        draw_into(*each.drawn, each.drawn->own, may_refuse ? each.drawn->promised * (1 + rounding) : any_scale);
     }
-    share_out(crew_, tasks.size(),
-              [&](std::size_t i) { draw_into(*tasks[i].drawn, tasks[i].drawn->own, tasks[i].coarsest); });
 }
 
 void DrawnFigures::draw_what_fills_its_room() {
@@ -101,13 +93,11 @@ void DrawnFigures::draw_what_fills_its_room() {
         for (DrawnFigure& drawn : figures) in_order.push_back(&drawn);
     std::sort(in_order.begin(), in_order.end(),
               [](const auto* one, const auto* other) { return one->number < other->number; });
-    share_out(crew_, in_order.size(), [&](std::size_t i) {
-        DrawnFigure& drawn = *in_order[i];
-        if (std::exchange(drawn.waits, false)) draw_into(drawn, {drawn.room.width(), drawn.room.height()}, any_scale);
-        enlarge(drawn);
-    });
     std::size_t details = 0;
     for (DrawnFigure* drawn : in_order) {
+        if (std::exchange(drawn->waits, false))
+            draw_into(*drawn, {drawn->room.width(), drawn->room.height()}, any_scale);
+        enlarge(*drawn);
         letter_details_on(drawn->figure, context_, details);
         details += drawn->figure.details.size();
     }
@@ -128,16 +118,13 @@ void DrawnFigures::enlarge(DrawnFigure& drawn) const {
 }
 
 void DrawnFigures::enrich() {
-    std::vector<DrawnFigure*> all;
     for (auto& [band, figures] : by_band_)
-        for (DrawnFigure& drawn : figures)
-            if (wanted_.list[drawn.wanted].enrich) all.push_back(&drawn);
-    share_out(crew_, all.size(), [&](std::size_t i) {
-        DrawnFigure& drawn = *all[i];
-        const Spot room{drawn.room.width(), drawn.room.height() - drawn.caption};
-        Figure more = wanted_.list[drawn.wanted].enrich(drawn.figure, room);
-        if (more.scale != any_scale) drawn.figure = std::move(more);
-    });
+        for (DrawnFigure& drawn : figures) {
+            const Wanted& wanted = wanted_.list[drawn.wanted];
+            if (!wanted.enrich) continue;
+            Figure more = wanted.enrich(drawn.figure, {drawn.room.width(), drawn.room.height() - drawn.caption});
+            if (more.scale != any_scale) drawn.figure = std::move(more);
+        }
 }
 
 bool DrawnFigures::keep_to_rooms() const {
@@ -191,7 +178,7 @@ bool DrawnFigures::set_in_corner(DrawnFigure& drawn, const Block& equations) con
 /// is empty then and at any_scale.
 const Figure& DrawnFigures::figure_in(std::size_t index, Spot room, double coarsest) {
     const Wanted& wanted = wanted_.list[index];
-    std::vector<Known>& known = known_[index];  // no other thread asks for this figure
+    std::vector<Known>& known = known_[index];
     for (const Known& each : known)
         if (serves(each, wanted, room, coarsest)) return each.figure;
     Known drawn{room, wanted.to_force_scale ? wanted_.force_scale : std::nullopt, wanted.shrinks, {}, {}};

@@ -11,15 +11,12 @@
 
 namespace kinegraph::render {
 
-class Crew;
-
 class DrawnFigures {
 public:
     using ByBand = std::map<std::size_t, std::vector<DrawnFigure>>;
 
-    DrawnFigures(const DrawingContext& context, const WantedFigures& wanted, const Bands& bands, FigureNeeds& needs,
-                 Crew* crew)
-        : context_(context), wanted_(wanted), bands_(bands), needs_(needs), crew_(crew), known_(wanted.list.size()) {}
+    DrawnFigures(const DrawingContext& context, const WantedFigures& wanted, const Bands& bands, FigureNeeds& needs)
+        : context_(context), wanted_(wanted), bands_(bands), needs_(needs), known_(wanted.list.size()) {}
 
     /// All that the plan shows, but for what fills whatever room is left. `refuse`: figures may refuse a room that is
     /// less than their plan promised. False where equations found no corner beside their figure; the plan is told.
@@ -66,7 +63,6 @@ private:
     const WantedFigures& wanted_;
     const Bands& bands_;
     FigureNeeds& needs_;
-    Crew* crew_;                             // none: figures are drawn one after the other
     std::vector<std::vector<Known>> known_;  // by figure
     ByBand by_band_;
 };

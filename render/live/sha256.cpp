@@ -1,6 +1,8 @@
-// SHA-256 (FIPS 180-4), for the hashes in the head of the live page. Nothing else here needs a hash of this kind.
+// SHA-256 by nettle, for the hashes in the head of the live page. Nothing else here needs a hash of this kind.
+#include <nettle/base64.h>
+#include <nettle/sha2.h>
+
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -8,68 +10,15 @@
 #include "render/live/live_page.hpp"
 
 namespace kinegraph::render {
-namespace {
-
-using Word = std::uint32_t;
-
-constexpr std::array<Word, 64> constants{
-    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
-    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
-    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
-    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
-    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
-    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
-    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
-    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
-
-/// The text, a one, zeros, and its length in bits: a whole number of blocks of 64 bytes.
-std::string padded(std::string_view text) {
-    std::string bytes(text);
-    bytes += static_cast<char>(0x80);
-    while (bytes.size() % 64 != 56) bytes += '\0';
-    const std::uint64_t bits = static_cast<std::uint64_t>(text.size()) * 8;
-    for (int shift = 56; shift >= 0; shift -= 8) bytes += static_cast<char>((bits >> shift) & 0xff);
-    return bytes;
-}
-
-void take_block(std::array<Word, 8>& state, std::string_view block) {
-    std::array<Word, 64> w{};
-    for (std::size_t i = 0; i < 64; ++i) w[i / 4] = (w[i / 4] << 8U) | static_cast<unsigned char>(block[i]);
-    for (std::size_t i = 16; i < 64; ++i) {
-        const Word low = std::rotr(w[i - 15], 7) ^ std::rotr(w[i - 15], 18) ^ (w[i - 15] >> 3U);
-        const Word high = std::rotr(w[i - 2], 17) ^ std::rotr(w[i - 2], 19) ^ (w[i - 2] >> 10U);
-        w[i] = w[i - 16] + low + w[i - 7] + high;
-    }
-    auto [a, b, c, d, e, f, g, h] = state;
-    for (std::size_t i = 0; i < 64; ++i) {
-        const Word choice = (e & f) ^ (~e & g), majority = (a & b) ^ (a & c) ^ (b & c);
-        const Word one = h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) + choice + constants[i] + w[i];
-        const Word two = (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + majority;
-        h = g, g = f, f = e, e = d + one, d = c, c = b, b = a, a = one + two;
-    }
-    const std::array<Word, 8> more{a, b, c, d, e, f, g, h};
-    for (std::size_t i = 0; i < 8; ++i) state[i] += more[i];
-}
-
-}  // namespace
 
 std::string sha256_base64(std::string_view text) {
-    std::array<Word, 8> state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                              0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-    const std::string bytes = padded(text);
-    for (std::size_t at = 0; at < bytes.size(); at += 64) take_block(state, std::string_view(bytes).substr(at, 64));
-    // 32 bytes in groups of three, the last of which lacks one.
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const auto byte = [&](std::size_t i) { return i < 32 ? (state[i / 4] >> (24 - 8 * (i % 4))) & 0xffU : 0U; };
-    std::string encoded;
-    for (std::size_t i = 0; i < 33; i += 3) {
-        const Word three = (byte(i) << 16U) | (byte(i + 1) << 8U) | byte(i + 2);
-        for (unsigned shift = 18;; shift -= 6) {
-            encoded += digits[(three >> shift) & 63U];
-            if (shift == 0) break;
-        }
-    }
-    encoded.back() = '=';
+    sha256_ctx hash{};
+    sha256_init(&hash);
+    sha256_update(&hash, text.size(), reinterpret_cast<const std::uint8_t*>(text.data()));
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+    sha256_digest(&hash, digest.size(), digest.data());
+    std::string encoded(BASE64_ENCODE_RAW_LENGTH(SHA256_DIGEST_SIZE), '\0');
+    base64_encode_raw(encoded.data(), digest.size(), digest.data());
     return encoded;
 }
 

@@ -2,7 +2,6 @@
 #include "render/mechanism/clutter.hpp"
 
 #include <algorithm>
-#include <boost/container/small_vector.hpp>
 
 namespace kinegraph::render::drawing {
 
@@ -52,7 +51,7 @@ double Clutter::along(Spot from, Spot to) const {
     constexpr double rounding = 1e-6;
     const Spot low{std::min(from.x, to.x) - rounding, std::min(from.y, to.y) - rounding};
     const Spot high{std::max(from.x, to.x) + rounding, std::max(from.y, to.y) + rounding};
-    boost::container::small_vector<const Stroke*, 32> about;
+    std::vector<const Stroke*> about;
     for (const Stroke& stroke : strokes_)
         if (high.x > stroke.box.min.x && low.x < stroke.box.max.x && high.y > stroke.box.min.y &&
             low.y < stroke.box.max.y)

@@ -2,6 +2,7 @@
 #include "render/page/ink_map.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "render/page/shapes.hpp"
@@ -11,14 +12,6 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double most_bits = 3000;  // on a side
-constexpr std::size_t band = 4;     // rows asked together
-
-// What std::ceil and std::floor do, without a call, for what is neither negative nor beyond an int.
-int up(double value) {
-    const int whole = static_cast<int>(value);
-    return whole + (whole < value ? 1 : 0);
-}
-int down(double value) { return static_cast<int>(value); }
 
 /// The run that a box has in each row of a map; rows are those whose middle it meets.
 class Runs {
@@ -28,8 +21,8 @@ public:
         const double low = (box.centre.y - reach - top) / pitch - 0.5,
                      high = (box.centre.y + reach - top) / pitch - 0.5;
         if (!(high >= 0 && low <= rows - 1)) return;
-        first = up(std::max(0.0, low));
-        last = down(std::min(rows - 1.0, high));
+        first = static_cast<int>(std::ceil(std::max(0.0, low)));
+        last = static_cast<int>(std::floor(std::min(rows - 1.0, high)));
         // The box is where two strips cross; of each strip a row has a stretch as long as of any other.
         constexpr double endless = 1e300, least = 1e-9;
         const double cosine = std::abs(box.axis.x) < least ? 0 : box.axis.x,
@@ -48,17 +41,8 @@ public:
         return at(std::max(lean_along_ * y - along_, lean_across_ * y - across_),
                   std::min(lean_along_ * y + along_, lean_across_ * y + across_));
     }
-    /// One that holds those of all rows from one to another, as seen from the middle of the box.
-    Run round(int from, int to) const {
-        const double y = below_centre(from), z = below_centre(to);
-        const bool right = lean_along_ >= 0, across_right = lean_across_ >= 0;
-        return {std::max(lean_along_ * (right ? y : z) - along_, lean_across_ * (across_right ? y : z) - across_),
-                std::min(lean_along_ * (right ? z : y) + along_, lean_across_ * (across_right ? z : y) + across_)};
-    }
     /// Whether all rows have the same.
     bool is_upright() const { return lean_along_ == 0 && lean_across_ == 0; }
-
-    Spot centre() const { return centre_; }
 
     int first = 0, last = -1;  ///< rows
 
@@ -70,14 +54,6 @@ private:
     double top_, pitch_;
     double along_ = 0, across_ = 0, lean_along_ = 0, lean_across_ = 0;
 };
-
-/// Bits that are set. The baseline of x86-64 has no instruction for it, and std::popcount calls a function.
-int count(std::uint64_t word) {
-    word -= (word >> 1) & 0x5555555555555555U;
-    word = (word & 0x3333333333333333U) + ((word >> 2) & 0x3333333333333333U);
-    word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0FU;
-    return static_cast<int>((word * 0x0101010101010101U) >> 56);
-}
 
 constexpr double largest_dot = 3;  // radius, mm
 
@@ -173,15 +149,14 @@ InkMap::InkMap(const Box& area) : origin_(area.min) {
     rows_ = std::max(1, static_cast<int>(std::ceil(area.height() / pitch_)) + 1);
     words_ = (static_cast<std::size_t>(columns_) + 63) / 64;
     bits_.assign(words_ * static_cast<std::size_t>(rows_), 0);
-    bands_.assign(words_ * (static_cast<std::size_t>(rows_) / band + 1), 0);
 }
 
 template <class Look>
 bool InkMap::words_of(std::size_t base, double from, double to, Look look) const {
     const double first_bit = (from - origin_.x) / pitch_ - 0.5, last_bit = (to - origin_.x) / pitch_ - 0.5;
     if (!(last_bit >= 0 && first_bit <= columns_ - 1)) return true;
-    const auto first = static_cast<std::size_t>(up(std::max(0.0, first_bit)));
-    const auto last = static_cast<std::size_t>(down(std::min(columns_ - 1.0, last_bit)));
+    const auto first = static_cast<std::size_t>(std::ceil(std::max(0.0, first_bit)));
+    const auto last = static_cast<std::size_t>(std::floor(std::min(columns_ - 1.0, last_bit)));
     for (std::size_t word = first / 64; word <= last / 64 && first <= last; ++word) {
         std::uint64_t mask = ~std::uint64_t{0};
         if (word == first / 64) mask &= ~std::uint64_t{0} << (first % 64);
@@ -192,11 +167,8 @@ bool InkMap::words_of(std::size_t base, double from, double to, Look look) const
 }
 
 void InkMap::ink_row(int row, double from, double to) {
-    const std::size_t of_row = static_cast<std::size_t>(row) * words_,
-                      of_band = static_cast<std::size_t>(row) / band * words_;
-    words_of(of_row, from, to, [&](std::size_t word, std::uint64_t mask) {
+    words_of(static_cast<std::size_t>(row) * words_, from, to, [&](std::size_t word, std::uint64_t mask) {
         bits_[word] |= mask;
-        bands_[word - of_row + of_band] |= mask;
         return true;
     });
 }
@@ -239,10 +211,8 @@ void InkMap::fill(const InkBox& box) {
     if (runs.first > runs.last) return;
     const auto [from, to] = runs.of(runs.first);
     words_of(0, from, to, [&](std::size_t word, std::uint64_t mask) {
-        for (auto row = static_cast<std::size_t>(runs.first); row <= static_cast<std::size_t>(runs.last); ++row) {
+        for (auto row = static_cast<std::size_t>(runs.first); row <= static_cast<std::size_t>(runs.last); ++row)
             bits_[row * words_ + word] |= mask;
-            bands_[row / band * words_ + word] |= mask;
-        }
         return true;
     });
 }
@@ -269,7 +239,6 @@ void InkMap::fill(const std::vector<Spot>& corners) {
 void InkMap::clear(const Box& box) {
     const int first = static_cast<int>(std::clamp((box.min.y - origin_.y) / pitch_ - 1, 0.0, rows_ - 1.0));
     const int last = static_cast<int>(std::clamp((box.max.y - origin_.y) / pitch_, 0.0, rows_ - 1.0));
-    // Bands stay as they are: they may say too much.
     for (int row = first; row <= last; ++row)
         words_of(static_cast<std::size_t>(row) * words_, box.min.x - pitch_, box.max.x + pitch_,
                  [&](std::size_t word, std::uint64_t mask) {
@@ -287,64 +256,28 @@ void InkMap::rows_of(const InkBox& box, Look look) const {
     const double right = (box.centre.x + box.half.x - origin_.x) / pitch_ - 0.5;
     if (!(last >= 0 && first <= rows_ - 1 && right >= 0 && left <= columns_ - 1)) return;
     // Upright: the same words in every row.
-    const auto from = static_cast<std::size_t>(up(std::max(0.0, left)));
-    const auto to = static_cast<std::size_t>(down(std::min(columns_ - 1.0, right)));
+    const auto from = static_cast<std::size_t>(std::ceil(std::max(0.0, left)));
+    const auto to = static_cast<std::size_t>(std::floor(std::min(columns_ - 1.0, right)));
     if (from > to) return;
-    const auto top = static_cast<std::size_t>(up(std::max(0.0, first)));
-    const auto end = static_cast<std::size_t>(down(std::min(rows_ - 1.0, last))) + 1;
+    const auto top = static_cast<std::size_t>(std::ceil(std::max(0.0, first)));
+    const auto end = static_cast<std::size_t>(std::floor(std::min(rows_ - 1.0, last))) + 1;
     // A column of words after the other: most boxes have one or two.
     for (std::size_t word = from / 64; word <= to / 64; ++word) {
         std::uint64_t mask = ~std::uint64_t{0};
         if (word == from / 64) mask &= ~std::uint64_t{0} << (from % 64);
         if (word == to / 64) mask &= ~std::uint64_t{0} >> (63 - to % 64);
-        if (!column_of(word, mask, top, end, look)) return;
+        for (std::size_t row = top; row < end; ++row)
+            if (!look(bits_[row * words_ + word] & mask)) return;
     }
 }
 
-/// The words of one column, from a row to before another, cut to a mask; whether look() never said no.
-template <class Look>
-bool InkMap::column_of(std::size_t word, std::uint64_t mask, std::size_t top, std::size_t end, Look look) const {
-    const std::uint64_t* of_band = bands_.data() + top / band * words_ + word;
-    for (std::size_t row = top; row < end; of_band += words_) {
-        const std::size_t next = std::min((row / band + 1) * band, end);
-        if ((*of_band & mask) != 0)
-            for (const std::uint64_t* bits = bits_.data() + row * words_ + word; row < next; ++row, bits += words_)
-                if (!look(*bits & mask)) return false;
-        row = next;
-    }
-    return true;
-}
-
-/// Rows of a band are looked at only where something in it is inked.
 template <class Turned, class Look>
 void InkMap::rows_of_turned(const Turned& runs, Look look) const {
-    constexpr int rows_of_band = static_cast<int>(band);
-    // A band may be thought inked by a bit beside the box: what its rows say counts.
-    constexpr double margin = 0.01;  // bits
-    const double bits = 1 / pitch_, middle = (runs.centre().x - origin_.x) * bits - 0.5;
-    const auto is_blank = [&](std::size_t of_band, double least, double most) {
-        const double first_bit = middle + least * bits - margin, last_bit = middle + most * bits + margin;
-        if (!(last_bit >= 0 && first_bit < columns_ && least <= most)) return true;
-        const auto first = static_cast<std::size_t>(std::max(0.0, first_bit));
-        const auto last = static_cast<std::size_t>(std::min(columns_ - 1.0, last_bit));
-        std::uint64_t mask = ~std::uint64_t{0} << (first % 64);
-        for (std::size_t word = first / 64; word < last / 64; ++word, mask = ~std::uint64_t{0})
-            if ((bands_[of_band + word] & mask) != 0) return false;
-        return (bands_[of_band + last / 64] & mask & (~std::uint64_t{0} >> (63 - last % 64))) == 0;
-    };
-    for (int row = runs.first; row <= runs.last;) {
-        const int end = std::min((row / rows_of_band + 1) * rows_of_band, runs.last + 1);
-        const auto of_band = static_cast<std::size_t>(row) / band * words_;
-        const auto [least, most] = runs.round(row, end - 1);
-        for (const bool blank = is_blank(of_band, least, most); !blank && row < end; ++row) {
-            const auto [from, to] = runs.of(row);
-            const auto of_row = static_cast<std::size_t>(row) * words_;
-            if (from <= to && !words_of(of_row, from, to,
-                                        [&](std::size_t word, std::uint64_t mask) { return look(bits_[word] & mask); }))
-                return;
-        }
-        row = end;
-    }
+    for (int row = runs.first; row <= runs.last; ++row)
+        if (const auto [from, to] = runs.of(row);
+            from <= to && !words_of(static_cast<std::size_t>(row) * words_, from, to,
+                                    [&](std::size_t word, std::uint64_t mask) { return look(bits_[word] & mask); }))
+            return;
 }
 
 double InkMap::inked(const InkBox& box, double most) const {
@@ -352,7 +285,7 @@ double InkMap::inked(const InkBox& box, double most) const {
     const int enough = static_cast<int>(std::min(most / bit, 1e9)) + 1;
     int bits = 0;
     rows_of(box, [&](std::uint64_t word) {
-        if (word != 0) bits += count(word);
+        bits += std::popcount(word);
         return bits < enough;
     });
     return bits * bit;

@@ -56,11 +56,9 @@ public:
     int crossings(Spot from, Spot to, int most = all) const;
 
 private:
-    /// Shows look() the words of a box, until it says no; blank ones may be left out.
+    /// Shows look() the words of a box, until it says no.
     template <class Look>
     void rows_of(const InkBox& box, Look look) const;
-    template <class Look>
-    bool column_of(std::size_t word, std::uint64_t mask, std::size_t top, std::size_t end, Look look) const;
     template <class Turned, class Look>
     void rows_of_turned(const Turned& runs, Look look) const;
     /// The words that hold the bits from x to x of the row whose first word is `base`, until look() says no; whether it
@@ -74,7 +72,6 @@ private:
     int columns_ = 0, rows_ = 0;
     std::size_t words_ = 0;  // of a row
     std::vector<std::uint64_t> bits_;
-    std::vector<std::uint64_t> bands_;  // of `band` rows each: whether one of them is inked
 };
 
 }  // namespace kinegraph::render

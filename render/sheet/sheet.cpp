@@ -36,7 +36,7 @@ public:
           bands_(context_, wanted_, options.detail),
           plan_(wanted_, bands_, format_),
           needs_(wanted_),
-          figures_(context_, wanted_, bands_, needs_, options.crew) {
+          figures_(context_, wanted_, bands_, needs_) {
         for (Wanted& wanted : wanted_.list) wanted.rim_x *= lettering, wanted.rim_y *= lettering;
     }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <mutex>
 #include <numbers>
 #include <set>
 #include <span>
@@ -120,7 +119,6 @@ struct Hash : std::hash<std::string_view> {
 }  // namespace
 
 struct Fonts::State {
-    std::mutex mutex;  // of words being set: figures may be drawn side by side
     struct FaceOfFont {
         std::unique_ptr<Typeface> typeface;
         double space = 0;                           // em
@@ -246,7 +244,6 @@ Word Fonts::State::set_word(std::string_view text, std::uint8_t face) {
 }
 
 const Word& Fonts::State::word(std::string_view text, Face face) {
-    const std::lock_guard lock(mutex);
     auto& words = faces[static_cast<std::size_t>(face)].words;
     const auto known = words.find(text);
     if (known != words.end()) return known->second;

@@ -70,7 +70,8 @@ private:
     std::shared_ptr<const Parts> parts_;
 };
 
-/// The font's four faces, opened once; shaping is const and deterministic, and several threads may shape at once.
+/// The font's four faces, opened once. Shaping is deterministic; what was shaped is kept, so only one thread at a time
+/// may use a Fonts: threads open one each.
 class Fonts final : public Glyphs {
 public:
     explicit Fonts(Typefaces faces);
