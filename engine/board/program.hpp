@@ -417,8 +417,7 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
             const auto& l = memory.line(b);
             if (l.at_infinity()) return plain(p.at_infinity());
             if (p.at_infinity()) return angle(p.place(), l.direction());
-            return zero(Number(sum_of_products(l.a, p.x, l.b, p.y) + l.c),
-                        magnitude_of(l.direction()) * largest.vector[plane]);
+            return zero(offset(p, l), magnitude_of(l.direction()) * largest.vector[plane]);
         }
         case Question::sign: return sign(memory.scalar(a), largest.beside_scalar(lies_in));
         case Question::turn_sign:
