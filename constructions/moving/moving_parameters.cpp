@@ -16,6 +16,7 @@
 #include "engine/file/units.hpp"
 #include "engine/mechanism/drivers.hpp"
 #include "engine/motion/positions.hpp"
+#include "engine/number/geometry.hpp"
 
 namespace kinegraph {
 namespace {
@@ -615,12 +616,11 @@ std::vector<MovingSetting> lengths_of(const Mechanism& mechanism, const Pose& po
         const auto hinges = hinges_of(mechanism, pose, body);
         if (!hinges || hinges->size() != 2 || mechanism.body(body).circle || has_distributed_load(mechanism, body))
             continue;
-        const Vector along = pose.at((*hinges)[1]) - pose.at((*hinges)[0]);
         bool is_bar = true;
         for (std::size_t i = 0; i < carriers->size(); ++i)
             if ((*carriers)[i].body == body)
-                is_bar =
-                    is_bar && cross(along, pose.at(PointIndex(static_cast<int>(i))) - pose.at((*hinges)[0])).is_zero();
+                is_bar = is_bar && collinear(pose.at((*hinges)[0]), pose.at((*hinges)[1]),
+                                             pose.at(PointIndex(static_cast<int>(i))));
         if (is_bar) add(MovingSetting::Kind::bar, body, (*hinges)[0], (*hinges)[1]);
     }
     const auto ground = hinges_of(mechanism, pose, frame);

@@ -4,6 +4,7 @@
 
 #include "constructions/problems/problems.hpp"
 #include "engine/check/check_problems.hpp"
+#include "engine/number/geometry.hpp"
 
 namespace kinegraph {
 namespace {
@@ -122,8 +123,9 @@ private:
     }
     void classify() {
         found_.central = true;
+        const ProjectiveLine line_of_impact = finite_line_through(point_at(found_.at), found_.normal);
         for (const ImpactSolution::Body& body : found_.bodies)
-            if (!body.fixed && !cross(body.centre - found_.at, found_.normal).is_zero()) found_.central = false;
+            if (!body.fixed && !incident(point_at(body.centre), line_of_impact)) found_.central = false;
         found_.direct = found_.slip.is_zero();
         found_.obliquity = std::atan2(std::abs(found_.slip.to_double()), std::abs(found_.approach.to_double()));
     }

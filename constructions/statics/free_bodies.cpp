@@ -7,6 +7,7 @@
 #include "constructions/statics/free_bodies/found_values.hpp"
 #include "constructions/statics/free_bodies/loose_resultants.hpp"
 #include "constructions/statics/free_bodies/superposing.hpp"
+#include "engine/number/geometry.hpp"
 
 namespace kinegraph::statics {
 
@@ -14,10 +15,10 @@ void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose) {
     // On rounded data a line passes a place that is as near as their precision, amplified a little, makes it.
     constexpr double amplified = 64;
     const auto passes = [&](const AppliedForce& applied, const Vector& place) {
-        const Exact moment = cross(applied.force, place - applied.at);
-        return moment.is_zero() ||
-               (pose.is_rounded() &&
-                std::abs(moment.to_double()) <= amplified * pose.precision.to_double() * length(applied.force));
+        if (applied.force.is_zero()) return true;
+        const ProjectiveLine line = finite_line_through(point_at(applied.at), applied.force);
+        return incident(point_at(place), line) ||
+               (pose.is_rounded() && distance(place, line) <= amplified * pose.precision.to_double());
     };
     for (FreeBody& body : bodies) {
         for (AppliedForce& applied : body.forces) {

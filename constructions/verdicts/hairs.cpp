@@ -9,6 +9,7 @@
 
 #include "engine/board/replay.hpp"
 #include "engine/number/assert.hpp"
+#include "engine/number/geometry.hpp"
 
 namespace kinegraph {
 namespace {
@@ -146,8 +147,8 @@ private:
         for (std::size_t i = 1; i < 3; ++i)
             if (apart((i + 1) % 3, (i + 2) % 3) > apart((middle + 1) % 3, (middle + 2) % 3)) middle = i;
         const PointIndex p = points[middle], from = points[(middle + 1) % 3], to = points[(middle + 2) % 3];
-        const Vector along = pose_.at(to) - pose_.at(from);
-        const double off = std::abs(cross(along, pose_.at(p) - pose_.at(from)).to_double()) / kinegraph::length(along);
+        const ProjectiveLine line = finite_join(point_at(pose_.at(from)), point_at(pose_.at(to)));
+        const double off = distance(pose_.at(p), line);
         if (!lines_said_.insert({p, from}).second) return;
         messages_.push_back(
             {Sentence::nearly_on_line, {PointName{name(p)}, Segment{name(from), name(to)}, length_said(off)}});

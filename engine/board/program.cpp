@@ -10,8 +10,6 @@
 namespace kinegraph {
 namespace {
 
-ProjectivePoint point_at(const Vector& place) { return {place.x, place.y, 1}; }
-
 Vector act_vector(const GivenMotion& given, const Pose& pose) {
     if (const auto* bearing = std::get_if<Bearing>(&given.value)) return direction_of(*bearing, pose);
     return std::get<Vector>(given.value);

@@ -417,7 +417,7 @@ private:
         const auto& l = memory_.line(b_);
         if (l.at_infinity()) return without_size(p.at_infinity());
         if (p.at_infinity()) return angle(p.place(), l.direction());
-        return zero(Number(sum_of_products(l.a, p.x, l.b, p.y) + l.c), magnitude_of(l.direction()) * beside_vectors());
+        return zero(offset(p, l), magnitude_of(l.direction()) * beside_vectors());
     }
 
     const Magnitude<Number>& beside_vectors() const { return largest_.vector[static_cast<std::size_t>(plane_)]; }

@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "engine/number/geometry.hpp"
+
 namespace kinegraph::drafting {
 
 void Directions::read_joints() {
@@ -102,10 +104,8 @@ void Directions::read_contact(const Joint& joint, std::size_t index) {
         tangent = direction(*joint.tangent, joint.where + "/tangent");
         if (!tangent) return;
     } else if (tangent && !centres.empty()) {
-        // The foot of the centre's perpendicular on the line through P.
-        const Vector& place = draft_.pose.at(joint.point);
-        const Exact factor = dot(draft_.pose.at(centres[0]) - place, *tangent) / squared_length(*tangent);
-        if (!move(joint, place + factor * *tangent, {centres[0]})) return;
+        const ProjectiveLine line = finite_line_through(point_at(draft_.pose.at(joint.point)), *tangent);
+        if (!move(joint, foot_of_perpendicular(draft_.pose.at(centres[0]), line), {centres[0]})) return;
     } else if (centres.size() == 2) {
         const Vector& base = draft_.pose.at(centres[0]);
         const Vector across = draft_.pose.at(centres[1]) - base;

@@ -3,28 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/number/geometry.hpp"
+
 namespace kinegraph::drafting {
 
 std::optional<Candidates> Intersections::meet(const Ray& a, const Ray& b, const std::string& where) {
     const Exact slant = cross(a.along, b.along);
-    const Vector across = b.through - a.through;
+    const ProjectiveLine first = finite_line_through(point_at(a.through), a.along);
     const bool inexact = a.touched || b.touched || !a.rational_angle || !b.rational_angle;
     const Exact doubt = inexact ? Exact::power_of_two(2 * (bits_in_doubt - draft_.pose.bits)) : Exact();
     if (square(slant) <= doubt * squared_length(a.along) * squared_length(b.along)) {
-        const bool same =
-            square(cross(across, a.along)) <= doubt * squared_length(a.along) * square(draft_.estimated_size);
+        const bool same = squared_distance(b.through, first) <= doubt * square(draft_.estimated_size);
         const Words apart =
             same ? Words("they are one and the same", "e sono la stessa")
-                 : Words("{0} apart", "a distanza {0}",
-                         draft_.in_file_units(std::abs(cross(across, a.along).to_double()) / length(a.along)));
+                 : Words("{0} apart", "a distanza {0}", draft_.in_file_units(distance(b.through, first)));
         draft_.fail(where,
                     {"the lines {0} and {1} do not meet: they are parallel, {2}",
                      "le rette {0} e {1} non si incontrano: sono parallele, {2}", a.name, b.name, apart},
                     ErrorCode::cannot_meet);
         return std::nullopt;
     }
-    const Exact factor = cross(across, b.along) / slant;
-    Candidates found{{a.through + factor * a.along}, 0, inexact};
+    const ProjectivePoint common = finite_meet(first, finite_line_through(point_at(b.through), b.along));
+    Candidates found{{common.place()}, 0, inexact};
     if (!a.rational_angle || !b.rational_angle) {
         // A tangent off by 2^-bits turns a line by no more; the meet is off by the lever, over the sine between the
         // lines.

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "engine/number/assert.hpp"
+#include "engine/number/geometry.hpp"
 
 namespace kinegraph::drafting {
 
@@ -176,8 +177,8 @@ std::optional<Vector> Placing::choose(const Candidates& found, const Meet& meet,
                                       const NamedPoint& named) {
     if (found.places.size() == 1) return found.places.front();
     if (meet.near) {
-        const Exact first = squared_length(found.places[0] - *meet.near);
-        const Exact second = squared_length(found.places[1] - *meet.near);
+        const Exact first = squared_distance(found.places[0], *meet.near);
+        const Exact second = squared_distance(found.places[1], *meet.near);
         const Exact apart = abs(first - second);
         const bool tie = found.touched ? apart < Exact::power_of_two(bits_in_doubt - draft_.pose.bits) *
                                                      square(draft_.estimated_size)

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/number/geometry.hpp"
+
 namespace kinegraph::vector_loops {
 
 void ChoiceOfLoops::choose_loops() {
@@ -118,8 +120,9 @@ void ChoiceOfLoops::set_ends(const ClosedWalk& cycle) {
             from = to = in.place;
             continue;
         }
-        const Vector p = line_of(in), q = line_of(out);
-        from = to = p + (cross(q - p, out.along) / turned) * in.along;
+        from = to = finite_meet(finite_line_through(point_at(line_of(in)), in.along),
+                                finite_line_through(point_at(line_of(out)), out.along))
+                        .place();
     }
 }
 

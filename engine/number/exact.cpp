@@ -120,9 +120,6 @@ Exact operator/(const Exact& a, const Exact& b) {
     return quotient;
 }
 
-Exact sum_of_products(const Exact& a, const Exact& b, const Exact& c, const Exact& d) { return a * b + c * d; }
-Exact difference_of_products(const Exact& a, const Exact& b, const Exact& c, const Exact& d) { return a * b - c * d; }
-
 Exact Exact::operator-() const {
     Exact result(*this);
     mpq_neg(result.value_.get_mpq_t(), result.value_.get_mpq_t());

@@ -54,7 +54,8 @@ public:
     friend Exact operator-(const Exact& a, const Exact& b);
     friend Exact operator*(const Exact& a, const Exact& b);
     friend Exact operator/(const Exact& a, const Exact& b);
-    /// ab + cd and ab − cd.
+    /// ab + cd and ab − cd: the scalar product and the determinant of CGAL's kernel (engine/number/geometry.cpp), which
+    /// tell sides and angles.
     friend Exact sum_of_products(const Exact& a, const Exact& b, const Exact& c, const Exact& d);
     friend Exact difference_of_products(const Exact& a, const Exact& b, const Exact& c, const Exact& d);
     Exact operator-() const;

@@ -1,46 +1,103 @@
-// Projective points and lines over any number. Over exact rationals lines and incidence are CGAL's (in geometry.cpp,
-// the only file that sees it); the meet, which CGAL brings to lowest terms at each step, and the thin layer of points
-// and lines at infinity, which CGAL has not, are ours. Over doubles, for replays, the same formulas stand here.
+// Points and lines of the projective plane over any number.
+//
+// Over exact rationals the geometry of finite points and lines is CGAL's, through one kernel in geometry.cpp, the only
+// file that includes it: what makes points, lines and numbers (constructions) and what answers (predicates). Points
+// and lines at infinity, which CGAL does not have, are a thin layer over it at the end of this header. Over doubles,
+// for replays, the same formulas stand here. Tests hold the laws below and doubles against CGAL
+// (tests/engine/geometry_test.cpp).
+//
+// A line with coefficients (a, b, c) and one with (k a, k b, k c), k ≠ 0, are the same line; with k > 0 also the same
+// oriented line, written l ~ m. Every precondition is asserted.
 #pragma once
 
 #include "engine/number/exact.hpp"
 
 namespace kinegraph {
 
-/// A projective point: finite (w = 1) or at infinity (w = 0, then (x, y) is its direction).
+/// A projective point: finite (w = 1) or at infinity (w = 0, then (x, y) ≠ 0 is its direction).
 template <class Number>
 struct PointOf {
     Number x{}, y{}, w = 1;
     bool at_infinity() const { return is_zero(w); }
+    /// Coordinates of a finite point; the direction of one at infinity.
     VectorOf<Number> place() const { return {x, y}; }
     /// Of finite points: the vector from the second to the first.
     friend VectorOf<Number> operator-(const PointOf& to, const PointOf& from) { return {to.x - from.x, to.y - from.y}; }
 };
 using ProjectivePoint = PointOf<Exact>;
-/// Of finite points.
-inline double distance(const ProjectivePoint& p, const ProjectivePoint& q) { return distance(p.x, p.y, q.x, q.y); }
 
-/// a x + b y + c w = 0; the line at infinity is (0, 0, 1).
+/// The points with a x + b y + c w = 0; the line at infinity is (0, 0, 1).
 template <class Number>
 struct LineOf {
     Number a{}, b{}, c{};
     bool at_infinity() const { return is_zero(a) && is_zero(b); }
+    /// Along a finite line, with its positive side (a x + b y + c > 0) on the right.
     VectorOf<Number> direction() const { return {-b, a}; }
 };
 using ProjectiveLine = LineOf<Exact>;
 
-/// The finite line through a finite place along a direction ≠ 0.
-ProjectiveLine finite_line_through(const ProjectivePoint& point, const Vector& direction);
-/// The join of two finite places that differ.
-ProjectiveLine finite_join(const ProjectivePoint& p, const ProjectivePoint& q);
-/// The finite meet of two finite lines that are not parallel.
-ProjectivePoint finite_meet(const ProjectiveLine& l, const ProjectiveLine& m);
-/// True where the point is exactly on the line (projective incidence).
-bool incident(const ProjectivePoint& p, const ProjectiveLine& l);
-
-inline LineOf<double> finite_line_through(const PointOf<double>& point, const VectorOf<double>& direction) {
-    return {-direction.y, direction.x, direction.y * point.x - direction.x * point.y};
+/// The finite point with these coordinates.
+template <class Number>
+PointOf<Number> point_at(const VectorOf<Number>& place) {
+    return {place.x, place.y, 1};
 }
+
+// --- finite points and lines: constructions --------------------------------------------------------------------------
+
+/// The line through a finite point p along d ≠ 0: (−d_y, d_x, c), where positive is the left of d.
+///   offset(p, l) = 0,  l.direction() = −d,  line(p, k d) = k line(p, d) for k ≠ 0,  line(p + k d, d) = line(p, d)
+ProjectiveLine finite_line_through(const ProjectivePoint& p, const Vector& d);
+
+/// The line of two finite points that differ; positive is the left of p → q. Where its direction is parallel to an
+/// axis, that coefficient is ±1.
+///   join(p, q) = −join(q, p) ~ line(p, q − p),  offset(p, join(p, q)) = offset(q, join(p, q)) = 0
+ProjectiveLine finite_join(const ProjectivePoint& p, const ProjectivePoint& q);
+
+/// The point common to two finite lines that are not parallel.
+///   meet(l, m) = meet(m, l) = meet(j l, k m) for j, k ≠ 0,  offset(meet(l, m), l) = offset(meet(l, m), m) = 0,
+///   meet(join(p, q), join(p, r)) = p where p, q, r are not collinear
+ProjectivePoint finite_meet(const ProjectiveLine& l, const ProjectiveLine& m);
+
+/// The foot of the perpendicular from a place to a finite line.
+///   offset(foot, l) = 0,  (p − foot) · l.direction() = 0,  foot(foot(p, l), l) = foot(p, l),  foot(p, k l) = foot(p,
+///   l)
+Vector foot_of_perpendicular(const Vector& p, const ProjectiveLine& l);
+
+/// |p − q|²; |p − foot of the perpendicular|² for a finite line.
+///   squared_distance(p, q) = squared_distance(q, p) ≥ 0, and 0 only where p = q
+///   squared_distance(p, l) = squared_distance(p, k l) = offset(p, l)²/(a² + b²), and 0 only where p lies on l
+Exact squared_distance(const Vector& p, const Vector& q);
+Exact squared_distance(const Vector& p, const ProjectiveLine& l);
+
+/// a x + b y + c of a finite point and a finite line: its signed distance times √(a² + b²), positive on the left of
+/// p → q where the line is join(p, q); then it is cross(q − p, point − p) up to a positive factor.
+///   offset(p, k l) = k offset(p, l)
+template <class Number>
+Number offset(const PointOf<Number>& p, const LineOf<Number>& l) {
+    return Number(sum_of_products(l.a, p.x, l.b, p.y) + l.c);
+}
+
+/// To the nearest double, finite points.
+inline double distance(const ProjectivePoint& p, const ProjectivePoint& q) { return distance(p.x, p.y, q.x, q.y); }
+/// √squared_distance(p, l) in double precision, for printing and drawing only; distances from 1e-150 to 1e150.
+double distance(const Vector& p, const ProjectiveLine& l);
+
+// --- finite points and lines: predicates -----------------------------------------------------------------------------
+
+/// Whether p lies on l, also at infinity: a x + b y + c w = 0. All points at infinity lie on the line at infinity.
+bool incident(const ProjectivePoint& p, const ProjectiveLine& l);
+/// Whether one line passes through three places; true where two of them coincide. The order does not matter.
+bool collinear(const Vector& p, const Vector& q, const Vector& r);
+/// Whether the angle p q r is obtuse (180° included); of collinear places, whether q lies between p and r and is
+/// neither. Symmetric in p and r.
+bool is_between(const Vector& p, const Vector& q, const Vector& r);
+
+// --- the same over doubles -------------------------------------------------------------------------------------------
+
+inline LineOf<double> finite_line_through(const PointOf<double>& p, const VectorOf<double>& d) {
+    return {-d.y, d.x, d.y * p.x - d.x * p.y};
+}
+/// (~ the exact one, whose coefficient is ±1 where the direction is parallel to an axis.)
 inline LineOf<double> finite_join(const PointOf<double>& p, const PointOf<double>& q) {
     return finite_line_through(p, q.place() - p.place());
 }
@@ -49,13 +106,16 @@ inline PointOf<double> finite_meet(const LineOf<double>& l, const LineOf<double>
     return {(l.b * m.c - l.c * m.b) / w, (l.c * m.a - l.a * m.c) / w, 1};
 }
 
-/// The line through a place along a direction ≠ 0, or the line at infinity through a point at infinity.
+// --- points and lines at infinity ------------------------------------------------------------------------------------
+
+/// The line through a point along a direction ≠ 0; through a point at infinity, whatever the direction, the line at
+/// infinity.
 template <class Number>
-LineOf<Number> line_through(const PointOf<Number>& point, const VectorOf<Number>& direction) {
-    if (point.at_infinity()) return {0, 0, 1};
-    return finite_line_through(point, direction);
+LineOf<Number> line_through(const PointOf<Number>& p, const VectorOf<Number>& d) {
+    if (p.at_infinity()) return {0, 0, 1};
+    return finite_line_through(p, d);
 }
-/// The join of two points that differ.
+/// The join of two points that differ: incident with both. Of two at infinity it is the line at infinity.
 template <class Number>
 LineOf<Number> line_joining(const PointOf<Number>& p, const PointOf<Number>& q) {
     if (p.at_infinity() && q.at_infinity()) return {0, 0, 1};
@@ -63,7 +123,7 @@ LineOf<Number> line_joining(const PointOf<Number>& p, const PointOf<Number>& q) 
     if (q.at_infinity()) return line_through(p, q.place());
     return finite_join(p, q);
 }
-/// The point at infinity of a finite line.
+/// The point at infinity of a finite line: its meet with the line at infinity and with each of its parallels.
 template <class Number>
 PointOf<Number> point_at_infinity_of(const LineOf<Number>& l) {
     return {-l.b, l.a, 0};

@@ -203,8 +203,7 @@ std::array<Vector, 2> ends_of(const TrussStructure& truss, int bar, const std::v
 Truss::CutNumbers Truss::numbers_of(const Cut& cut, const std::vector<Vector>& places) const {
     const auto [first, second] = ends_of(structure, cut.found, places);
     const Vector along = second - first;
-    if (cut.pivot)
-        return {cut.moment->to_double(), std::abs(cross(first - *cut.pivot, along).to_double()) / length(along)};
+    if (cut.pivot) return {cut.moment->to_double(), distance(*cut.pivot, finite_line_through(point_at(first), along))};
     const int other = *std::find_if(cut.bars.begin(), cut.bars.end(), [&](int bar) { return bar != cut.found; });
     const auto [from, to] = ends_of(structure, other, places);
     const Vector parallel = to - from;

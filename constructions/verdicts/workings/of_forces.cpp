@@ -6,6 +6,7 @@
 
 #include "engine/drawing/spring_force.hpp"
 #include "engine/file/units.hpp"
+#include "engine/number/geometry.hpp"
 #include "engine/solution/shifts.hpp"
 
 namespace kinegraph::workings {
@@ -45,8 +46,9 @@ void OfForces::by_moments_of_parallels(StatementIndex statement, const FreeBody&
             if (part != 0) moments.push_back(in(part, units_.moment));
     }
     const double sum = std::accumulate(moments.begin(), moments.end(), 0.0), force = length(found.force);
-    const double h = std::abs(cross(found.at - other->at, found.force).to_double()) / force;
-    if (moments.empty() || !(h > 0)) return;
+    if (moments.empty() || found.force.is_zero()) return;
+    const double h = distance(other->at, finite_line_through(point_at(found.at), found.force));
+    if (!(h > 0)) return;
     if (moments.size() > 1) {
         const std::string& about = solution_.mechanism.point(solution_.mechanism.joint(other->joint).point).name;
         Working of_all{{Symbol::Letter::M, about, {}}, {}, std::nullopt, {sum, units_.moment.symbol}};

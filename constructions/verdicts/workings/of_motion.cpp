@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/number/geometry.hpp"
+
 namespace kinegraph::workings {
 
 using Role = DrawnVector::Role;
@@ -192,7 +194,7 @@ void OfMotion::carried_over(const SecondWay& way) {
         if (!from || !own || !common) return;
         const double value = way.omega->to_double(), far = in(distance(*own, *common), units_.length);
         double near = in(distance(*from, *common), units_.length);
-        if (dot(*common - *from, *common - *own) < Exact(0)) near = -near;  // between the pivots: the senses differ
+        if (is_between(*from, *common, *own)) near = -near;  // between the pivots: the senses differ
         telling_.tell_turning(statement, of, {{telling_.spin(driver, Symbol::Letter::omega)}, {near}}, far, value);
         return;
     }
