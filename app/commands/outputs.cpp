@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/memory_ahead.hpp"
 #include "app/commands/module.hpp"
 #include "app/modules/type.hpp"
 #include "render/backends/backends.hpp"
@@ -151,7 +150,6 @@ std::future<void> Press::load_ahead(const std::vector<Target>& targets) {
 }
 
 tl::expected<Press, Status> Press::open(const std::vector<Target>& targets, Language language, Lettering lettering) {
-    take_memory_ahead(Ahead::of_a_sheet);
     std::optional<Press> press;
     const auto ready = prepare(press, language, lettering).and_then([&] { return press->prepare_to_print(targets); });
     if (!ready) return tl::unexpected(ready.error());

@@ -7,12 +7,10 @@
 #include <optional>
 #include <thread>
 
-#include "app/library/asked_values.hpp"
-#include "app/commands/block_memory.hpp"
 #include "app/commands/commands.hpp"
-#include "app/library/driver_choice.hpp"
-#include "app/commands/memory_ahead.hpp"
 #include "app/commands/outputs.hpp"
+#include "app/library/asked_values.hpp"
+#include "app/library/driver_choice.hpp"
 #include "constructions/moving/moving.hpp"
 #include "constructions/positions/conditions.hpp"
 #include "constructions/solving/solve.hpp"
@@ -485,11 +483,8 @@ Status solve_command(const SolveRequest& request) {
     std::optional<Press> press;
     std::optional<render::Crew> crew;
     SolveRequest manned = request;
-    if (std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.is_drawn(); })) {
-        take_memory_ahead(Ahead::of_a_sheet);
-        manned.crew = &crew.emplace(
-            helpers_at_hand(), [] { take_memory_ahead(Ahead::of_its_figures); }, give_back_block_memory);
-    }
+    if (std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.is_drawn(); }))
+        manned.crew = &crew.emplace(helpers_at_hand());
     const auto found = solved(manned, *targets, *theme, press);
     if (!found) return found.error();
     if (const auto failure = write_all(found->outputs)) return fail_to_write(*failure, language);

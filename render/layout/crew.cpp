@@ -8,8 +8,6 @@
 #include <thread>
 #include <vector>
 
-#include "engine/number/thread_end.hpp"
-
 namespace kinegraph::render {
 
 struct Crew::Shared {
@@ -55,7 +53,6 @@ Crew::Crew(int helpers, const std::function<void()>& first, const std::function<
             shared_->helpers.emplace_back([shared = shared_.get(), first, last] {
                 if (first) first();
                 shared->help();
-                end_thread();
                 if (last) last();
             });
         } catch (const std::exception&) {
