@@ -18,7 +18,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands/algebra_source.hpp"
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
 #include "engine/number/assert.hpp"
@@ -718,7 +717,6 @@ int main(int count, char** arguments) {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const Language language = language_asked_for(count, arguments);
-    kinegraph::take_algebra_from(loaded_algebra);
     const kinegraph::Words ours("this is a fault of ours", "questo è un errore nostro");
     try {
         return static_cast<int>(run(count, arguments, language));

@@ -479,7 +479,6 @@ Status solve_command(const SolveRequest& request) {
     const auto theme = theme_of(request.theme, request.file, language);
     if (!theme) return theme.error();
     if (const Words fault = meaningless_on_page(request, *targets); !fault.empty()) return refuse(fault, language);
-    const std::future<void> modules = Press::load_ahead(*targets);
     std::optional<Press> press;
     std::optional<render::Crew> crew;
     SolveRequest manned = request;
