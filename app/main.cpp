@@ -2,9 +2,6 @@
 // options and hands its request to a file of its own. Faults of ours are caught here and nowhere else.
 #include <fcntl.h>
 #include <unistd.h>
-#if __has_include(<malloc.h>)
-#include <malloc.h>
-#endif
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -21,11 +18,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands/algebra_source.hpp"
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
 #include "engine/number/assert.hpp"
-#include "engine/number/number_memory.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -712,30 +707,16 @@ void hold_standard_streams() {
         if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-/// Memory that is given back only at the end: a run takes milliseconds, and of those the heap's growing and shrinking
-/// takes more than any one figure.
-void keep_memory() {
-#ifdef M_TOP_PAD
-    constexpr int at_a_time = 4 << 20, large = 64 << 20, never = 1 << 30;
-    ::mallopt(M_TOP_PAD, at_a_time);
-    ::mallopt(M_TRIM_THRESHOLD, never);
-    ::mallopt(M_MMAP_THRESHOLD, large);
-#endif
-    keep_number_memory();
-}
-
 }  // namespace
 }  // namespace kinegraph::app
 
 int main(int count, char** arguments) {
     using namespace kinegraph::app;
     hold_standard_streams();
-    keep_memory();
     // A reader that is gone and a file that may not grow are failures to write, told as such.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const Language language = language_asked_for(count, arguments);
-    kinegraph::take_algebra_from(loaded_algebra);
     const kinegraph::Words ours("this is a fault of ours", "questo è un errore nostro");
     try {
         return static_cast<int>(run(count, arguments, language));

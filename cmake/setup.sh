@@ -69,14 +69,11 @@ configure() {
     cmake -S "$top" -B "$directory" "$@" </dev/null >&2
 }
 
-# in_large_pages COMMAND…: with its memory in large pages, where the system gives them: a compiler saves a twentieth of its time.
-in_large_pages() { env GLIBC_TUNABLES=glibc.malloc.hugetlb=1 "$@"; }
-
 # build DIRECTORY [cmake --build arguments]: with a stamp of when the build began, by which ./kinegraph knows what is newer.
 build() {
     directory=$1
     shift
     : >"$directory/built.new" &&
-        in_large_pages cmake --build "$directory" --parallel "$(nproc)" "$@" </dev/null >&2 &&
+        cmake --build "$directory" --parallel "$(nproc)" "$@" </dev/null >&2 &&
         mv "$directory/built.new" "$directory/built"
 }

@@ -85,8 +85,9 @@ check() {
         floor app library
         floor app files
         floor app server files
-        floor app commands files server modules library
-        floor app modules
+        floor app late
+        floor app commands files server late library
+        floor app modules late
         unordered
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
         includes '"' $folders | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|kinegraph|tests|bench)/[a-z]' |
@@ -104,6 +105,8 @@ check() {
             breach "HarfBuzz is render/text/typeface.cpp's and subset.cpp's"
         includes '<sys/socket\.h>' $folders | grep -v '^app/server/local_server\.cpp:' |
             breach "sockets are app/server/local_server.cpp's"
+        includes '<dlfcn\.h>' $folders | grep -v '^app/late/late_library\.cpp:' |
+            breach "app/late/late_library.cpp alone opens libraries late"
         includes '[<"](ginac|cln)/' $folders | grep -v '^engine/file/algebra_ginac\.cpp:' |
             breach "GiNaC is engine/file/algebra_ginac.cpp's"
         includes '[<"]CGAL/' $folders | grep -v '^engine/' | breach "CGAL is the engine's"
@@ -166,6 +169,7 @@ seen "numeric check's" tests/a_test.cpp '<Eigen/Dense>'
 seen "source of results" engine/results/a.cpp '"engine/check/b.hpp"'
 seen "cairo_backend.cpp's" render/text/text.cpp '<cairo/cairo.h>'
 seen "cairo_backend.cpp's" app/main.cpp '<cairo-pdf.h>'
+seen "opens libraries late" engine/file/algebra.cpp '<dlfcn.h>'
 seen "algebra_ginac.cpp's" engine/file/expression.cpp '<ginac/ginac.h>'
 seen "HarfBuzz is" render/text/text.cpp '<hb.h>'
 seen "the engine's" constructions/statics/a.cpp '<CGAL/Point_2.h>'

@@ -13,10 +13,12 @@ for file in bin/kinegraph share/kinegraph/mechanism.schema.json share/man/man1/k
 done
 "$work/prefix/bin/kinegraph" --version
 
-# The installed program finds its modules, and without them has nothing of cairo's or HarfBuzz's.
+# The installed program finds its modules, and has nothing of their libraries before it opens them.
 "$work/prefix/bin/kinegraph" solve "$here/../examples/four_bar.json" -o "$work/a.svg" -o "$work/a.png" -o "$work/a.pdf"
 "$work/prefix/bin/kinegraph" solve "$here/../examples/four_bar.json" -o "$work/live.svg" --text live
-if ldd "$work/prefix/bin/kinegraph" | grep -E 'libcairo|libX11|libharfbuzz'; then echo "the program loads what it draws with at every start"; exit 1; fi
+"$work/prefix/bin/kinegraph" solve "$here/../examples/motion/projectile.json" -o "$work/a.json"
+"$work/prefix/bin/kinegraph" variants "$here/../examples/variants/four_bar.json" --count 1 --for qti -o "$work/class"
+if ldd "$work/prefix/bin/kinegraph" | grep -E 'libcairo|libX11|libharfbuzz|libginac|libcln|libzip|libcrypto'; then echo "the program loads what it draws with at every start"; exit 1; fi
 
 cmake -S "$here/install_test" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$work/build"

@@ -6,9 +6,6 @@
 #include <system_error>
 #include <utility>
 
-#include "app/commands/block_memory.hpp"
-#include "engine/number/thread_end.hpp"
-
 namespace kinegraph::app {
 namespace {
 
@@ -37,11 +34,7 @@ InOrder::InOrder(std::vector<Worker> workers, Sink sink, Stops stops)
     const NoSignals blocked;
     for (Worker& worker : workers) {
         try {
-            threads_.emplace_back([this, worker = std::move(worker)] {
-                work(worker);
-                end_thread();
-                give_back_block_memory();
-            });
+            threads_.emplace_back([this, worker = std::move(worker)] { work(worker); });
         } catch (const std::system_error&) {
             if (threads_.empty()) throw;
             break;  // the machine gives no more: those that are there will do

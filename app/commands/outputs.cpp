@@ -6,9 +6,6 @@
 #include <utility>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/memory_ahead.hpp"
-#include "app/commands/module.hpp"
-#include "app/modules/type.hpp"
 #include "render/backends/backends.hpp"
 
 namespace kinegraph::app {
@@ -139,19 +136,7 @@ tl::unexpected<Status> lacks(const Words& why, Language language) {
 
 }  // namespace
 
-std::future<void> Press::load_ahead(const std::vector<Target>& targets) {
-    const auto needs = [&](const auto& is) { return std::any_of(targets.begin(), targets.end(), is); };
-    const bool type = needs([](const Target& target) { return target.is_drawn(); });
-    const bool cairo =
-        needs([](const Target& target) { return target.format == Format::png || target.format == Format::pdf; });
-    if (!type) return {};
-    std::vector<std::string> modules{"kinegraph_type"};
-    if (cairo) modules.emplace_back("kinegraph_cairo");
-    return load_modules_ahead(std::move(modules));
-}
-
 tl::expected<Press, Status> Press::open(const std::vector<Target>& targets, Language language, Lettering lettering) {
-    take_memory_ahead(Ahead::of_a_sheet);
     std::optional<Press> press;
     const auto ready = prepare(press, language, lettering).and_then([&] { return press->prepare_to_print(targets); });
     if (!ready) return tl::unexpected(ready.error());
@@ -162,11 +147,10 @@ tl::expected<void, Status> Press::prepare(std::optional<Press>& press, Language 
     if (press) {
         press->fonts_->start_anew();
     } else {
-        auto typefaces = open_module_as<TypeFunctions>("kinegraph_type", {"Type is set", "I caratteri sono composti"})
-                             .and_then([](const TypeFunctions* functions) { return functions->open_typefaces(); });
-        if (!typefaces) return lacks(typefaces.error(), language);
+        auto fonts = render::Fonts::open();
+        if (!fonts) return lacks(fonts.error(), language);
         press.emplace(Press());
-        press->fonts_.emplace(*std::move(typefaces));
+        press->fonts_.emplace(*std::move(fonts));
     }
     press->language_ = language;
     press->lettering_ = lettering;
@@ -174,26 +158,16 @@ tl::expected<void, Status> Press::prepare(std::optional<Press>& press, Language 
 }
 
 tl::expected<void, Status> Press::prepare_to_print(const std::vector<Target>& targets) {
-    const auto any_is = [&](Format format) {
-        return std::any_of(targets.begin(), targets.end(),
-                           [&](const Target& target) { return target.format == format; });
-    };
-    if ((any_is(Format::png) || any_is(Format::pdf)) && !painter_) {
-        auto loaded = Painter::open();
-        if (!loaded) return lacks(loaded.error(), language_);
-        painter_.emplace(*std::move(loaded));
-    }
-    if (lettering_ == Lettering::live && any_is(Format::svg) && subset_ == nullptr) {
-        const auto loaded =
-            open_module_as<SubsetFunctions>("kinegraph_subset", {"Fonts are divided", "I font sono divisi"});
-        if (!loaded) return lacks(loaded.error(), language_);
-        subset_ = *loaded;
-    }
+    const bool needs_cairo = std::any_of(targets.begin(), targets.end(), [](const Target& target) {
+        return target.format == Format::png || target.format == Format::pdf;
+    });
+    if (!needs_cairo) return {};
+    if (const auto opened = render::open_painter(); !opened) return lacks(opened.error(), language_);
     return {};
 }
 
 std::vector<std::string> Press::svg_of(std::span<const render::Page> pages) const {
-    if (lettering_ == Lettering::live) return render::to_live_svg(pages, *fonts_, subset_->font_subset);
+    if (lettering_ == Lettering::live) return render::to_live_svg(pages, *fonts_);
     return render::to_svg(pages, *fonts_, glyph_paths_);
 }
 
@@ -201,8 +175,7 @@ void Press::print(const std::vector<render::Page>& pages, const Target& target, 
                   std::vector<Output>& outputs, std::vector<std::string>& remarks) const {
     if (target.format == Format::pdf) {
         const bool live = lettering_ == Lettering::live;
-        outputs.push_back(
-            {target.path, live ? painter_->to_live_pdf(pages, *fonts_) : painter_->to_pdf(pages, *fonts_)});
+        outputs.push_back({target.path, live ? render::to_live_pdf(pages, *fonts_) : render::to_pdf(pages, *fonts_)});
         return;
     }
     if (target.format == Format::tex) {
@@ -216,7 +189,7 @@ void Press::print(const std::vector<render::Page>& pages, const Target& target, 
             outputs.push_back({target.path_of_page(page), std::move(texts[page])});
     } else {
         for (std::size_t page = 0; page < count; ++page)
-            outputs.push_back({target.path_of_page(page), painter_->to_png(pages[page], *fonts_, dpi)});
+            outputs.push_back({target.path_of_page(page), render::to_png(pages[page], *fonts_, dpi)});
     }
     if (count < pages.size())
         remarks.push_back(in({"the sheet has {0} pages and standard output carries the first only; a PDF has them all, "

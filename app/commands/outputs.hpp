@@ -2,15 +2,12 @@
 // the commands that draw.
 #pragma once
 
-#include <future>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "app/commands/painter.hpp"
 #include "app/files/files.hpp"
-#include "app/modules/subset.hpp"
 #include "render/backends/backends.hpp"
 #include "render/page/theme.hpp"
 #include "render/text/text.hpp"
@@ -47,11 +44,9 @@ std::optional<render::Theme> dark_beside(const std::string& theme);
 /// one is.
 bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language);
 
-/// Type; where PNG or PDF is asked for, cairo; for SVG with live text what divides fonts.
+/// Type; where PNG or PDF is asked for, cairo.
 class Press {
 public:
-    /// Loads what the targets need beside what the run does until it opens them; what cannot be loaded is said then.
-    [[nodiscard]] static std::future<void> load_ahead(const std::vector<Target>& targets);
     /// All that the targets need; else it has been said what is missing. `language`: of that, and of the remarks.
     static tl::expected<Press, Status> open(const std::vector<Target>& targets, Language language,
                                             Lettering lettering = Lettering::outlines);
@@ -74,9 +69,7 @@ private:
     Language language_ = Language::en;
     std::optional<render::Fonts> fonts_;
     mutable render::GlyphPaths glyph_paths_;  ///< of these fonts: a memory, as they have theirs
-    std::optional<Painter> painter_;
     Lettering lettering_ = Lettering::outlines;
-    const SubsetFunctions* subset_ = nullptr;
 };
 
 }  // namespace kinegraph::app

@@ -6,10 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "app/library/asked_values.hpp"
-#include "app/commands/module.hpp"
 #include "app/files/csv_text.hpp"
-#include "app/modules/zip.hpp"
+#include "app/late/archive.hpp"
+#include "app/library/asked_values.hpp"
 #include "render/backends/quiz_files.hpp"
 #include "render/sheet/quiz_item.hpp"
 
@@ -141,14 +140,8 @@ tl::expected<std::vector<Output>, Status> Quizzes::outputs(const std::string& fo
     std::vector<Output> all;
     if (moodle_) all.push_back({folder + "moodle.xml", moodle_file(items_, figures_, title_)});
     if (qti_) {
-        const auto zip =
-            open_module_as<ZipFunctions>("kinegraph_zip", {"Archives are packed", "Gli archivi sono composti"});
-        if (!zip) {
-            refuse(zip.error(), language);
-            return tl::unexpected(Status::output);
-        }
-        auto bytes = (*zip)->packed(package_of(items_, figures_));
-        if (!bytes) return tl::unexpected(fail_to_write({Words(folder + "qti.zip"), Words(bytes.error())}, language));
+        auto bytes = packed(package_of(items_, figures_));
+        if (!bytes) return tl::unexpected(fail_to_write({Words(folder + "qti.zip"), bytes.error()}, language));
         all.push_back({folder + "qti.zip", *std::move(bytes)});
     }
     if (csv_ && !rows_.empty()) all.push_back({folder + "answers.csv", csv()});

@@ -6,11 +6,10 @@
 #include <iterator>
 #include <optional>
 
-#include "app/library/asked_values.hpp"
 #include "app/commands/commands.hpp"
-#include "app/library/driver_choice.hpp"
-#include "app/commands/memory_ahead.hpp"
 #include "app/commands/outputs.hpp"
+#include "app/library/asked_values.hpp"
+#include "app/library/driver_choice.hpp"
 #include "constructions/moving/moving.hpp"
 #include "constructions/positions/conditions.hpp"
 #include "constructions/solving/solve.hpp"
@@ -466,10 +465,7 @@ Status solve_command(const SolveRequest& request) {
     const auto theme = theme_of(request.theme, request.file, language);
     if (!theme) return theme.error();
     if (const Words fault = meaningless_on_page(request, *targets); !fault.empty()) return refuse(fault, language);
-    const std::future<void> modules = Press::load_ahead(*targets);
     std::optional<Press> press;
-    if (std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.is_drawn(); }))
-        take_memory_ahead(Ahead::of_a_sheet);
     const auto found = solved(request, *targets, *theme, press);
     if (!found) return found.error();
     if (const auto failure = write_all(found->outputs)) return fail_to_write(*failure, language);

@@ -15,7 +15,6 @@
 #include "render/sheet/handout.hpp"
 #include "render/sheet/pair_sheet.hpp"
 #include "render/sheet/steps.hpp"
-#include "render/text/subset.hpp"
 
 namespace kinegraph {
 
@@ -98,11 +97,13 @@ Drawing drawing(std::vector<render::Page> pages, std::vector<Text> remarks) {
     return Drawing(Shared<const Drawing::State>(new Drawing::State{{}, std::move(pages), std::move(remarks)}));
 }
 
-/// `paint` called; a library that is missing is a fault of the machine's.
+/// What `paint` paints.
 template <class Paint>
 Expected<std::string> painted(Paint paint) {
     const auto fonts = fonts_of_thread();
     if (!fonts) return tl::unexpected(fonts.error());
+    if (const auto opened = render::open_painter(); !opened)
+        return refused(Diagnostic::Kind::output, opened.error());
     return paint(**fonts);
 }
 
@@ -139,7 +140,7 @@ std::vector<Text> Drawing::remarks() const { return state().remarks; }
 
 std::vector<std::string> Drawing::svg(Lettering lettering) const {
     const auto fonts = fonts_that_drew();
-    if (lettering == Lettering::live) return render::to_live_svg(state().pages, *fonts, render::font_subset);
+    if (lettering == Lettering::live) return render::to_live_svg(state().pages, *fonts);
     return render::to_svg(state().pages, *fonts);
 }
 

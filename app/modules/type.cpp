@@ -1,5 +1,7 @@
-// kinegraph_type.so: the library's typefaces, for the program to load when it draws.
-#include "app/modules/type.hpp"
+// kinegraph_type.so: HarfBuzz, for typefaces and parts of fonts.
+#include "app/late/modules.hpp"
 
-extern "C" [[gnu::visibility("default")]] const kinegraph::app::TypeFunctions kinegraph_type{
-    kinegraph::render::open_typefaces};
+using namespace kinegraph;
+
+extern "C"
+    [[gnu::visibility("default")]] const app::TypeModule kinegraph_type{render::open_typefaces, render::font_subset};

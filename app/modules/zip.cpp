@@ -1,21 +1,22 @@
 // kinegraph_zip.so: archives by libzip.
-#include "app/modules/zip.hpp"
-
 #include <zip.h>
 
 #include <cstdint>
 #include <memory>
 
+#include "app/late/modules.hpp"
+
 namespace kinegraph::app {
 namespace {
 
-using Bytes = tl::expected<std::string, std::string>;
+using Bytes = tl::expected<std::string, Words>;
 
-/// What it says of itself, as a failure.
-tl::unexpected<std::string> told(zip_error_t& error) {
+tl::unexpected<Words> failure(std::string text) { return tl::unexpected(Words(std::move(text))); }
+
+tl::unexpected<Words> failure(zip_error_t& error) {
     std::string text = zip_error_strerror(&error);
     zip_error_fini(&error);
-    return tl::unexpected(std::move(text));
+    return failure(std::move(text));
 }
 
 /// Adds one file; false where libzip refuses.
@@ -36,7 +37,7 @@ bool add(zip_t* archive, const Packed& file) {
 
 /// All that was written into a source.
 Bytes read_back(zip_source_t* source) {
-    const auto fails = [&] { return tl::unexpected(std::string(zip_error_strerror(zip_source_error(source)))); };
+    const auto fails = [&] { return failure(zip_error_strerror(zip_source_error(source))); };
     zip_stat_t stat;
     if (zip_source_stat(source, &stat) != 0 || zip_source_open(source) != 0) return fails();
     std::string bytes(stat.size, '\0');
@@ -46,33 +47,34 @@ Bytes read_back(zip_source_t* source) {
     return bytes;
 }
 
+}  // namespace
+
 Bytes packed(const std::vector<Packed>& files) {
     zip_error_t error;
     zip_error_init(&error);
     const std::unique_ptr<zip_source_t, void (*)(zip_source_t*)> whole(zip_source_buffer_create(nullptr, 0, 0, &error),
                                                                        zip_source_free);
-    if (!whole) return told(error);
+    if (!whole) return failure(error);
     zip_source_keep(whole.get());  // the archive takes one, and we read from the other
     zip_t* const archive = zip_open_from_source(whole.get(), ZIP_CREATE | ZIP_TRUNCATE, &error);
     if (archive == nullptr) {
         zip_source_free(whole.get());
-        return told(error);
+        return failure(error);
     }
     for (const Packed& file : files) {
         if (add(archive, file)) continue;
         std::string why = zip_strerror(archive);
         zip_discard(archive);
-        return tl::unexpected(std::move(why));
+        return failure(std::move(why));
     }
     if (zip_close(archive) != 0) {
         std::string why = zip_strerror(archive);
         zip_discard(archive);
-        return tl::unexpected(std::move(why));
+        return failure(std::move(why));
     }
     return read_back(whole.get());
 }
 
-}  // namespace
 }  // namespace kinegraph::app
 
-extern "C" [[gnu::visibility("default")]] const kinegraph::app::ZipFunctions kinegraph_zip{kinegraph::app::packed};
+extern "C" [[gnu::visibility("default")]] const kinegraph::app::ZipModule kinegraph_zip{kinegraph::app::packed};

@@ -55,7 +55,7 @@ Result<ProblemSolution> solve_impact(const ImpactProblem& problem, const Mechani
 // Sources: the intrinsic components, Huygens; the centre of curvature from v and a_n by the altitude of a right
 // triangle, Euclid II.14 (ρ a_n = v²).
 
-/// Errors: laws that are not real or infinite at the instant or on the way, each at its place; no algebra.
+/// Errors: laws that are not real or infinite at the instant or on the way, each at its place.
 Result<ProblemSolution> solve_point_motion(const PointProblem& problem, const Mechanism& mechanism, const Pose& pose);
 
 // ----- Reye's hypothesis: the volume worn off goes with the work of friction, so the depth worn off with pressure ×

@@ -238,15 +238,13 @@ public:
 
     /// In symbols.
     std::optional<Error> derive() {
-        const auto symbols = algebra();
-        if (!symbols) return Error{ErrorCode::output, problem_.where, symbols.error()};
         for (const StatedLaw& law : problem_.laws) {
-            auto derived = derivatives(**symbols, law);
+            auto derived = derivatives(law);
             if (!derived) return derived.error();
             found_.laws.push_back(*std::move(derived));
         }
         if (const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr) {
-            auto derived = derivatives(**symbols, graph->f);
+            auto derived = derivatives(graph->f);
             if (!derived) return derived.error();
             found_.of_path = *std::move(derived);
         }
@@ -271,12 +269,15 @@ public:
     PointMotionSolution solution() && { return std::move(found_); }
 
 private:
-    tl::expected<Derived, Error> derivatives(const Algebra& symbols, const StatedLaw& law) const {
+    tl::expected<Derived, Error> derivatives(const StatedLaw& law) const {
         Derived derived;
         derived.by_order[0] = law.law.tree;
         for (std::size_t order = 1; order < 3; ++order) {
-            auto next = symbols.derivative(derived.by_order.at(order - 1), problem_.constants);
-            if (!next) return tl::make_unexpected(Error{ErrorCode::bad_input, law.where, std::move(next.error())});
+            auto next = derivative(derived.by_order.at(order - 1), problem_.constants);
+            if (!next) {
+                next.error().where = law.where;
+                return tl::make_unexpected(std::move(next.error()));
+            }
             derived.by_order.at(order) = *std::move(next);
         }
         return derived;

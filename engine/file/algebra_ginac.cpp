@@ -226,7 +226,11 @@ private:
     int count_ = 0;
 };
 
-tl::expected<Expression, Words> derivative(const Expression& of, const NamedConstants& constants) {
+tl::unexpected<Error> refused(Words why) { return tl::unexpected(Error{ErrorCode::bad_input, "", std::move(why)}); }
+
+}  // namespace
+
+tl::expected<Expression, Error> derivative(const Expression& of, const NamedConstants& constants) {
     static std::mutex one_at_a_time;
     const std::lock_guard<std::mutex> lock(one_at_a_time);
     try {
@@ -234,20 +238,14 @@ tl::expected<Expression, Words> derivative(const Expression& of, const NamedCons
         return translation.back(translation.there(of).diff(translation.variable()));
     } catch (const Unwritable& why) {
         if (std::string_view(why.what()) == "too long")
-            return tl::make_unexpected(
-                Words("its derivatives would fill pages; write it shorter, with constants",
-                      "le sue derivate riempirebbero pagine; scriverla più corta, con costanti"));
-        return tl::make_unexpected(
-            Words("its derivative is not real; it has the root or the logarithm of what is negative",
-                  "la sua derivata non è reale; contiene la radice o il logaritmo di ciò che è negativo"));
+            return refused({"its derivatives would fill pages; write it shorter, with constants",
+                            "le sue derivate riempirebbero pagine; scriverla più corta, con costanti"});
+        return refused({"its derivative is not real; it has the root or the logarithm of what is negative",
+                        "la sua derivata non è reale; contiene la radice o il logaritmo di ciò che è negativo"});
     } catch (const std::exception&) {  // GiNaC's: pole_error and its like
-        return tl::make_unexpected(Words("it divides by zero, or is infinite, whatever its variable is",
-                                         "divide per zero, o è infinita, qualunque sia la variabile"));
+        return refused({"it divides by zero, or is infinite, whatever its variable is",
+                        "divide per zero, o è infinita, qualunque sia la variabile"});
     }
 }
-
-}  // namespace
-
-const Algebra ginac_algebra{derivative};
 
 }  // namespace kinegraph

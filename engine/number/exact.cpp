@@ -13,10 +13,19 @@
 namespace kinegraph {
 namespace {
 
+/// MPFR keeps π and numbers that were freed for each thread. They go when the thread ends, so that a user of the
+/// library owes it no call.
+struct MpfrCaches {
+    ~MpfrCaches() { mpfr_free_cache(); }
+};
+
 /// A number of MPFR that frees itself.
 class Real {
 public:
-    explicit Real(int bits) { mpfr_init2(value_, bits); }
+    explicit Real(int bits) {
+        thread_local const MpfrCaches caches_of_this_thread;
+        mpfr_init2(value_, bits);
+    }
     Real(const Real&) = delete;
     Real& operator=(const Real&) = delete;
     ~Real() { mpfr_clear(value_); }

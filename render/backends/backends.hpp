@@ -8,6 +8,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include <tl/expected.hpp>
+
+#include "engine/file/words.hpp"
 #include "render/backends/embedded_type.hpp"
 #include "render/page/page.hpp"
 #include "render/text/text.hpp"
@@ -36,7 +39,11 @@ std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts,
 
 /// The same with text that can be selected, searched and read aloud: <text> where the outlines stand, with the parts of
 /// the font that it needs in the file. What a reader reads is plain(as_set(text)) of each line.
-std::vector<std::string> to_live_svg(std::span<const Page> pages, const Glyphs& glyphs, const Subsetter& subset);
+std::vector<std::string> to_live_svg(std::span<const Page> pages, const Glyphs& glyphs);
+
+/// To be called before a PNG or a PDF is asked for. Error: what paints them is missing, which can only be where a
+/// program opens it late.
+tl::expected<void, Words> open_painter();
 
 /// PNG (RGB, or grey where the page has no colour) at `dpi` dots per inch.
 std::string to_png(const Page& page, const Glyphs& glyphs, double dpi);

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "engine/number/assert.hpp"
 #include "render/backends/live_text.hpp"
 #include "render/backends/quiz_files.hpp"
+#include "render/text/subset.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
@@ -46,13 +48,13 @@ std::array<WantedType, face_count> wanted_by(std::span<const Mark> marks) {
 
 }  // namespace
 
-EmbeddedType embedded_type(std::span<const Mark> marks, const Glyphs& glyphs, const Subsetter& subset) {
+EmbeddedType embedded_type(std::span<const Mark> marks, const Glyphs& glyphs) {
     const auto wanted = wanted_by(marks);
     std::array<std::string, face_count> files;
     std::uint32_t sum = 2166136261U;
     for (std::size_t face = 0; face < face_count; ++face) {
         if (wanted.at(face).glyphs.empty()) continue;
-        files.at(face) = subset(glyphs.file(static_cast<std::uint8_t>(face)), wanted.at(face));
+        files.at(face) = font_subset(glyphs.file(static_cast<std::uint8_t>(face)), wanted.at(face));
         KG_ASSERT(!files.at(face).empty(), "a face that can be shaped can be divided");
         sum = mixed(sum, files.at(face));
     }

@@ -1,18 +1,13 @@
 // The type that an SVG brings along for its words: subsets of the faces, as a style sheet. Knows no SVG beyond that.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "render/page/page.hpp"
-#include "render/text/subset.hpp"
+#include "render/text/glyphs.hpp"
 
 namespace kinegraph::render {
-
-/// What divides a font: font_subset(), or that of a module which is loaded for it.
-using Subsetter = std::function<std::string(std::string_view file, const WantedType& wanted)>;
 
 /// Faces to be named in a file.
 struct EmbeddedType {
@@ -22,6 +17,6 @@ struct EmbeddedType {
 };
 
 /// The faces that the words of a page need.
-EmbeddedType embedded_type(std::span<const Mark> marks, const Glyphs& glyphs, const Subsetter& subset);
+EmbeddedType embedded_type(std::span<const Mark> marks, const Glyphs& glyphs);
 
 }  // namespace kinegraph::render

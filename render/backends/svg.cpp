@@ -531,11 +531,11 @@ std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts)
     return to_svg(pages, fonts, outlines);
 }
 
-std::vector<std::string> to_live_svg(std::span<const Page> pages, const Glyphs& glyphs, const Subsetter& subset) {
+std::vector<std::string> to_live_svg(std::span<const Page> pages, const Glyphs& glyphs) {
     GlyphPaths outlines;
     std::vector<std::string> texts;
     for (const Page& page : pages) {
-        const EmbeddedType type = embedded_type(page.marks, glyphs, subset);
+        const EmbeddedType type = embedded_type(page.marks, glyphs);
         texts.push_back(Writer(page, glyphs, outlines, &type).write());
     }
     return texts;

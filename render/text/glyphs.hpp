@@ -14,8 +14,7 @@ struct Outline {
     std::vector<Segment> segments;
 };
 
-/// The faces that the glyphs of a page belong to. Nothing but virtual functions, so that a module that is loaded while
-/// the program runs (render/backends/cairo_module.hpp) needs no symbol of the program.
+/// The faces that the glyphs of a page belong to. Only virtual functions, so that a backend needs nothing of shaping.
 class Glyphs {
 public:
     virtual ~Glyphs() = default;

@@ -1,5 +1,5 @@
 // Subsets: the part of a font file that some characters need, so that a file of ours can bring it along. HarfBuzz's
-// subsetter stands behind it, which only those runs load that ask for live text; known to subset.cpp alone.
+// subsetter, which does it, is known to subset.cpp alone.
 #pragma once
 
 #include <cstdint>

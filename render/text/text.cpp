@@ -584,6 +584,9 @@ Fonts::Fonts(Typefaces faces) : state_(std::make_unique<State>()) {
         f.space = state_->placed.front().advance * f.typeface->unit();
     }
 }
+tl::expected<Fonts, Words> Fonts::open() {
+    return open_typefaces().map([](Typefaces&& faces) { return Fonts(std::move(faces)); });
+}
 Fonts::Fonts(Fonts&&) noexcept = default;
 Fonts& Fonts::operator=(Fonts&&) noexcept = default;
 Fonts::~Fonts() = default;

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "render/text/text.hpp"
-
 namespace kinegraph::render {
 namespace {
 
@@ -185,11 +183,6 @@ tl::expected<Typefaces, Words> open_typefaces() {
         opened[i] = std::make_unique<OpenTypeFace>(std::move(blob), face.get());
     }
     return opened;
-}
-
-// Here and not in text.cpp, so that a program that brings its typefaces from elsewhere links neither library.
-tl::expected<Fonts, Words> Fonts::open() {
-    return open_typefaces().map([](Typefaces&& faces) { return Fonts(std::move(faces)); });
 }
 
 }  // namespace kinegraph::render

@@ -1,6 +1,5 @@
 // A face of the font as setting needs it: which characters it has, how a run of them is shaped, what its glyphs look
-// like. What stands behind it (HarfBuzz, which takes longer to load than many runs take) is known to typeface.cpp
-// alone.
+// like. HarfBuzz, which does it, is known to typeface.cpp alone.
 #pragma once
 
 #include <array>
@@ -32,8 +31,7 @@ struct Drawn {
     Ink ink;
 };
 
-/// Nothing but virtual functions, so that it may come from a module that is loaded while the program runs; no exception
-/// leaves it.
+/// Only virtual functions, so that the program may open HarfBuzz late.
 class Typeface {
 public:
     /// A glyph in its place in a run, in units of the font: its offset from the pen, and how far it moves the pen.

@@ -352,22 +352,31 @@ TEST_F(CommandLine, ModulesAreLoadedByTheRunsAloneThatNeedThem) {
     const fs::path built = KINEGRAPH_PROGRAM;
     fs::create_directory(folder_ / "alone");
     fs::copy(built, folder_ / "alone/kinegraph");
+    fs::copy(KINEGRAPH_EXAMPLES_DIR "/motion/projectile.json", folder_);
+    fs::copy(KINEGRAPH_EXAMPLES_DIR "/variants/four_bar.json", folder_ / "vary.json");
     program_ = "alone/kinegraph";
     EXPECT_EQ(run("solve four_bar.json -o a.json").status, 0);
     const auto refused = [&](const std::string& arguments, const std::string& said) {
         const auto before = snapshot();
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, 4) << arguments;
-        EXPECT_TRUE(
-            lines_are(outcome.err, "kinegraph: " + said + " by a module of the program, which cannot be loaded: .*"))
+        EXPECT_TRUE(lines_are(outcome.err, said + " by a module of the program, which cannot be loaded: .*"))
             << arguments;
         EXPECT_EQ(changed_since(before), "") << arguments;
     };
-    refused("solve four_bar.json -o b.svg", "Type is set");
+    refused("solve projectile.json -o b.json", "projectile.json: /motion/x: derivatives in symbols are found");
+    fs::copy(built.parent_path() / "kinegraph_ginac.so", folder_ / "alone");
+    EXPECT_EQ(run("solve projectile.json -o c.json").status, 0);
+    refused("solve four_bar.json -o b.svg", "kinegraph: Type is set");
     fs::copy(built.parent_path() / "kinegraph_type.so", folder_ / "alone");
-    EXPECT_EQ(run("solve four_bar.json -o a.svg").status, 0);
-    refused("solve four_bar.json -o b.svg -o b.png", "PNG and PDF are drawn");
-    refused("solve four_bar.json -o b.pdf", "PNG and PDF are drawn");
+    EXPECT_EQ(run("solve four_bar.json -o a.svg --text live").status, 0);
+    refused("solve four_bar.json -o b.svg -o b.png", "kinegraph: PNG and PDF are drawn");
+    refused("solve four_bar.json -o b.pdf", "kinegraph: PNG and PDF are drawn");
+    fs::copy(built.parent_path() / "kinegraph_cairo.so", folder_ / "alone");
+    EXPECT_EQ(run("solve four_bar.json -o a.png").status, 0);
+    EXPECT_EQ(run("variants vary.json --count 2 -o class/ --for qti").status, 4);
+    fs::copy(built.parent_path() / "kinegraph_zip.so", folder_ / "alone");
+    EXPECT_EQ(run("variants vary.json --count 2 -o class/ --for qti").status, 0);
 }
 
 TEST_F(CommandLine, AnOutputKeepsItsModeAndItsLink) {

@@ -24,7 +24,7 @@ using namespace kinegraph::render;
 using namespace kinegraph::pages;
 namespace tests = kinegraph::tests;
 
-std::string live_svg(const Page& page) { return to_live_svg({&page, 1}, fonts(), font_subset).front(); }
+std::string live_svg(const Page& page) { return to_live_svg({&page, 1}, fonts()).front(); }
 
 /// The texts of an SVG, each as it reads.
 std::vector<std::string> readings(const std::string& svg) {
@@ -181,9 +181,9 @@ TEST(LiveText, TheFontComesAlongUnderANameOfItsOwn) {
 
 TEST(LiveText, TheSameBytesTwice) {
     const std::vector<Page> pages = sheet("quick_return", Language::en);
-    EXPECT_EQ(to_live_svg(pages, fonts(), font_subset), to_live_svg(pages, fonts(), font_subset));
+    EXPECT_EQ(to_live_svg(pages, fonts()), to_live_svg(pages, fonts()));
     EXPECT_EQ(to_live_pdf(pages, fonts()), to_live_pdf(pages, fonts()));
-    EXPECT_EQ(to_live_svg(pages, fonts(), font_subset).at(1), live_svg(pages.at(1)));  // whatever stands before it
+    EXPECT_EQ(to_live_svg(pages, fonts()).at(1), live_svg(pages.at(1)));  // whatever stands before it
 }
 
 TEST(LiveText, APdfSaysItsLanguageAndThatItIsTagged) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/number/watched_memory.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace kinegraph {
 
@@ -39,7 +39,7 @@ RandomMechanism random_mechanism(std::uint64_t seed);
 
 /// As many as that; under sanitizers, where everything takes several times as long, fewer.
 constexpr int unless_sanitized([[maybe_unused]] int count, [[maybe_unused]] int sanitized) {
-#if defined(KINEGRAPH_MEMORY_WATCHED)
+#if defined(KINEGRAPH_SANITIZED)
     return sanitized;
 #else
     return count;

@@ -7,23 +7,15 @@
 #include "constructions/positions/conditions.hpp"
 #include "constructions/solving/solve.hpp"
 #include "constructions/verdicts/verdicts.hpp"
-#include "engine/file/algebra.hpp"
 #include "engine/mechanism/variation.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/sheet.hpp"
-#include "render/text/subset.hpp"
 #include "render/text/words.hpp"
 
 namespace kinegraph::tests {
 namespace {
 
 using namespace render;
-
-// The tests link what the program loads.
-[[maybe_unused]] const bool has_algebra = [] {
-    take_algebra_from([]() -> tl::expected<const Algebra*, Words> { return &ginac_algebra; });
-    return true;
-}();
 
 void expect(bool holds, const char* what) {
     if (!holds) throw std::runtime_error(what);
@@ -103,7 +95,7 @@ HowFar through_all(std::string_view text, const Fonts& fonts) {
     for (const Page& page : pages)
         for (const Mark& mark : page.marks) std::visit(IsFinite(), mark);
     to_svg(pages, fonts);
-    to_live_svg(pages, fonts, font_subset);
+    to_live_svg(pages, fonts);
     to_tex(pages, fonts);
     far.drawn = true;
     return far;

@@ -1,0 +1,29 @@
+// The seam between the program and its modules: each exports one table, under its own name, of the library's functions
+// that it holds.
+#pragma once
+
+#include "app/late/archive.hpp"
+#include "engine/file/algebra.hpp"
+#include "render/backends/backends.hpp"
+#include "render/text/subset.hpp"
+#include "render/text/typeface.hpp"
+
+namespace kinegraph::app {
+
+struct CairoModule {
+    decltype(&render::to_png) to_png;
+    decltype(&render::to_pdf) to_pdf;
+    decltype(&render::to_live_pdf) to_live_pdf;
+};
+struct TypeModule {
+    decltype(&render::open_typefaces) open_typefaces;
+    decltype(&render::font_subset) font_subset;
+};
+struct GinacModule {
+    decltype(&derivative) derivative_of;
+};
+struct ZipModule {
+    decltype(&packed) packed_files;
+};
+
+}  // namespace kinegraph::app
