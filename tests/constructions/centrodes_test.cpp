@@ -66,7 +66,7 @@ TEST(Centrodes, OfATrammelAreCardansCircles) {
 
 TEST(Centrodes, OfAnAntiparallelogramOnItsShortLinkAreEllipses) {
     const Centrodes centrodes = traced_example("antiparallelogram", "1", "3");
-    const auto solution = tests::example("antiparallelogram");
+    const auto& solution = tests::example("antiparallelogram");
     const auto at = [&](const char* name) {
         const Vector& place = solution.pose.at(*solution.mechanism.point_named(name));
         return Spot{place.x.to_double(), place.y.to_double()};

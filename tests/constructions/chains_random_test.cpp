@@ -72,6 +72,7 @@ TEST(Chains, AreDrawnWithEveryPair) {
     for (std::uint64_t seed = 0; seed < all_inversions().size(); ++seed)
         for (const char* pair : {"slides", "slot", "arc", "rolls", "touches", "geared", "rack"})
             count[pair] += random_chain_mechanism(seed).recipe.find(pair) != std::string::npos ? 1 : 0;
+    ASSERT_EQ(count.size(), 7U);
     for (const auto& [pair, drawn] : count) EXPECT_GE(drawn, 20) << pair;
 }
 

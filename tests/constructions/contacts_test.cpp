@@ -46,7 +46,7 @@ void expect_line(const HertzSolution& found, double load, double radius, double 
 }
 
 TEST(Contacts, RollerPressesItsCamWithTheForceOfTheTriangle) {
-    const Solution solution = tests::example("joint_contact/cam_and_roller");
+    const Solution& solution = tests::example("joint_contact/cam_and_roller");
     // 33, 44, 55: the normal leans by 0.8 of 800 N.
     EXPECT_NEAR(stated_at(solution).force.to_double(), 1000, 1e-9);
     EXPECT_EQ(*solution.efforts.front().value, Exact::ratio(264, 10));
@@ -56,7 +56,7 @@ TEST(Contacts, RollerPressesItsCamWithTheForceOfTheTriangle) {
 }
 
 TEST(Contacts, WheelPressesItsRailWithTheNormalPartAlone) {
-    const Solution solution = tests::example("joint_contact/driven_wheel");
+    const Solution& solution = tests::example("joint_contact/driven_wheel");
     // 30 kN of weight, and 6 kN along the rail that only friction takes.
     EXPECT_NEAR(length(*solution.forces.front().force), std::hypot(30e3, 6e3), 1e-6);
     EXPECT_NEAR(stated_at(solution).force.to_double(), 30e3, 1e-9);
@@ -64,7 +64,7 @@ TEST(Contacts, WheelPressesItsRailWithTheNormalPartAlone) {
 }
 
 TEST(Contacts, TeethHaveTheRadiiOfTheirInvolutesAtThePitchPoint) {
-    const Solution solution = tests::example("joint_contact/spur_gears");
+    const Solution& solution = tests::example("joint_contact/spur_gears");
     const double alpha = 20 * pi / 180, load = 60 / 0.03 / std::cos(alpha);
     EXPECT_NEAR(stated_at(solution).force.to_double(), load, 1e-9 * load);
     EXPECT_NEAR(stated_at(solution).bodies[0].radii[0].to_double(), 0.03 * std::sin(alpha), 1e-15);
@@ -151,7 +151,7 @@ TEST(Contacts, FaultsAreToldWhereTheyStand) {
 class ContactSheets : public testing::TestWithParam<const char*> {};
 
 TEST_P(ContactSheets, FollowTheMechanismInBothLanguages) {
-    const Solution solution = tests::example(std::string("joint_contact/") + GetParam());
+    const Solution& solution = tests::example(std::string("joint_contact/") + GetParam());
     const std::string joint = solution.mechanism.joint(only_contact(solution).joint).name;
     for (const Language language : {Language::en, Language::it}) {
         SheetOptions options;
@@ -180,7 +180,7 @@ TEST_P(ContactSheets, FollowTheSchemaAndComeThroughAll) {
 }
 
 TEST_P(ContactSheets, HaveResultsUnderTheirJointAndChecks) {
-    const Solution solution = tests::example(std::string("joint_contact/") + GetParam());
+    const Solution& solution = tests::example(std::string("joint_contact/") + GetParam());
     const std::string joint = solution.mechanism.joint(only_contact(solution).joint).name;
     const auto results =
         nlohmann::json::parse(results_json(solution, false, [](const Message&) { return std::string(); }));
@@ -197,7 +197,7 @@ TEST_P(ContactSheets, HaveResultsUnderTheirJointAndChecks) {
 }
 
 TEST(Contacts, StepsGoOnToTheContact) {
-    const Solution solution = tests::example("joint_contact/spur_gears");
+    const Solution& solution = tests::example("joint_contact/spur_gears");
     const std::vector<Page> steps = lay_out_steps(solution, {}, fonts());
     expect_clean(steps);
     EXPECT_TRUE(says(steps.back(), "Results and numeric check"));

@@ -267,12 +267,13 @@ TEST(Curvature, OfALineIsThatOfItsEnvelope) {
 }
 
 TEST(Curvature, IsWrittenAsTheFormatSays) {
-    const Solution solution = tests::example("coupler_curve");
+    const Solution& solution = tests::example("coupler_curve");
     const std::string json = results_json(solution, false, english);
     for (const char* key :
          {R"("curvature": {)", R"("3": {"pole": [)", R"("pole tangent": [)", R"("inflection circle": {"centre": [)",
           R"("diameter": )", R"("acceleration pole": [)", R"("points": {"A": {"centre": [)", R"("radius": )"})
         EXPECT_NE(json.find(key), std::string::npos) << key << "\n" << json;
+    ASSERT_FALSE(of_body(solution, "3").points.empty());
     for (const PathCentre& path : of_body(solution, "3").points)
         EXPECT_TRUE(path.is_pin || path.statement != none) << path.label << " comes with its sentence";
 }

@@ -280,6 +280,8 @@ TEST(ForceLaws, ConcurrencyIsExact) {
     }
     const Statics exam(example("exam_2001"));
     const FreeBody& four = exam.free_body("4");
+    ASSERT_FALSE(four.forces.empty());
+    ASSERT_FALSE(four.meets.empty());
     for (const AppliedForce& applied : four.forces)
         EXPECT_LE(std::abs(cross(four.meets.front().place - applied.at, applied.force).to_double()), 1e-25);
 }
@@ -383,6 +385,7 @@ TEST(ForceLaws, LargerMechanismHasTheLargerForces) {
 TEST(ForceLaws, MirroredExamplesAreTheMirrorImages) {
     for (const std::string name : {"sluice_gate", "tipper"}) {
         const Statics one(example(name)), other(example(name + "_mirrored"));
+        ASSERT_FALSE(one.solution.forces.empty());
         ASSERT_EQ(one.solution.forces.size(), other.solution.forces.size());
         for (const JointForce& action : one.solution.forces) {
             const Vector& force = *action.force;

@@ -38,7 +38,7 @@ void expect_near_check(const Solution& solution) {
 }
 
 TEST(Hertz, BallOnPlaneHasThePublishedNumbers) {
-    const Solution solution = example("contact/ball_on_plane");
+    const Solution& solution = example("contact/ball_on_plane");
     const HertzSolution& found = hertz_of(solution);
     EXPECT_NEAR(found.a, 0.188e-3, 0.0005e-3);
     EXPECT_NEAR(found.greatest, 1.353e9, 0.0005e9);
@@ -93,7 +93,7 @@ TEST(Hertz, NoOneCaresWhichBodyIsTheFirst) {
 TEST(Hertz, AgreesWithTheQuadratureOnEveryExample) {
     for (const char* name : {"ball_on_plane", "wheel_on_rail", "ball_in_race", "cylinders", "roller_in_ring"}) {
         SCOPED_TRACE(name);
-        const Solution solution = example(std::string("contact/") + name);
+        const Solution& solution = example(std::string("contact/") + name);
         expect_near_check(solution);
         EXPECT_TRUE(solution.unsolved.empty());
     }

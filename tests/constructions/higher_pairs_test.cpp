@@ -324,6 +324,7 @@ TEST(HigherPairs, ThreeCentresOfThreeBodiesLieOnALine) {
     for (const std::string& text : {cam, planetary("gear", false, R"({"body": 2, "omega": 10})"), disc_on_line}) {
         const Solution solution = solved(text);
         const Mechanism& mechanism = solution.mechanism;
+        ASSERT_GE(mechanism.bodies.size(), 3U);
         const auto centre = [&](BodyIndex i, BodyIndex j) -> const ProjectivePoint& {
             for (const InstantCentre& c : solution.centres)
                 if (c.first == i && c.second == j) return c.at.value();

@@ -54,7 +54,7 @@ TEST(Impact, OfEveryExampleKeepsTheLawsAndAgreesWithNewtonStepByStep) {
     for (const char* name : {"newtons_cradle_pair", "ball_against_wall", "rod_hit_off_centre", "ballistic_pendulum",
                              "billiard_shot", "falling_rod"}) {
         SCOPED_TRACE(name);
-        const Solution solution = example(std::string("contact/") + name);
+        const Solution& solution = example(std::string("contact/") + name);
         expect_balance(solution);
         expect_near_check(solution, 1e-6);
     }

@@ -246,6 +246,7 @@ TEST(Similar, FasterDriversScaleVelocitiesAndSquareAccelerations) {
             if (auto* point = std::get_if<PointDriver>(&driver)) point->speed *= k, point->acceleration *= square(k);
         }
         const Solution slow = solved(mechanism), fast = solved(faster);
+        ASSERT_FALSE(slow.points.empty());
         for (std::size_t i = 0; i < slow.points.size(); ++i) {
             EXPECT_EQ(k * *slow.points[i].velocity, *fast.points[i].velocity) << "seed " << seed;
             EXPECT_EQ(square(k) * *slow.points[i].acceleration, *fast.points[i].acceleration) << "seed " << seed;
@@ -476,6 +477,7 @@ TEST(NoAnswer, TheCrankDrivesThroughTheSamePosition) {
         s.spin("2", "4", "1");
         const Solution solution = solved(s.mechanism);
         EXPECT_TRUE(solution.unsolved.empty()) << reasons(solution);
+        ASSERT_FALSE(solution.points.empty());
         for (const PointMotion& point : solution.points) {
             ASSERT_TRUE(point.velocity) << point.label;
             EXPECT_EQ(length(*point.velocity) < 1e-25, point.label != "A") << point.label;

@@ -32,7 +32,7 @@ using Lines = std::vector<std::string>;
 TEST(Oversights, NoneWhereAllIsDriven) {
     EXPECT_EQ(remarks(four_bar(bodies, crank + "," + pin_b + "," + pin_o4)), Lines{});
     for (const std::string& name : example_names()) {
-        const Solution solution = example(name);
+        const Solution& solution = example(name);
         const auto said = oversights(solution.mechanism, solution.pose, solution.mobility);
         EXPECT_TRUE(said.empty()) << name << ": " << english(said.front());
     }

@@ -112,12 +112,15 @@ TEST(CheckedNumbers, OfACoupleBetweenTwoMovingBodiesHaveOneSense) {
         }
         EXPECT_EQ(rows, 1);
         // On its two bodies it counts oppositely, by the check too.
+        int bodies = 0;
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
                 if (applied.kind == AppliedForce::Kind::effort) {
+                    ++bodies;
                     EXPECT_NEAR(applied.couple.to_double(), applied.numeric_couple.value(), 1e-12)
                         << body.body.number();
                 }
+        EXPECT_EQ(bodies, 2);
     }
 }
 
@@ -129,7 +132,7 @@ TEST(Quantities, HaveTheNamesOfTheResultsFile) {
     for (const char* name : {"omega 4", "alpha 5", "velocity D x", "acceleration E y", "sliding J velocity x",
                              "sliding J acceleration y", "sliding J coriolis x"})
         EXPECT_TRUE(names.contains(name)) << name;
-    const Solution shaper = example("quick_return");
+    const Solution& shaper = example("quick_return");
     names.clear();
     for (const CheckRow& row : shaper.checks) EXPECT_TRUE(names.insert(name_of(row.quantity, shaper)).second);
     EXPECT_TRUE(names.contains("velocity A on 2 x") && names.contains("velocity A on 4 x"));
@@ -147,7 +150,7 @@ TEST(Quantities, HaveTheNamesOfTheResultsFile) {
 class StatedForces : public testing::TestWithParam<const char*> {};
 
 TEST_P(StatedForces, AreFoundByTheStatementThatSaysSo) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     ASSERT_FALSE(solution.free_bodies.empty());
     for (const FreeBody& body : solution.free_bodies) {
         StatementIndex last;
@@ -196,7 +199,7 @@ std::vector<Comparison::Moved> all_move(const Solution& solution) {
 
 TEST(Disagreements, AreNoneInTheExamples) {
     for (const std::string& name : example_names()) {
-        const Solution solution = example(name);
+        const Solution& solution = example(name);
         const Comparison comparison = compare_with_check(solution);
         for (const Message& message : disagreements(solution, comparison.bodies))
             ADD_FAILURE() << name << ": " << english(message);
@@ -204,7 +207,7 @@ TEST(Disagreements, AreNoneInTheExamples) {
 }
 
 TEST(Disagreements, AreSaidWithTheWorstOfTheirKind) {
-    const Solution solution = example("four_bar_weights");
+    const Solution& solution = example("four_bar_weights");
     const Magnitudes magnitudes(solution);
     std::set<Kind> kinds;
     for (std::size_t i = 0; i < solution.checks.size(); ++i) {
@@ -257,7 +260,7 @@ TEST(Disagreements, OfDrawnVectorsAreSaid) {
 }
 
 TEST(Disagreements, AboutWhatMovesAreSaid) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     std::vector<Comparison::Moved> bodies = all_move(solution);
     bodies[3] = {false, false};
     auto said = disagreements(solution, bodies);
@@ -296,6 +299,7 @@ TEST(Disagreements, AreMeasuredByWhatDrives) {
 TEST(CheckedNumbers, BelowTheRoundingOfTheCheckAreNothing) {
     Solution solution = example("four_bar");
     const Magnitudes magnitudes(solution);
+    ASSERT_FALSE(solution.checks.empty());
     for (CheckRow& row : solution.checks) {
         const double largest = magnitudes.of(row.quantity);
         for (const auto& [share, is_noise] :

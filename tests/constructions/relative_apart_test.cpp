@@ -37,7 +37,7 @@ bool says(const Solution& solution, Sentence sentence) {
 }
 
 TEST(RelativeMotionApart, IsThatOfTheExam) {
-    const Solution solution = tests::example("moving_frame");
+    const Solution& solution = tests::example("moving_frame");
     ASSERT_EQ(solution.relative_motion.size(), 1U);
     const RelativeMotion& motion = solution.relative_motion.front();
     expect_sums(motion, solution.pose);
@@ -55,7 +55,7 @@ TEST(RelativeMotionApart, IsThatOfTheExam) {
 }
 
 TEST(RelativeMotionApart, HasTheDriversOwnNumbersInTheMovingAxes) {
-    const Solution solution = tests::example("slider_on_moving_guide");
+    const Solution& solution = tests::example("slider_on_moving_guide");
     const RelativeMotion& motion = solution.relative_motion.front();
     expect_sums(motion, solution.pose);
     const Apart& apart = *motion.apart;
@@ -86,7 +86,7 @@ std::string exam_through(const std::string& point, const std::string& observer) 
 }
 
 TEST(MotionThroughAnObserver, IsFoundByTheExamsTriangle) {
-    const Solution plain = tests::example("exam_2001"), solution = tests::example("moving_frame");
+    const Solution &plain = tests::example("exam_2001"), solution = tests::example("moving_frame");
     EXPECT_TRUE(says(solution, Sentence::observer_velocity));
     EXPECT_TRUE(says(solution, Sentence::observer_acceleration));
     EXPECT_TRUE(solution.unsolved.empty());

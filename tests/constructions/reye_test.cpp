@@ -19,7 +19,7 @@ const ReyeSolution& reye_of(const Solution& solution) { return tests::found_in<R
 Solution worn(const std::string& members) { return tests::stated("reye", members); }
 
 TEST(Reye, PadHasThePublishedNumbers) {
-    const Solution solution = example("contact/pad");
+    const Solution& solution = example("contact/pad");
     const ReyeSolution& found = reye_of(solution);
     EXPECT_EQ(*found.m, Exact(3));
     EXPECT_DOUBLE_EQ(found.first, 0.08e6);
@@ -29,7 +29,7 @@ TEST(Reye, PadHasThePublishedNumbers) {
 }
 
 TEST(Reye, PadLiftsOutsideItsMiddleThird) {
-    const Solution solution = example("contact/pad_lifting");
+    const Solution& solution = example("contact/pad_lifting");
     const ReyeSolution& found = reye_of(solution);
     EXPECT_TRUE(found.lifts);
     EXPECT_DOUBLE_EQ(found.begin, 0.04);
@@ -95,7 +95,7 @@ TEST(Reye, ShoesOfAPublishedBrake) {
 TEST(Reye, AgreesWithTheStripsOnEveryExample) {
     for (const char* name : {"pad", "pad_lifting", "clutch", "drum_shoe", "outer_shoe"}) {
         SCOPED_TRACE(name);
-        const Solution solution = example(std::string("contact/") + name);
+        const Solution& solution = example(std::string("contact/") + name);
         tests::expect_near_check(*solution.problem, 1e-6, tests::Against::itself);
     }
 }

@@ -44,14 +44,14 @@ Exact fraction(int above, int below) { return Exact::ratio(above, below); }
 
 TEST(DistributedLoads, TheCantileversClampHoldsForceAndCouple) {
     // q l + P = 225 · 2 + 800 N, q l²/2 + P l = 450 + 1600 N m.
-    const Solution solution = example("cantilever");
+    const Solution& solution = example("cantilever");
     EXPECT_EQ(*action(solution, "A", "2").force, (Vector{0, 1250}));
     EXPECT_EQ(*action(solution, "A", "2").couple, Exact(2050));
 }
 
 TEST(SupportsWithCouples, AreToldAsForceAndCoupleAndAsOneForceAside) {
     // M = 2050 N m beside 1250 N: one force at d = M/F = 1.64 m.
-    const Solution solution = example("cantilever");
+    const Solution& solution = example("cantilever");
     const FreeBody& beam = solution.free_bodies.at(0);
     int found = 0;
     for (const AppliedForce& applied : beam.forces) {
@@ -64,14 +64,14 @@ TEST(SupportsWithCouples, AreToldAsForceAndCoupleAndAsOneForceAside) {
     }
     EXPECT_EQ(found, 1);
     // A hinge holds none.
-    const Solution beams = example("gerber_beam");
+    const Solution& beams = example("gerber_beam");
     for (const FreeBody& body : beams.free_bodies)
         for (const AppliedForce& applied : body.forces) EXPECT_EQ(render::at_the_pair(beams, body, applied), nullptr);
 }
 
 TEST(DistributedLoads, AGerberBeamIsSolvedFromItsSuspendedPart) {
     // The triangle of 9 kN two thirds from G: C = 6, G = 3 kN; then B · 4 = 10 · 2.5 + 3 · 5 and A = 10 + 3 − B.
-    const Solution solution = example("gerber_beam");
+    const Solution& solution = example("gerber_beam");
     EXPECT_EQ(*action(solution, "C", "3").force, (Vector{0, 6000}));
     EXPECT_EQ(*action(solution, "G", "3").force, (Vector{0, 3000}));
     EXPECT_EQ(*action(solution, "B", "2").force, (Vector{0, 10000}));
@@ -92,7 +92,7 @@ TEST(PinLoads, ThePinIsANodeOfItsOwn) {
     // Wind (1800, −2400) N on the middle of the left half, 2 kN on the crown's pin. Moments about A: 8 B_y = 4 · 2000 +
     // 2 · 2400
     // + 1.5 · 1800; body 3 carries two forces, so B runs along BC.
-    const Solution solution = example("three_hinged_arch");
+    const Solution& solution = example("three_hinged_arch");
     const Vector b = *action(solution, "B", "3").force, a = *action(solution, "A", "2").force;
     EXPECT_EQ(b, (Vector{fraction(-7750, 3), fraction(3875, 2)}));
     EXPECT_EQ(a, (Vector{fraction(2350, 3), fraction(4925, 2)}));
@@ -134,7 +134,7 @@ TEST(Springs, ElasticOnesPullByTheirStretchAlsoWhereTheyMove) {
         const double length = std::hypot(x - 0.3, y), pull = 1000 * (length - 0.25);
         return -(x * -y - y * (0.3 - x)) * pull / length + 12 * (right + turn);
     };
-    const Solution drawn = example("lever_on_springs");
+    const Solution& drawn = example("lever_on_springs");
     EXPECT_NEAR(drawn.efforts[0].value->to_double(), 45 + 6 * std::numbers::pi, 1e-9);
     EXPECT_NEAR(closed(0), 45 + 6 * std::numbers::pi, 1e-9);
     ASSERT_TRUE(drawn.virtual_work);
@@ -206,7 +206,7 @@ std::string resultant_of(const Solution& solution) {
 }
 
 TEST(Equilibrium, WhatIsLeftOverIsAForceAlongALine) {
-    const Solution solution = example("plate_under_forces");
+    const Solution& solution = example("plate_under_forces");
     ASSERT_EQ(solution.resultants.size(), 1U);
     const Resultant& found = solution.resultants[0];
     EXPECT_EQ(*found.force, (Vector{300, 400}));

@@ -43,7 +43,7 @@ bool says(const Solution& solution, Sentence sentence) {
 
 /// The moments about A of rod and piston give the wall's reaction, their sum the rest: exactly.
 TEST(Engine, HasTheForcesOfItsClosedForm) {
-    const Solution solution = example("engine_inertia_gas");
+    const Solution& solution = example("engine_inertia_gas");
     EXPECT_TRUE(solution.unsolved.empty());
     const Exact mm = Exact::ratio(1, 1000), omega = 300;
     const Vector a{24 * mm, 32 * mm}, rod{126 * mm, Exact(-32) * mm};
@@ -69,7 +69,7 @@ TEST(Engine, HasTheForcesOfItsClosedForm) {
 }
 
 TEST(Engine, NeedsNoSuperposition) {
-    const Solution solution = example("engine_inertia_gas");
+    const Solution& solution = example("engine_inertia_gas");
     EXPECT_FALSE(solution.superposition);
     EXPECT_FALSE(says(solution, Sentence::superposition));
     EXPECT_FALSE(says(solution, Sentence::trial));
@@ -94,7 +94,7 @@ TEST(Engine, HasItsInertiaWhereForcesAloneAreAsked) {
 
 /// F_i with its couple is F_i alone, moved aside by J α/F.
 TEST(Engine, MovesTheInertiaForceAside) {
-    const Solution solution = example("engine_inertia_gas");
+    const Solution& solution = example("engine_inertia_gas");
     for (const FreeBody& body : solution.free_bodies)
         for (const FreeBody::Arm& arm : body.arms)
             if (arm.is_shift) {
@@ -112,7 +112,7 @@ class Superposed : public testing::TestWithParam<const char*> {};
 
 /// What the loads cause one by one adds up to what they cause together: on every body, exactly.
 TEST_P(Superposed, PartsAddUp) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     ASSERT_TRUE(solution.superposition);
     const Superposition& found = *solution.superposition;
     EXPECT_EQ(found.parts.size(), 3U);
@@ -136,9 +136,10 @@ TEST_P(Superposed, PartsAddUp) {
 
 /// Each body is in equilibrium under what acts on it alone: its polygon closes, and its moments vanish.
 TEST_P(Superposed, EachPartIsInEquilibrium) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
+    ASSERT_FALSE(solution.superposition->parts.empty());
     for (const Superposition::Part& part : solution.superposition->parts) {
-        EXPECT_FALSE(part.bodies.empty());
+        ASSERT_FALSE(part.bodies.empty());
         for (const FreeBody& body : part.bodies) {
             Vector sum;
             Exact moment = 0;
@@ -157,7 +158,7 @@ TEST_P(Superposed, EachPartIsInEquilibrium) {
 }
 
 TEST_P(Superposed, HasAFigureOfLinesAndOneOfPolygonsForEachLoad) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     std::set<std::string> figures;
     for (const Page& page : lay_out(solution, {}, fonts()))
         for (const Mark& mark : page.marks)
@@ -170,7 +171,7 @@ TEST_P(Superposed, HasAFigureOfLinesAndOneOfPolygonsForEachLoad) {
 
 /// In steps each load has pages of its own: what opens them shows its lines, what closes a polygon that polygon.
 TEST_P(Superposed, EachLoadHasPagesOfItsOwn) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     std::set<std::string> figures;
     for (const Page& page : lay_out_steps(solution, {}, fonts()))
         for (const Mark& mark : page.marks)
@@ -181,7 +182,7 @@ TEST_P(Superposed, EachLoadHasPagesOfItsOwn) {
 }
 
 TEST_P(Superposed, SaysItsSums) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     const Message& said = solution.protocol.statements[at_index(solution.superposition->statement)].message;
     ASSERT_EQ(said.sentence, Sentence::superposition_sum);
     const auto couple = std::find_if(said.workings.begin(), said.workings.end(),
@@ -201,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, Superposed, testing::Values("four_bar_weights
 
 /// Each string is parallel to its ray, and ends on the lines of the forces between whose rays it lies.
 TEST(Funicular, HasStringsParallelToItsRays) {
-    const Solution solution = example("three_parallel_forces");
+    const Solution& solution = example("three_parallel_forces");
     ASSERT_EQ(solution.free_bodies.size(), 1U);
     ASSERT_TRUE(solution.free_bodies.front().funicular);
     const FreeBody::Funicular& found = *solution.free_bodies.front().funicular;
@@ -280,11 +281,14 @@ bool is_of_a_force(const Solution& solution, const Symbol& symbol) {
 class ForceSentence : public testing::TestWithParam<std::string> {};
 
 TEST_P(ForceSentence, HasTheLinesThatItNamesOnTheSheet) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     if (solution.free_bodies.empty()) return;  // a truss has figures of its own
     const std::set<std::string> names = lettered(lay_out(solution, {}, fonts()));
+    ASSERT_FALSE(names.empty());
+    int sentences = 0;
     for (const Statement& statement : solution.protocol.statements) {
         if (statement.section != Topic::forces || !names_lines(statement.message.sentence)) continue;
+        ++sentences;
         for (const Argument& argument : statement.message.arguments) {
             const auto* symbol = std::get_if<Symbol>(&argument);
             if (symbol && is_of_a_force(solution, *symbol) && !vanishes(statement.message, *symbol)) {
@@ -302,11 +306,12 @@ TEST_P(ForceSentence, HasTheLinesThatItNamesOnTheSheet) {
             }
         }
     }
+    EXPECT_GT(sentences, 0);
 }
 
 /// The line that joins two meets is a line of action there, with the diagonal that it gives in the polygon.
 TEST(CulmannsLine, IsDrawnWithItsDiagonal) {
-    const Solution solution = example("four_force_body");
+    const Solution& solution = example("four_force_body");
     const std::vector<Page> pages = lay_out(solution, {}, fonts());
     EXPECT_TRUE(lettered(pages).contains("F_HK"));
     for (const FreeBody& body : solution.free_bodies)
@@ -337,7 +342,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, ForceSentence, testing::ValuesIn(with_forces(
 
 /// M = F · b wherever a couple is balanced by two forces: the arm is drawn, and the product is said.
 TEST(CoupleOfTwoForces, SaysForceTimesArm) {
-    const Solution solution = example("gas_force");
+    const Solution& solution = example("gas_force");
     for (const Statement& statement : solution.protocol.statements)
         for (const Working& working : statement.message.workings) {
             if (working.of.letter != Symbol::Letter::M) continue;

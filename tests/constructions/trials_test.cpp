@@ -76,6 +76,7 @@ TEST(Trials, AreKeptApartFromTheSolution) {
         EXPECT_TRUE(std::any_of(trials.images.begin(), trials.images.end(),
                                 [&](const Image& image) { return image.trial == trial; }));
     }
+    ASSERT_FALSE(solution.protocol.vectors.empty());
     for (const DrawnVector& vector : solution.protocol.vectors) EXPECT_EQ(vector.trial, 0);
 }
 
@@ -123,6 +124,7 @@ TEST(Trials, DoNotDependOnWhichBodyIsDriven) {
         const auto again = solve(*std::move(mechanism));
         ASSERT_TRUE(again);
         expect_whole_motion(*again);
+        ASSERT_EQ(again->bodies.size(), 8U);
         for (std::size_t b = 1; b < again->bodies.size(); ++b) {
             EXPECT_EQ(*again->bodies[b].omega, *by_crank.bodies[b].omega) << "driven by " << body;
             EXPECT_EQ(*again->bodies[b].alpha, *by_crank.bodies[b].alpha) << "driven by " << body;
@@ -133,6 +135,7 @@ TEST(Trials, DoNotDependOnWhichBodyIsDriven) {
 TEST(Trials, TurnWithTheDrawing) {
     const std::string driver = R"({"body": 7, "relative to": 3, "omega": 3, "alpha": -2})";
     const Solution one = solved(double_butterfly(driver)), other = solved(double_butterfly(driver, true));
+    ASSERT_EQ(one.bodies.size(), 8U);
     for (std::size_t body = 1; body < one.bodies.size(); ++body) {
         EXPECT_EQ(*one.bodies[body].omega, *other.bodies[body].omega);
         EXPECT_EQ(*one.bodies[body].alpha, *other.bodies[body].alpha);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "engine/solution/displacements.hpp"
 #include "tests/support/files.hpp"
@@ -66,7 +65,7 @@ int hold_efforts_together(const Solution& solution, const std::string& name) {
 }
 
 TEST(VirtualWork, LiftsTheSluiceGateOfTheCourse) {
-    const Solution solution = tests::example("virtual_work");
+    const Solution& solution = tests::example("virtual_work");
     ASSERT_TRUE(solution.displacements);
     const Displacements& found = *solution.displacements;
     ASSERT_EQ(found.freedoms.size(), 1U);
@@ -98,13 +97,12 @@ TEST(VirtualWork, IsTheCoursesVelocityRatioForASliderCrank) {
 
 TEST(VirtualWork, AgreesWithTheForcePolygonsOfEveryExample) {
     int held = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR)) {
-        if (entry.path().extension() != ".json") continue;
-        const std::string name = entry.path().stem().string();
-        auto mechanism = read_mechanism(tests::contents(entry.path()), name);
+    for (const std::string& name : tests::example_names()) {
+        const std::string text = tests::contents(tests::example_file(name));
+        auto mechanism = read_mechanism(text, name);
         ASSERT_TRUE(mechanism) << name;
         if (mechanism->efforts.empty() || mechanism->joints.empty()) continue;
-        const Solution solution = displaced(tests::contents(entry.path()));
+        const Solution solution = displaced(text);
         if (!solution.displacements->why_not.empty()) {
             EXPECT_TRUE(solution.mobility.effective == 0) << name << ": " << solution.displacements->why_not.en;
             continue;
@@ -152,7 +150,7 @@ TEST(VirtualWork, TellsEquilibriumAndItsAbsence) {
 }
 
 TEST(VirtualWork, HasNothingToSayOfWhatStands) {
-    const Solution solution = tests::example("cantilever");
+    const Solution& solution = tests::example("cantilever");
     EXPECT_EQ(solution.displacements, nullptr);
     EXPECT_FALSE(displaced(tests::contents(tests::example_file("cantilever"))).displacements->why_not.empty());
 }

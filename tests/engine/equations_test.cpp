@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <numbers>
 #include <stdexcept>
@@ -115,7 +114,7 @@ double gap(const Equations& equations) {
 class EquationsOfExample : public testing::TestWithParam<std::string> {};
 
 TEST_P(EquationsOfExample, GiveTheMotionOfThePolygons) {
-    const Solution solution = tests::example(GetParam());
+    const Solution& solution = tests::example(GetParam());
     const Equations equations = equations_of(solution.mechanism, solution.pose);
     if (!equations.why_not.empty()) {
         const bool open =
@@ -134,14 +133,7 @@ TEST_P(EquationsOfExample, GiveTheMotionOfThePolygons) {
     }
 }
 
-std::vector<std::string> mechanisms_of_examples() {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
-        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
-INSTANTIATE_TEST_SUITE_P(All, EquationsOfExample, testing::ValuesIn(mechanisms_of_examples()),
+INSTANTIATE_TEST_SUITE_P(All, EquationsOfExample, testing::ValuesIn(tests::example_names()),
                          [](const auto& each) { return each.param; });
 
 TEST(EquationsOfRandomMechanisms, GiveTheMotionOfThePolygons) {
@@ -174,7 +166,7 @@ TEST(EquationsOfRandomMechanisms, GiveTheMotionOfThePolygons) {
 
 /// The loops of the course's slider-crank: λ = 1/3, α = 60°.
 TEST(EquationsOfSliderCrank, HaveTheNumbersOfTheCourse) {
-    const Solution solution = tests::example("slider_crank");
+    const Solution& solution = tests::example("slider_crank");
     const Equations equations = equations_of(solution.mechanism, solution.pose);
     ASSERT_EQ(equations.loops.size(), 1U);
     EXPECT_EQ(spelt(equations, equations.loops.front()), "a e^{i alpha} + b e^{i beta} = c");
@@ -201,7 +193,7 @@ TEST(EquationsOfSliderCrank, HaveTheNumbersOfTheCourse) {
 
 /// A crank longer than its rod: det J = b cos β vanishes at sin α = ± b/a, and α goes no further.
 TEST(EquationsOfSliderCrank, TellThatALongCrankMakesNoFullTurn) {
-    const Solution solution = tests::example("slider_crank_long_crank");
+    const Solution& solution = tests::example("slider_crank_long_crank");
     ASSERT_TRUE(solution.equations);
     const Equations& equations = *solution.equations;
     ASSERT_TRUE(equations.loops.front().solved.dead_points);
@@ -291,7 +283,7 @@ TEST(EquationsOfAParallelogram, HaveNoNoise) {
 
 TEST(EquationsAtDeadPoints, TellWhatCannotBeDriven) {
     for (const char* const name : {"slider_driven_dead_point"}) {
-        const Solution solution = tests::example(name);
+        const Solution& solution = tests::example(name);
         const Equations equations = equations_of(solution.mechanism, solution.pose);
         EXPECT_FALSE(equations.is_regular());
         ASSERT_TRUE(equations.determinant);
@@ -304,7 +296,7 @@ TEST(EquationsAtDeadPoints, TellWhatCannotBeDriven) {
 /// Grashof's crank-rocker turns fully; of the same links with a shorter frame side the crank stops where b and c are
 /// stretched.
 TEST(EquationsOfFourBar, FollowTheLawOfCosines) {
-    const Solution solution = tests::example("four_bar");
+    const Solution& solution = tests::example("four_bar");
     const Equations equations = equations_of(solution.mechanism, solution.pose);
     const Equations::Loop& loop = equations.loops.front();
     EXPECT_EQ(loop.solved.kind, Equations::Solved::Kind::two_turns);
@@ -323,7 +315,7 @@ TEST(EquationsOfFourBar, FollowTheLawOfCosines) {
 
 /// A ladder that slips down a wall: x² + y² = l², so that ẏ = −(x/y) ẋ.
 TEST(EquationsOfLadder, AreThoseOfTheCircle) {
-    const Solution solution = tests::example("elliptic_trammel");
+    const Solution& solution = tests::example("elliptic_trammel");
     const Equations equations = equations_of(solution.mechanism, solution.pose);
     ASSERT_EQ(equations.free.size(), 1U);
     const Letter& x = equations.letter(equations.free.front());
@@ -337,7 +329,7 @@ TEST(EquationsOfLadder, AreThoseOfTheCircle) {
 
 /// A rod that slides through a pin of another: s e^{iγ} = a e^{iα} − d, so s γ' = a cos(α − γ), s' = −a sin(α − γ).
 TEST(EquationsOfRodOnRod, AreThoseOfTheResultant) {
-    const Solution solution = tests::example("inverted_slider_crank");
+    const Solution& solution = tests::example("inverted_slider_crank");
     const Equations equations = equations_of(solution.mechanism, solution.pose);
     const Equations::Loop& loop = equations.loops.front();
     ASSERT_EQ(loop.solved.kind, Equations::Solved::Kind::turn_with_slide);
@@ -397,7 +389,7 @@ TEST(EquationsOfRodAtAnArm, SayTheRightTriangleAndKeepNumbersApartInBothLanguage
 
 /// Willis: (ω_2 − ω_4) R_2 = −(ω_3 − ω_4) R_3, and the planet on the fixed ring.
 TEST(EquationsOfGears, AreWillisLaws) {
-    const Solution solution = tests::example("planetary_train");
+    const Solution& solution = tests::example("planetary_train");
     const Equations equations = equations_of(solution.mechanism, solution.pose);
     EXPECT_TRUE(equations.loops.empty());
     ASSERT_EQ(equations.laws.size(), 2U);

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <set>
 
@@ -295,7 +294,9 @@ TEST(Variants, OfEveryTeachingExampleAreSolvedAndMeetTheirConditionsByTheCheck) 
 }
 
 TEST(Variants, CranksTurnFullyByGrashof) {
-    for (const Variant& each : drawn(example_text("four_bar"), 3, 8)) {
+    const auto variants = drawn(example_text("four_bar"), 3, 8);
+    ASSERT_EQ(variants.size(), 8U);
+    for (const Variant& each : variants) {
         std::map<std::string, double> v;
         for (const Setting& set : each.values) v[set.name] = read_measured(set.value, {})->value.to_double();
         const double longest = std::max({v["d"], v["l"], v["s"]});
@@ -334,11 +335,14 @@ TEST(Variants, AFileOfTheirOwnSolvesToTheSame) {
         const std::string text = example_text(name);
         const auto source = JsonSource::read(text);
         constexpr std::array<std::string_view, 2> without{"vary", "require"};
-        for (const Variant& each : drawn(text, 5, 2)) {
+        const auto variants = drawn(text, 5, 2);
+        ASSERT_EQ(variants.size(), 2U);
+        for (const Variant& each : variants) {
             const std::string own = file_with(*source, each.values, without);
             EXPECT_EQ(own.find("\"vary\""), std::string::npos);
             const auto asked = asked_results(tests::solved(own, name));
             ASSERT_TRUE(asked);
+            ASSERT_FALSE(asked->empty());
             for (std::size_t i = 0; i < asked->size(); ++i) EXPECT_EQ((*asked)[i].value, each.results[i].value) << name;
         }
     }
@@ -389,12 +393,12 @@ TEST(Variants, QuestionsOfProblemsKeepBackWhatIsFound) {
 }
 
 TEST(Questions, OfAllProblemsAreOneCleanPage) {
-    const std::filesystem::path folder = std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / "contact";
     render::SheetOptions options;
     options.kind = render::SheetKind::question;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        SCOPED_TRACE(entry.path().string());
-        const Solution solution = tests::solved(tests::contents(entry.path()));
+    for (const std::string& name : tests::example_names("contact")) {
+        SCOPED_TRACE(name);
+        const Solution& solution = tests::example("contact/" + name);
+        ASSERT_FALSE(solution.problem->values.empty());
         const auto question = render::lay_out(solution, options, tests::fonts());
         EXPECT_EQ(question.size(), 1U);
         pages::expect_clean(question);

@@ -10,10 +10,8 @@ namespace {
 
 std::vector<std::string> found() {
     std::vector<std::string> names;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(KINEGRAPH_TESTS_DIR) / "fuzz" / "found"))
-        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
+    for (const auto& file : json_files(std::filesystem::path(KINEGRAPH_TESTS_DIR) / "fuzz" / "found"))
+        names.push_back(file.stem().string());
     return names;
 }
 

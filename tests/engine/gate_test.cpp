@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -32,8 +31,8 @@ auto any_member(Json& object, Random& random) {
 class Spoiler {
 public:
     explicit Spoiler(std::uint64_t seed) : random_(seed) {
-        for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
-            if (entry.path().extension() == ".json") files_.push_back(Json::parse(tests::contents(entry.path())));
+        for (const std::string& name : tests::example_names())
+            files_.push_back(Json::parse(tests::contents(tests::example_file(name))));
         std::sort(files_.begin(), files_.end());
         for (const Json& file : files_) collect(file);
     }

@@ -46,6 +46,7 @@ TEST(Law, HasItsTextbookPeaks) {
 }
 
 TEST(Law, DerivativesAreThoseOfTheWay) {
+    ASSERT_FALSE(law_forms().empty());
     for (const std::string& name : law_forms()) {
         SCOPED_TRACE(name);
         const Law law = one_piece(*law_form_spelt(name), -2, 3);

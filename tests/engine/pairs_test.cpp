@@ -202,7 +202,7 @@ TEST(Chains, OfEveryExampleHaveTheLoopsOfEuler) {
 }
 
 TEST(PairReport, SaysTheChainInAllFormsAndLanguages) {
-    const Solution solution = tests::example("planetary_train");
+    const Solution& solution = tests::example("planetary_train");
     const auto report = [&](Language language, TextForm form) {
         return render::pair_report(solution.mechanism, solution.mobility, {}, language, form);
     };

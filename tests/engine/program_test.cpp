@@ -32,7 +32,7 @@ TEST(Program, EveryExampleReplays) {
     int as_fresh = 0;
     for (const std::string& name : example_names()) {
         SCOPED_TRACE(name);
-        const Solution solution = example(name);
+        const Solution& solution = example(name);
         tests::expect_identical_replay(solution);
         EXPECT_LE(tests::difference_in_doubles(solution), tests::loss_in_doubles);
         as_fresh += tests::expect_fresh_solution(solution) ? 1 : 0;
@@ -41,7 +41,7 @@ TEST(Program, EveryExampleReplays) {
 }
 
 TEST(Program, HoldsNoSearch) {
-    const Solution butterfly = example("double_butterfly");
+    const Solution& butterfly = example("double_butterfly");
     EXPECT_LE(butterfly.protocol.program.strokes.size(), 900U);
 }
 

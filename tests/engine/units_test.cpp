@@ -63,6 +63,7 @@ TEST(Units, SpellingsAreAlike) {
 }
 
 TEST(Units, EveryUnitReadsItsOwnSymbol) {
+    ASSERT_FALSE(kinegraph::known_units().empty());
     for (const auto& unit : kinegraph::known_units()) {
         EXPECT_EQ(kinegraph::unit_spelt(unit.symbol), &unit) << unit.symbol;
         EXPECT_GT(unit.si, Exact(0)) << unit.symbol;

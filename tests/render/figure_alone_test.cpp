@@ -18,7 +18,7 @@ using namespace kinegraph::pages;
 class FigureAlone : public testing::TestWithParam<std::string> {};
 
 TEST_P(FigureAlone, IsWholeAndOnAPageOfItsSize) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     SheetOptions options;
     options.joukowsky = true;
     const std::vector<std::string> names = figure_names(solution, options, fonts());
@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, FigureAlone, testing::ValuesIn(example_names(
                          [](const testing::TestParamInfo<std::string>& each) { return each.param; });
 
 TEST(FigureAloneNames, AreThoseOfTheSolution) {
-    const Solution solution = example("four_bar_weights");
+    const Solution& solution = example("four_bar_weights");
     const std::vector<std::string> names = figure_names(solution, {}, fonts());
     for (const char* name :
          {"mechanism", "centres", "velocity", "acceleration", "lines-of-action", "forces", "closure", "body-3"})
@@ -54,7 +54,7 @@ TEST(FigureAloneNames, AreThoseOfTheSolution) {
 }
 
 TEST(FigureAloneNames, MechanismIsDrawnWithoutItsCentres) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const auto centres = [](const Page& page) {
         return std::count_if(page.marks.begin(), page.marks.end(), [](const Mark& mark) {
             const auto* group = std::get_if<GroupBegin>(&mark);

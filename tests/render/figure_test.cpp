@@ -102,7 +102,7 @@ TEST(MechanismFigure, of_every_example_is_well_grouped_and_within_its_room) {
     const Theme theme;
     for (const std::string& name : example_names()) {
         SCOPED_TRACE(name);
-        const Solution solution = example(name);
+        const Solution& solution = example(name);
         for (const Language language : {Language::en, Language::it}) {
             const DrawingContext context{solution, theme, fonts(), language};
             const Figure figure = mechanism_figure(context, 185, 150, true);
@@ -124,7 +124,7 @@ TEST(MechanismFigure, has_a_group_for_each_link_joint_and_centre) {
     const Theme theme;
     for (const std::string& name : example_names()) {
         SCOPED_TRACE(name);
-        const Solution solution = example(name);
+        const Solution& solution = example(name);
         const DrawingContext context{solution, theme, fonts()};
         const Figure figure = mechanism_figure(context, 185, 150, true);
         std::set<std::string> ids;
@@ -150,7 +150,7 @@ TEST(MechanismFigure, has_only_finite_numbers_and_is_the_same_twice) {
     const Theme theme;
     for (const std::string& name : example_names()) {
         SCOPED_TRACE(name);
-        const Solution solution = example(name);
+        const Solution& solution = example(name);
         const DrawingContext context{solution, theme, fonts()};
         const Figure once = mechanism_figure(context, 120, 90, true), twice = mechanism_figure(context, 120, 90, true);
         EXPECT_EQ(once.marks.size(), twice.marks.size());
@@ -211,7 +211,7 @@ TEST(MechanismFigure, has_the_numbers_of_wheels_on_no_other_wheel) {
                              "cam_from_law", "cam_roller_follower", "variants/planetary_train"})
         for (double wide = 50; wide <= 170; wide += 10) {
             const Spot room{wide, 0.8 * wide};
-            const Solution solution = example(name);
+            const Solution& solution = example(name);
             const Mechanism& mechanism = solution.mechanism;
             const Figure figure = mechanism_figure({solution, theme, fonts()}, room.x, room.y, false);
             const auto on_paper = [&](const Vector& place) {
@@ -269,7 +269,7 @@ TEST(OnMechanism, VelocitiesAndAccelerationsAreAsLongAsTheirValues) {
     const Theme theme;
     for (const std::string& name : example_names()) {
         SCOPED_TRACE(name);
-        const Solution solution = example(name);
+        const Solution& solution = example(name);
         const DrawingContext context{solution, theme, fonts()};
         EXPECT_EQ(expect_axes_as_long_as_their_values(velocities_on_mechanism(context, 120, 100)) > 0,
                   any_moves(solution, &PointMotion::velocity));
@@ -288,7 +288,7 @@ std::set<std::string> labels_of(const Figure& figure) {
 // The numbers are those of the seed problem's four-bar: its sentences tell them with as many digits.
 TEST(OnMechanism, WhatTurnsIsNamedWithItsValue) {
     const Theme theme;
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const std::set<std::string> words = labels_of(accelerations_on_mechanism({solution, theme, fonts()}, 120, 100));
     EXPECT_TRUE(words.contains("α_3 = 31.4 rad/s^2"));
     EXPECT_TRUE(words.contains("α_4 = 56.9 rad/s^2"));
@@ -296,7 +296,7 @@ TEST(OnMechanism, WhatTurnsIsNamedWithItsValue) {
 
 TEST(FoundTurnings, StandOnTheMechanismWhereTheyCostItNothing) {
     const Theme theme;
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const DrawingContext context{solution, theme, fonts()};
     const Spot roomy{100, 90}, tight{64, 52};
     const Figure plain = mechanism_figure(context, roomy.x, roomy.y, true);
@@ -362,7 +362,7 @@ TEST(MechanismFigure, says_which_centres_it_leaves_out) {
     std::size_t left_out = 0;
     for (const std::string& name : example_names())
         for (const Language language : {Language::en, Language::it}) {
-            const Solution solution = example(name);
+            const Solution& solution = example(name);
             if (solution.act_of_motion) continue;
             const std::set<std::string> all = centres_of(solution, language);
             for (const Spot room : {Spot{70, 60}, Spot{250, 180}}) {
@@ -386,7 +386,7 @@ TEST(MechanismFigure, says_which_centres_it_leaves_out) {
 
 TEST(CircleDiagram, has_a_chord_for_each_centre_found) {
     const Theme theme;
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const Figure figure = circle_diagram({solution, theme, fonts()}, 60, 60);
     expect_well_grouped(figure);
     int chords = 0;

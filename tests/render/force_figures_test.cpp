@@ -132,7 +132,7 @@ void expect_true_and_clean(const Figure& figure) {
 class LoadedExample : public testing::TestWithParam<std::string> {};
 
 TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     const Theme theme;
     for (const Language language : {Language::en, Language::it}) {
         const DrawingContext context{solution, theme, fonts(), language};
@@ -165,7 +165,7 @@ TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
 // What is carried over to the closed polygon is drawn at its scale, but for polygons that would be small there: finer,
 // if at all.
 TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     for (const Paper paper : {Paper::a4, Paper::a3}) {
         std::set<double> scales, of_closed;
         std::map<double, double> longest;  // vector of force polygons, by scale
@@ -183,6 +183,10 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
                         (*kind == "closure" ? of_closed : scales).insert(std::strtod(scale->c_str(), nullptr));
                 }
         }
+        if (has_force_polygons(solution)) {
+            ASSERT_FALSE(longest.empty());
+            ASSERT_FALSE(scales.empty());
+        }
         // A polygon that is finer spans 0.35 of the largest at most, both ways.
         for (const auto& [scale, value] : longest) {
             if (scale < longest.rbegin()->first) {
@@ -193,6 +197,7 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
         if (!of_closed.empty() && !scales.empty()) {
             EXPECT_EQ(*of_closed.begin(), *scales.rbegin()) << "that of the largest";
         }
+        ASSERT_FALSE(solution.free_bodies.empty());
         for (const FreeBody& body : solution.free_bodies)
             if (body.body > frame) {
                 EXPECT_TRUE(bodies.contains(legal_id("body-" + solution.mechanism.bodies[at_index(body.body)].name)));
@@ -201,7 +206,7 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScaleButForSmallOnes) {
 }
 
 TEST_P(LoadedExample, TheTableHasItsNumbersFromTheCheck) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     std::vector<Figure> figures;
@@ -223,7 +228,7 @@ INSTANTIATE_TEST_SUITE_P(ForceFigures, LoadedExample, testing::ValuesIn(loaded_e
                          [](const testing::TestParamInfo<std::string>& each) { return each.param; });
 
 TEST(ForceSheet, OfTheSluiceGateHasTheSegmentsOfTheNotes) {
-    const Solution solution = example("sluice_gate");
+    const Solution& solution = example("sluice_gate");
     std::map<std::string, double> millimetres;
     const auto pages = lay_out(solution, {Paper::a3, Language::en, {}}, fonts());
     EXPECT_LE(pages.size(), 2u);
@@ -242,7 +247,7 @@ TEST(ForceSheet, OfTheSluiceGateHasTheSegmentsOfTheNotes) {
 }
 
 TEST(ForceSheet, ExternalForcesOfTheClosedPolygonAddUpToNothing) {
-    const Solution solution = example("sluice_gate");
+    const Solution& solution = example("sluice_gate");
     const auto polygons = closed_polygons(solution);
     ASSERT_EQ(polygons.size(), 1u);
     const Polygon& polygon = solution.protocol.polygons[static_cast<std::size_t>(polygons.front())];
@@ -255,7 +260,7 @@ TEST(ForceSheet, ExternalForcesOfTheClosedPolygonAddUpToNothing) {
 }
 
 TEST(ForceSheet, SaysWhereASliderTips) {
-    const Solution solution = example("exam_2001");
+    const Solution& solution = example("exam_2001");
     bool said = false;
     for (const Page& page : lay_out(solution, {}, fonts()))
         for (const Mark& mark : page.marks)
@@ -279,7 +284,7 @@ std::string words_of(const Figure& figure) {
 }
 
 TEST(ForceSheet, PointsToAConcurrencyOutsideOfTheDrawing) {
-    const Solution solution = example("beam");
+    const Solution& solution = example("beam");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     for (const Figure& figure : {mechanism_with_forces(context, 180, 130), free_body_figure(context, 0, 120, 90)})
@@ -311,8 +316,10 @@ TEST(ForceSheet, OppositeForcesOnOneLineAreNoDoubleArrow) {
     const Solution solution = engine();
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
+    ASSERT_FALSE(solution.free_bodies.empty());
     for (std::size_t body = 0; body < solution.free_bodies.size(); ++body) {
         const auto vectors = vectors_of(free_body_figure(context, body, 160, 120).marks);
+        ASSERT_GE(vectors.size(), 2U);
         for (const Drawn& one : vectors)
             for (const Drawn& other : vectors) {
                 const Spot along = one.axis.tip - one.axis.tail, against = other.axis.tip - other.axis.tail;
@@ -371,7 +378,7 @@ TEST(ForceSheet, CallsWhatCarriesAPlanetAnArm) {
 }
 
 TEST(ForceSheet, SaysTheSizeOfAForceTooSmallToDraw) {
-    const Solution solution = example("pliers");
+    const Solution& solution = example("pliers");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::it};
     EXPECT_TRUE(says(free_body_figure(context, 1, 160, 90), "F_hand = 100,0 N"));

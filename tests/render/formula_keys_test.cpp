@@ -29,11 +29,11 @@ std::vector<Page> sheet(const Solution& solution, SheetKind kind, Language langu
 }
 
 TEST(KeyOfProblem, HasTheValuesThatTheQuestionKeepsBack) {
-    const Solution projectile = tests::example("motion/projectile");
+    const Solution& projectile = tests::example("motion/projectile");
     EXPECT_TRUE(pages::says(sheet(projectile, SheetKind::answers), "19.940 m"));
     EXPECT_FALSE(pages::says(sheet(projectile, SheetKind::question), "19.940 m"));
     EXPECT_TRUE(pages::says(sheet(projectile, SheetKind::question, Language::it), "raggio di curvatura"));
-    const Solution positions = tests::example("motion/three_positions");
+    const Solution& positions = tests::example("motion/three_positions");
     const std::vector<Page> key = sheet(positions, SheetKind::answers, Language::it);
     EXPECT_TRUE(pages::says(key, "43,006 mm"));
     EXPECT_TRUE(pages::says(key, "Soluzioni: solo i risultati"));

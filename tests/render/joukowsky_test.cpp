@@ -42,7 +42,7 @@ double scale_of_forces(const Figure& figure) {
 class Lever : public testing::TestWithParam<const char*> {};
 
 TEST_P(Lever, BalancesAboutThePole) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     ASSERT_EQ(no_lever(solution), NoLever::drawn);
     const Units& units = solution.mechanism.units;
     for (const double room : {70.0, 160.0}) {
@@ -77,7 +77,7 @@ TEST_P(Lever, BalancesAboutThePole) {
 }
 
 TEST_P(Lever, FitsItsRoomAndItsTableSaysThatTheSumIsZero) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     for (const Language language : {Language::en, Language::it}) {
         const DrawingContext context{solution, Theme{}, fonts(), language};
         const Figure figure = joukowsky_figure(context, 110, 130);

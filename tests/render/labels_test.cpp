@@ -2,21 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 
-#include "constructions/solving/solve.hpp"
 #include "render/figures/figure.hpp"
 #include "render/page/shapes.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/fonts.hpp"
 #include "tests/support/page_checker.hpp"
+#include "tests/support/solved.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -399,41 +396,25 @@ std::vector<std::string> covered(const Figure& figure) {
 
 TEST(Labels, of_every_example_cover_nothing) {
     const Theme theme;
-    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR)) {
-        if (entry.path().extension() != ".json") continue;
-        std::stringstream text;
-        text << std::ifstream(entry.path()).rdbuf();
-        const auto mechanism = read_mechanism(text.str(), "example");
-        ASSERT_TRUE(mechanism.has_value()) << entry.path();
-        const auto solution = solve(*mechanism);
-        ASSERT_TRUE(solution.has_value()) << entry.path();
-        const DrawingContext context{*solution, theme, fonts()};
+    std::size_t letters = 0;
+    for (const std::string& name : tests::example_names()) {
+        const Solution& solution = tests::example(name);
+        const DrawingContext context{solution, theme, fonts()};
         for (const Spot room : {Spot{185, 150}, Spot{125, 90}}) {
             std::vector<Figure> figures{mechanism_figure(context, room.x, room.y, true),
                                         velocities_on_mechanism(context, room.x, room.y),
                                         circle_diagram(context, 60, 60)};
-            for (std::size_t p = 0; p < solution->protocol.polygons.size(); ++p)
+            for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
                 figures.push_back(polygon_figure(context, static_cast<int>(p), room.x, room.y));
-            for (const Figure& figure : figures)
-                EXPECT_EQ(covered(figure), std::vector<std::string>{})
-                    << entry.path().filename() << " " << figure.id << " " << room.x;
+            for (const Figure& figure : figures) {
+                EXPECT_EQ(covered(figure), std::vector<std::string>{}) << name << " " << figure.id << " " << room.x;
+                letters += static_cast<std::size_t>(
+                    std::count_if(figure.marks.begin(), figure.marks.end(),
+                                  [](const Mark& mark) { return std::holds_alternative<TextMark>(mark); }));
+            }
         }
     }
-}
-
-TEST(Labels, eighty_among_fifteen_hundred_strokes_take_milliseconds) {
-    Figure figure;
-    for (int i = 0; i < 1500; ++i) {
-        const double angle = 0.7 * i;
-        const Spot at{std::fmod(37.0 * i, 280.0), std::fmod(23.0 * i, 180.0)};
-        figure.marks.emplace_back(line(at, at + 3 * Spot{std::cos(angle), std::sin(angle)}, {0.18, {}, {}, false}));
-    }
-    for (int i = 0; i < 80; ++i) figure.labels.push_back(named("P" + std::to_string(i), grid(i, 10, 30, 22)));
-    const auto start = std::chrono::steady_clock::now();
-    place_labels(figure, fonts());
-    const double took = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    RecordProperty("milliseconds", std::to_string(took));
-    EXPECT_LT(took, 500) << "far above what it takes on any machine: something has become quadratic";
+    EXPECT_GT(letters, 1000U);
 }
 
 }  // namespace

@@ -115,6 +115,7 @@ TEST(Moving, WhatCannotBeChangedIsToldWithTheReason) {
 TEST(Moving, ForcesAndPlacesOfAPlanHaveNamesThatComeOnce) {
     for (const char* const name : {"exam_2001.json", "engine_inertia_gas.json", "coupler_curve.json"}) {
         const Moving moving = moving_example(name);
+        ASSERT_FALSE(moving.plans.empty()) << name;
         for (const MovingPlan& plan : moving.plans) {
             EXPECT_FALSE(plan.held.empty()) << name;
             std::set<std::string> names;
@@ -156,11 +157,14 @@ TEST_F(LivePage, StandsBesideOtherOutputsAndIsTheSameEveryTime) {
 TEST_F(LivePage, MarksOfForcesNameWhatThePlansKnow) {
     write("exam_2001.json", contents(fs::path(KINEGRAPH_EXAMPLES_DIR) / "exam_2001.json"));
     ASSERT_EQ(run("solve exam_2001.json --with joukowsky -o a.html -o a.svg").status, 0);
+    int drawn = 0;
     for (const auto& entry : fs::directory_iterator(folder_)) {
         if (entry.path().extension() == ".svg") {
+            ++drawn;
             EXPECT_EQ(contents(entry.path()).find("data-on"), std::string::npos) << entry.path();
         }
     }
+    EXPECT_GT(drawn, 0);
     const std::string page = contents(folder_ / "a.html");
     const std::regex mark("data-on=\"\\[([^\"]*)\\]\""), quoted("&quot;([^&]*)&quot;");
     std::size_t known = 0;

@@ -74,7 +74,10 @@ std::vector<Page> sheet(const std::string& name, Language language) {
 TEST(LiveText, AnSvgReadsAsItsSheet) {
     for (const auto& [name, language] :
          {std::pair{"four_bar", Language::en}, {"quick_return", Language::it}, {"contact/ball_on_plane", Language::it}})
-        for (const Page& page : sheet(name, language)) EXPECT_EQ(readings(live_svg(page)), lines_of(page)) << name;
+        for (const Page& page : sheet(name, language)) {
+            ASSERT_FALSE(lines_of(page).empty()) << name;
+            EXPECT_EQ(readings(live_svg(page)), lines_of(page)) << name;
+        }
 }
 
 TEST(LiveText, SymbolsReadAsOneWritesThem) {

@@ -26,7 +26,8 @@ double length_of(const SceneVector& vector) {
 }
 
 TEST(PolygonScene, HasItsVectorsInTheUnitTheyAreToldIn) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
+    ASSERT_EQ(solution.protocol.polygons.size(), 2U);
     for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
         const PolygonScene scene = polygon_scene(solution, static_cast<int>(p));
         ASSERT_FALSE(scene.vectors.empty()) << scene.id;
@@ -36,7 +37,7 @@ TEST(PolygonScene, HasItsVectorsInTheUnitTheyAreToldIn) {
 }
 
 TEST(PolygonScene, SaysByWhichStatementAVelocityIsDrawn) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const PolygonScene scene = polygon_scene(solution, 0);
     ASSERT_EQ(scene.kind, PolygonScene::Kind::velocity);
     const SceneVector &a = vector_of(scene, "v_A"), &b = vector_of(scene, "v_B"), &relative = vector_of(scene, "v_BA");
@@ -64,10 +65,13 @@ TEST(PolygonScene, SaysByWhichStatementAVelocityIsDrawn) {
 }
 
 TEST(PolygonScene, JoinsForcesWithTheirInnerSidesFallingOut) {
-    const Solution solution = example("sluice_gate");
+    const Solution& solution = example("sluice_gate");
+    int of_bodies = 0, of_all = 0;
     for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
         const PolygonScene scene = polygon_scene(solution, static_cast<int>(p));
         if (scene.kind == PolygonScene::Kind::forces) {
+            ++of_bodies;
+            ASSERT_FALSE(scene.vectors.empty()) << scene.id;
             EXPECT_EQ(scene.faces.size(), 1u) << scene.id;
             for (const SceneVector& side : scene.vectors) {
                 EXPECT_FALSE(side.falls_out) << side.name;
@@ -75,11 +79,14 @@ TEST(PolygonScene, JoinsForcesWithTheirInnerSidesFallingOut) {
             }
         }
         if (scene.kind != PolygonScene::Kind::closure) continue;
+        ++of_all;
         EXPECT_EQ(vector_of(scene, "F_g").statement, none) << "it is given";
         EXPECT_FALSE(vector_of(scene, "F_g").falls_out);
         EXPECT_TRUE(vector_of(scene, "F_21").falls_out);
         EXPECT_NE(vector_of(scene, "F_21").statement, none);
     }
+    EXPECT_GT(of_bodies, 0);
+    EXPECT_EQ(of_all, 1);
 }
 
 }  // namespace

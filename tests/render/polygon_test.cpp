@@ -62,18 +62,23 @@ void expect_measures(const Figure& figure) {
 }
 
 TEST(PolygonFigure, EveryAxisIsValueOverScaleOnEveryExample) {
+    std::size_t vectors = 0;
     for (const std::string& name : example_names()) {
         SCOPED_TRACE(name);
-        const Solution solution = example(name);
+        const Solution& solution = example(name);
         const Theme theme;
         const DrawingContext context{solution, theme, fonts(), Language::en};
-        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
-            expect_measures(polygon_figure(context, static_cast<int>(p), 150, 130));
+        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+            const Figure figure = polygon_figure(context, static_cast<int>(p), 150, 130);
+            vectors += vectors_of(figure).size();
+            expect_measures(figure);
+        }
     }
+    EXPECT_GT(vectors, example_names().size());
 }
 
 TEST(PolygonFigure, OfTheFourBarShowsItsVectors) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const Theme theme;
     const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 0, 150, 100);
     std::set<std::string> names;
@@ -91,7 +96,7 @@ TEST(PolygonFigure, OfTheFourBarShowsItsVectors) {
 }
 
 TEST(PolygonFigure, KeepsToItsRoom) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const Theme theme;
     for (const double room : {60.0, 90.0, 140.0, 220.0})
         for (int p = 0; p < 2; ++p) {
@@ -113,7 +118,7 @@ TEST(PolygonFigure, TakesTheFilesUnitAndScale) {
 }
 
 TEST(PolygonFigure, ImagesAtThePoleStandWithIt) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const Theme theme;
     const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 0, 150, 100);
     bool found = false;
@@ -140,7 +145,7 @@ std::map<std::string, int> said_by_labels(const Figure& figure) {
 }
 
 TEST(PolygonDetail, IsLetteredOnFromThoseOfTheSheet) {
-    const Solution solution = example("stephenson_3_driver_6");
+    const Solution& solution = example("stephenson_3_driver_6");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     Figure figure = polygon_figure(context, 1, 180, 130);
@@ -165,7 +170,7 @@ TEST(PolygonDetail, IsLetteredOnFromThoseOfTheSheet) {
 }
 
 TEST(PolygonDetail, ShowsWhatIsTooShortBesideLongVectors) {
-    const Solution solution = example("stephenson_3_driver_6");
+    const Solution& solution = example("stephenson_3_driver_6");
     const Theme theme;
     const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 180, 130);
     std::map<std::string, double> in_polygon, in_detail;
@@ -182,9 +187,10 @@ TEST(PolygonDetail, ShowsWhatIsTooShortBesideLongVectors) {
 }
 
 TEST(PolygonDetail, NamesEveryVectorOnceOnEveryExample) {
+    std::size_t named = 0;
     for (const std::string& name : example_names()) {
         SCOPED_TRACE(name);
-        const Solution solution = example(name);
+        const Solution& solution = example(name);
         const Theme theme;
         for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
             if (solution.protocol.polygons[p].plane == Plane::force) continue;
@@ -207,13 +213,15 @@ TEST(PolygonDetail, NamesEveryVectorOnceOnEveryExample) {
                         });
                     EXPECT_GE(found->second, static_cast<int>(where.size())) << vector;
                     EXPECT_LE(found->second, static_cast<int>(where.size()) + (sketched ? 1 : 0)) << vector;
+                    ++named;
                 }
         }
     }
+    EXPECT_GT(named, example_names().size());
 }
 
 TEST(PolygonDetail, HasTheScaleOfTheNextSteps) {
-    const Solution solution = example("jansen_leg");
+    const Solution& solution = example("jansen_leg");
     const Theme theme;
     const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 180, 130);
     int details = 0;
@@ -229,7 +237,7 @@ TEST(PolygonDetail, HasTheScaleOfTheNextSteps) {
 }
 
 TEST(PolygonDetail, IsReadForTheResults) {
-    const Solution solution = example("stephenson_3_driver_6");
+    const Solution& solution = example("stephenson_3_driver_6");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     const Figure figure = polygon_figure(context, 1, 180, 130);
@@ -277,7 +285,7 @@ TEST(PolygonDetail, StandsApartFromAnother) {
 }
 
 TEST(PolygonDetail, OfADetailIsDrawnOnceMore) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     PolygonParts parts;
@@ -325,7 +333,7 @@ std::vector<std::pair<Spot, Spot>> thin_lines(const Figure& figure, const Theme&
 }
 
 TEST(PolygonConstruction, LinesAreSeenToCrossInTheTipThatTheyFind) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const Theme theme;
     for (int p = 0; p < 2; ++p) {
         const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, p, 150, 100);
@@ -396,7 +404,7 @@ void expect_corner(const std::vector<Spot>& corner, Spot foot, Spot first) {
 }
 
 TEST(PolygonConstruction, TheRightAngleOfNormalAndTangentialTermIsMarked) {
-    const Solution solution = example("slider_crank");
+    const Solution& solution = example("slider_crank");
     const Theme theme;
     const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 150, 120);
     const auto corners = corners_of(figure, theme);
@@ -407,11 +415,13 @@ TEST(PolygonConstruction, TheRightAngleOfNormalAndTangentialTermIsMarked) {
 }
 
 TEST(PolygonConstruction, TheRightAngleToTheCoriolisTermIsMarkedWhereTheRelativeOneEnds) {
-    const Solution solution = example("inverted_slider_crank");
+    const Solution& solution = example("inverted_slider_crank");
     const Theme theme;
     const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 150, 120);
+    int found = 0;
     for (const VectorGroup& each : vectors_of(figure)) {
         if (each.name() != "a_AA*_cor") continue;
+        ++found;
         const auto corners = corners_of(figure, theme);
         const auto at_tail = std::find_if(corners.begin(), corners.end(), [&](const std::vector<Spot>& corner) {
             return length(corner[0] - each.axes[0].tail) < 2;
@@ -419,6 +429,7 @@ TEST(PolygonConstruction, TheRightAngleToTheCoriolisTermIsMarkedWhereTheRelative
         ASSERT_NE(at_tail, corners.end());
         expect_corner(*at_tail, each.axes[0].tail, unit(each.axes[0].tip - each.axes[0].tail));
     }
+    EXPECT_EQ(found, 1);
 }
 
 }  // namespace

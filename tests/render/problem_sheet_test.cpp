@@ -22,17 +22,14 @@ using namespace pages;
 std::vector<std::string> problem_names() {
     std::vector<std::string> names;
     for (const char* folder : {"contact", "motion"})
-        for (const auto& entry :
-             std::filesystem::directory_iterator(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / folder))
-            names.push_back(std::string(folder) + "/" + entry.path().stem().string());
-    std::sort(names.begin(), names.end());
+        for (const std::string& name : tests::example_names(folder)) names.push_back(std::string(folder) + "/" + name);
     return names;
 }
 
 class ProblemSheets : public testing::TestWithParam<std::string> {};
 
 TEST_P(ProblemSheets, AreCleanInBothLanguages) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     for (const Language language : {Language::en, Language::it}) {
         SheetOptions options;
         options.language = language;
@@ -47,7 +44,7 @@ TEST_P(ProblemSheets, AreCleanInBothLanguages) {
 }
 
 TEST_P(ProblemSheets, HaveStepsAndFiguresOfTheirOwn) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     const std::vector<Page> steps = lay_out_steps(solution, {}, fonts());
     EXPECT_GE(steps.size(), 5u);
     expect_clean(steps);
@@ -57,7 +54,7 @@ TEST_P(ProblemSheets, HaveStepsAndFiguresOfTheirOwn) {
 }
 
 TEST_P(ProblemSheets, HaveResultsThatAgreeWithTheChecks) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     const auto results =
         nlohmann::json::parse(results_json(solution, false, [](const Message&) { return std::string(); }));
     EXPECT_EQ(results.size(), solution.problem->remarks.empty() ? 3u : 4u);

@@ -62,7 +62,10 @@ std::string sought_in(const Solution& solution, Language language) {
 std::vector<render::Answer> key_in(const Solution& solution) {
     const SheetOptions options;
     const DrawingContext context{solution, options.theme, fonts()};
-    return key_of(context, draw_solution(solution, options, fonts()).figures, values_asked(solution));
+    std::vector<render::Answer> key =
+        key_of(context, draw_solution(solution, options, fonts()).figures, values_asked(solution));
+    EXPECT_FALSE(key.empty()) << "nothing is asked for";
+    return key;
 }
 /// What a question of a problem tells as given.
 std::string given_in(const Solution& solution, Language language) {
@@ -289,7 +292,7 @@ TEST(Words, OfBodiesAreThoseOfTheTrade) {
 }
 
 TEST(TitleBlock, OfAMovingPointCountsPoints) {
-    const std::string words = words_of(lay_out(example("motion/uniform"), {}, fonts()));
+    const std::string words = words_of(laid_out("motion/uniform"));
     EXPECT_TRUE(has(words, "Points"));
 }
 

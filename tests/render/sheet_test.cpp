@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -63,8 +62,9 @@ void expect_all_listed(const Solution& solution, const std::vector<Page>& pages)
 
 // That nothing is cut and no text covers another is seen with the pixels, on all papers: overlap_test.cpp.
 TEST_P(EveryExample, GroupsNestAxesMeasureTheirValueAllIsListedAndTheSameEveryTime) {
-    const Solution solution = example(GetParam());
-    const auto pages = lay_out(solution, {}, fonts()), again = lay_out(solution, {}, fonts());
+    const Solution& solution = example(GetParam());
+    const auto& pages = laid_out(GetParam());
+    const auto again = lay_out(solution, {}, fonts());
     expect_nested_groups_and_measured_axes(pages);
     expect_all_listed(solution, pages);
     ASSERT_EQ(pages.size(), again.size());
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Sheet, EveryExample, testing::ValuesIn(example_names())
                          [](const testing::TestParamInfo<std::string>& each) { return each.param; });
 
 TEST(Sheet, FiguresAreNumberedAndSayTheirScale) {
-    const auto pages = lay_out(example("four_bar"), {}, fonts());
+    const auto& pages = laid_out("four_bar");
     EXPECT_TRUE(says(pages[0], "Fig. 1"));
     EXPECT_TRUE(says(pages[0], "Mechanism and instant centres"));
     EXPECT_TRUE(says(pages[0], "Velocity polygon"));
@@ -86,7 +86,7 @@ TEST(Sheet, FiguresAreNumberedAndSayTheirScale) {
 }
 
 TEST(Sheet, SaysWhichPointsCoincide) {
-    EXPECT_TRUE(says(example_pages("quick_return"), "A*\u00A0at\u00A0A"));
+    EXPECT_TRUE(says(laid_out("quick_return"), "A*\u00A0at\u00A0A"));
     // Stars of the file's own are names.
     std::string text = tests::contents(tests::example_file("quick_return"));
     for (std::size_t at = text.find("\"A\""); at != std::string::npos; at = text.find("\"A\"", at + 1))
@@ -118,17 +118,16 @@ TEST(Sheet, AVeryLongTitleStaysInItsBlock) {
     solution.mechanism.title.en =
         "A linkage whose title was written by somebody who liked titles that go on and on <and on> & on, and on";
     const auto pages = lay_out(solution, {}, fonts());
+    ASSERT_TRUE(says(pages, "A linkage whose title"));
     for (const Page& page : pages) EXPECT_LE(box_of(page.marks).max.x, page.width - 9.5);
 }
 
-TEST(Sheet, ATitleOfAMegabyteCostsNothing) {
+/// A search for line breaks that tries them all once took minutes; the time limit of the suite sees it.
+TEST(Sheet, ATitleOfAMegabyteStaysTheTitle) {
     Solution solution = example("four_bar");
-    const auto start = std::chrono::steady_clock::now();
     solution.mechanism.title.en.clear();
     for (int i = 0; i < 200000; ++i) solution.mechanism.title.en += "Wort ";
     EXPECT_EQ(lay_out(solution, {}, fonts()).front().title, solution.mechanism.title.en);
-    // Once it took minutes; a sheet takes a few hundredths of a second.
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
 TEST(Sheet, TwoHundredCharactersAndMarkupStayInTheTitleBlock) {
@@ -147,17 +146,20 @@ TEST(Sheet, TwoHundredCharactersAndMarkupStayInTheTitleBlock) {
             expect_clean(pages);
             // Left of the cells of the block, above the frame's lower edge.
             const Box block = format_of(Paper::a4, orientation).block;
+            int seen = 0;
             for (const TextMark* text : texts_of(pages[0])) {
                 if (text->glyphs.empty() || text->words.find("Gelenk") == std::string::npos) continue;
+                ++seen;
                 EXPECT_LE(ink_of(*text).max.x, block.max.x - 3 * 17.5);
                 EXPECT_LE(ink_of(*text).max.y, block.max.y);
                 EXPECT_GE(ink_of(*text).min.y, block.min.y);
             }
+            EXPECT_GT(seen, 0) << "the author stands there, if not the title";
         }
 }
 
 TEST(Sheet, DateAndAuthorStandInTheBlockOnlyWhereGiven) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     SheetOptions options;
     EXPECT_FALSE(says(lay_out(solution, options, fonts()), "four_bar.json  ·"));
     options.date = "2026-11-21";
@@ -252,7 +254,7 @@ double scale_of_group(const Figure& figure, const std::string& id) {
 }
 
 TEST(Results, AreMeasuredOnTheDrawing) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     std::vector<Figure> figures{polygon_figure(context, 0, 150, 100), polygon_figure(context, 1, 150, 100)};
@@ -275,7 +277,7 @@ TEST(Results, AreMeasuredOnTheDrawing) {
 TEST(Results, AreBesideTheirOwnNumbers) {
     int compared = 0;
     for (const std::string& name : example_names()) {
-        const Solution solution = example(name);
+        const Solution& solution = example(name);
         const bool determined = solution.unsolved.empty();
         const Theme theme;
         const DrawingContext context{solution, theme, fonts(), Language::en};
@@ -299,7 +301,7 @@ TEST(Results, AreBesideTheirOwnNumbers) {
 }
 
 TEST(Results, InTheTableAreReadToATenthOfAMillimetre) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     ResultRow row;
@@ -349,7 +351,7 @@ TEST(Tables, PowersAreSetAsSuperscripts) {
 }
 
 TEST(Tables, AnEquationKeepsToItsWidthAsFarAsItCan) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     Equation equation;

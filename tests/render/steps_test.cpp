@@ -129,7 +129,7 @@ void expect_always_something_in_the_accent(const Solution& solution, const std::
 }
 
 TEST_P(Steps, AreCleanAddToOneAnotherAndEndWithTheFinishedFigures) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     const auto pages = lay_out_steps(solution, {}, fonts());
     expect_clean_steps(pages);
     expect_nothing_moves_nor_goes(pages);
@@ -138,7 +138,7 @@ TEST_P(Steps, AreCleanAddToOneAnotherAndEndWithTheFinishedFigures) {
 }
 
 TEST_P(Steps, AreCleanInItalianAndUprightToo) {
-    const Solution solution = example(GetParam());
+    const Solution& solution = example(GetParam());
     expect_clean_steps(lay_out_steps(solution, in(Language::it), fonts()));
     // What both ways of the paper share need not be seen twice under sanitizers.
     if (unless_sanitized(1, 0) != 0)
@@ -255,7 +255,7 @@ TEST(StepsOfAnActOfMotion, FindTheCentreBeforeTheVelocitiesAboutIt) {
 }
 
 TEST(EquationBlock, GoesOnInAFurtherRowWhereItIsTooWide) {
-    const Solution solution = example("quick_return");
+    const Solution& solution = example("quick_return");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::it};
     bool broken = false;
@@ -281,7 +281,7 @@ TEST(EquationBlock, GoesOnInAFurtherRowWhereItIsTooWide) {
 }
 
 TEST(StepsOfTheFourBar, AreTheSameEveryTime) {
-    const Solution solution = example("four_bar");
+    const Solution& solution = example("four_bar");
     const auto first = lay_out_steps(solution, {}, fonts()), second = lay_out_steps(solution, {}, fonts());
     ASSERT_EQ(first.size(), second.size());
     for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(to_svg(first[i], fonts()), to_svg(second[i], fonts()));

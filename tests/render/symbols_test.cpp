@@ -400,7 +400,7 @@ TEST(Dimensions, none_lies_on_what_a_name_got_later) {
     const Theme theme;
     std::size_t drawn = 0;
     for (const char* name : {"cam_roller_follower", "stephenson_1_driver_3", "stephenson_3_driver_2", "jansen_leg"}) {
-        const Solution solution = tests::example(name);
+        const Solution& solution = tests::example(name);
         for (const double room : {70.0, 85.0, 100.0, 115.0, 130.0}) {
             const Figure figure = mechanism_figure({solution, theme, fonts(), Language::en}, room, room, true);
             EXPECT_TRUE(drawing::covered_dimensions(figure, fonts()).empty()) << name << " in " << room;

@@ -71,6 +71,7 @@ TEST(Type, IsTheSameTwiceAndFromAnotherOpening) {
     const RichText text = {piece("velocity of ", Face::italic), piece("a", Face::bold_italic, "BA", "t"),
                            piece(" ≙ 中")};
     const ShapedLine first = fonts().shape(text, 9);
+    ASSERT_FALSE(first.parts[0].glyphs.empty());
     for (const ShapedLine& again : {fonts().shape(text, 9), other.shape(text, 9)}) {
         EXPECT_EQ(first.width, again.width);
         ASSERT_EQ(glyphs(first), glyphs(again));

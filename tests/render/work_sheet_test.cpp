@@ -27,7 +27,7 @@ std::set<std::string> classes_of(const Figure& figure) {
 }
 
 TEST(VirtualWorkSheet, HasDisplacementsTableAndEffort) {
-    const Solution solution = tests::example("virtual_work");
+    const Solution& solution = tests::example("virtual_work");
     for (const Language language : {Language::en, Language::it}) {
         const std::vector<Page> sheet = sheet_of(solution, language);
         pages::expect_clean(sheet);
@@ -44,7 +44,7 @@ TEST(VirtualWorkSheet, HasDisplacementsTableAndEffort) {
 class ApartSheet : public testing::TestWithParam<const char*> {};
 
 TEST_P(ApartSheet, HasNothingCutOrCovered) {
-    const Solution solution = tests::example(GetParam());
+    const Solution& solution = tests::example(GetParam());
     const bool italian = std::string_view(GetParam()).size() % 2 == 0;
     const std::vector<Page> sheet = sheet_of(solution, italian ? Language::it : Language::en);
     pages::expect_clean(sheet);

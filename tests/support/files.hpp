@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,21 @@ inline std::filesystem::path example_file(const std::string& name) {
     return std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / (name + ".json");
 }
 
-/// The names of all examples, in order.
-inline std::vector<std::string> example_names() {
+/// The JSON files of a folder, in order. None is an error: what is tested on each of them would be tested on nothing.
+inline std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".json") files.push_back(entry.path());
+    if (files.empty()) throw std::runtime_error("no JSON file in " + folder.string());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// The names of those in a folder of the examples, without extension, in order.
+inline std::vector<std::string> example_names(const std::string& folder = "") {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
-        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
+    for (const auto& file : json_files(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / folder))
+        names.push_back(file.stem().string());
     return names;
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "render/sheet/sheet.hpp"
 #include "render/text/text.hpp"
 #include "tests/support/fonts.hpp"
+#include "tests/support/laid_out.hpp"
 #include "tests/support/solved.hpp"
 
 namespace kinegraph::pages {
@@ -23,14 +23,8 @@ using namespace kinegraph::render;
 using tests::example;
 using tests::example_names;
 using tests::fonts;
-
-/// The sheet of an example as it comes, laid out once.
-inline const std::vector<Page>& example_pages(const std::string& name) {
-    static std::map<std::string, std::vector<Page>> known;
-    const auto [found, fresh] = known.try_emplace(name);
-    if (fresh) found->second = lay_out(example(name), {}, fonts());
-    return found->second;
-}
+using tests::laid_out;
+using tests::Look;
 
 inline std::vector<const TextMark*> texts_of(const Page& page) {
     std::vector<const TextMark*> texts;

@@ -25,6 +25,7 @@ inline Solution stated(const std::string& section, const std::string& members) {
 /// Each value within a share of the check's, of itself or of the largest.
 enum class Against { itself, largest };
 inline void expect_near_check(const ProblemSolution& found, double share, Against against) {
+    ASSERT_FALSE(found.values.empty());
     double largest = 0;
     for (const ProblemValue& each : found.values) largest = std::max(largest, std::abs(each.value));
     for (const ProblemValue& each : found.values)

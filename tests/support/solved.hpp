@@ -2,6 +2,8 @@
 // the test.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -22,6 +24,13 @@ inline Solution solved(const std::string& text, const std::string& name = "test.
     return *std::move(solution);
 }
 
-inline Solution example(const std::string& name) { return solved(contents(example_file(name)), name + ".json"); }
+/// The solution of an example, found once in a process for all tests that look at it. For a test that changes it: a
+/// copy.
+inline const Solution& example(const std::string& name) {
+    static std::map<std::string, std::unique_ptr<const Solution>> known;
+    std::unique_ptr<const Solution>& solution = known[name];
+    if (!solution) solution = std::make_unique<const Solution>(solved(contents(example_file(name)), name + ".json"));
+    return *solution;
+}
 
 }  // namespace kinegraph::tests
