@@ -104,8 +104,7 @@ Expected<Solved> MechanismFile::solve(const SolveOptions& options) const {
     Mechanism mechanism = state().mechanism;
     if (options.equations) mechanism.find.equations = true;
     if (options.virtual_work) mechanism.find.virtual_work = true;
-    auto solution =
-        kinegraph::solve(std::move(mechanism), options.sentences ? Arithmetic::told : Arithmetic::left_out);
+    auto solution = kinegraph::solve(std::move(mechanism), options.sentences ? Arithmetic::told : Arithmetic::left_out);
     if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
     if (const Errors missing = missing_in(*solution); !missing.empty()) return tl::unexpected(diagnostics_of(missing));
     return solved(*std::move(solution), SourceFile{state().text, state().name, state().set});
@@ -120,9 +119,9 @@ Expected<std::string> MechanismFile::pairs(TextForm form, Language language) con
     const auto pose = draw_pose(mechanism);
     if (!pose) return tl::unexpected(diagnostics_of(pose.error()));
     const Mobility mobility = mobility_of(mechanism, *pose);
-    return render::pair_report(
-        mechanism, mobility, remarks_on_mobility(mechanism, mobility, degenerate_motion(mechanism, *pose, mobility)),
-        language_of(language), form_of(form));
+    return render::pair_report(mechanism, mobility,
+                               remarks_on_mobility(mechanism, mobility, degenerate_motion(mechanism, *pose, mobility)),
+                               language_of(language), form_of(form));
 }
 
 Expected<std::string> MechanismFile::equations(TextForm form, Language language) const {

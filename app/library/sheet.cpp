@@ -102,8 +102,7 @@ template <class Paint>
 Expected<std::string> painted(Paint paint) {
     const auto fonts = fonts_of_thread();
     if (!fonts) return tl::unexpected(fonts.error());
-    if (const auto opened = render::open_painter(); !opened)
-        return refused(Diagnostic::Kind::output, opened.error());
+    if (const auto opened = render::open_painter(); !opened) return refused(Diagnostic::Kind::output, opened.error());
     return paint(**fonts);
 }
 
@@ -122,8 +121,8 @@ Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options) {
     sheet.dimensions = options.dimensions == Dimensions::on    ? render::Dimensions::on
                        : options.dimensions == Dimensions::off ? render::Dimensions::off
                                                                : render::Dimensions::automatic;
-    sheet.detail = options.detail == DrawingOptions::Detail::brief ? render::SolutionDetail::brief
-                                                                   : render::SolutionDetail::full;
+    sheet.detail =
+        options.detail == DrawingOptions::Detail::brief ? render::SolutionDetail::brief : render::SolutionDetail::full;
     sheet.kind = options.sheet == SheetWanted::question  ? render::SheetKind::question
                  : options.sheet == SheetWanted::answers ? render::SheetKind::answers
                                                          : render::SheetKind::solution;
@@ -161,9 +160,7 @@ Expected<std::string> Drawing::pdf(Lettering lettering) const {
     });
 }
 
-std::string Drawing::tex() const {
-    return render::to_tex(state().pages, *fonts_that_drew());
-}
+std::string Drawing::tex() const { return render::to_tex(state().pages, *fonts_that_drew()); }
 
 Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& options) {
     const auto fonts = fonts_of_thread();
@@ -183,7 +180,9 @@ Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& 
     return drawing(std::move(pages), std::move(remarks));
 }
 
-Expected<Drawing> draw(const Solved& solved, const DrawingOptions& options) { return draw(std::vector{solved}, options); }
+Expected<Drawing> draw(const Solved& solved, const DrawingOptions& options) {
+    return draw(std::vector{solved}, options);
+}
 
 Expected<std::vector<std::string>> figure_names(const Solved& solved, const DrawingOptions& options) {
     const auto fonts = fonts_of_thread();

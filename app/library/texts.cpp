@@ -51,9 +51,8 @@ std::vector<Setting> settings_of(const std::vector<ParameterValue>& values) {
 Expected<std::string> read_file(const std::string& path, const Words& kind) {
     constexpr std::size_t largest = std::size_t{64} << 20;
     const auto cannot_be_read = [&](const std::string& reason) {
-        return refused(Diagnostic::Kind::bad_input,
-                       Words("the {0} {1} cannot be read: {2}", "il {0} {1} non si può leggere: {2}", kind, path,
-                             reason));
+        return refused(Diagnostic::Kind::bad_input, Words("the {0} {1} cannot be read: {2}",
+                                                          "il {0} {1} non si può leggere: {2}", kind, path, reason));
     };
     const auto close = [](std::FILE* file) { std::fclose(file); };
     const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);

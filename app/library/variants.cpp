@@ -36,8 +36,8 @@ Expected<ExerciseVariants> ExerciseVariants::parse(std::string_view text, std::s
     std::vector<Setting> settings = settings_of(set);
     auto variants = kinegraph::Variants::of(std::string(text), std::move(name), settings, seed);
     if (!variants) return tl::unexpected(diagnostics_of(variants.error()));
-    return ExerciseVariants(new State{std::string(text), std::move(settings), *std::move(variants), *std::move(sheet),
-                                      std::nullopt});
+    return ExerciseVariants(
+        new State{std::string(text), std::move(settings), *std::move(variants), *std::move(sheet), std::nullopt});
 }
 
 Expected<std::optional<ExerciseVariant>> ExerciseVariants::next() {
@@ -60,8 +60,7 @@ Expected<std::optional<ExerciseVariant>> ExerciseVariants::next() {
     std::vector<Setting> set = variant.values;
     set.insert(set.end(), state_->set.begin(), state_->set.end());
     for (const Setting& each : variant.values) made.values.push_back({each.name, each.value});
-    for (const NamedResult& each : variant.results)
-        made.asked.push_back(value_of(each, made.solved.state().solution));
+    for (const NamedResult& each : variant.results) made.asked.push_back(value_of(each, made.solved.state().solution));
     constexpr std::array<std::string_view, 2> without{"vary", "require"};
     made.file = file_with(*JsonSource::read(state_->text), set, without);
     return made;
