@@ -2,7 +2,10 @@
 
 #include <CGAL/Intersections_2/Line_2_Line_2.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Simple_homogeneous.h>
+#include <CGAL/constructions/kernel_ftC2.h>
 #include <CGAL/mpq_class.h>
+#include <CGAL/mpz_class.h>
 
 #include <boost/variant/get.hpp>
 #include <cmath>
@@ -23,26 +26,34 @@ Kernel::Point_2 cgal(const ProjectivePoint& p) { return cgal_point(p.x, p.y); }
 Kernel::Point_2 cgal(const Vector& place) { return cgal_point(place.x, place.y); }
 Kernel::Line_2 cgal(const ProjectiveLine& l) { return {l.a.rational(), l.b.rational(), l.c.rational()}; }
 Exact exact(mpq_class number) { return Exact::in_lowest_terms(std::move(number)); }
-ProjectiveLine projective(const Kernel::Line_2& l) { return {exact(l.a()), exact(l.b()), exact(l.c())}; }
 
-/// The same line with whole coefficients. Between whole numbers the kernel's products and differences have no fraction
-/// to bring to lowest terms; so a meet of lines with long coefficients costs less than half.
-Kernel::Line_2 with_whole_coefficients(const ProjectiveLine& l) {
+/// A line by one of the formulas that the kernel makes its lines with: `make(a, b, c)`. (A line of the kernel would be
+/// a copy of every number.)
+template <class Make>
+ProjectiveLine line_of(const Make& make) {
+    mpq_class a, b, c;
+    make(a, b, c);
+    return {exact(std::move(a)), exact(std::move(b)), exact(std::move(c))};
+}
+
+// Lines to be met go to CGAL's homogeneous kernel, with whole coefficients: its point has whole coordinates over a
+// common denominator, and only the two quotients are brought to lowest terms (figures in the header).
+using WholeKernel = CGAL::Simple_homogeneous<mpz_class>;
+
+WholeKernel::Line_2 with_whole_coefficients(const ProjectiveLine& l) {
     const mpq_class &a = l.a.rational(), &b = l.b.rational(), &c = l.c.rational();
     const mpz_class common = lcm(lcm(a.get_den(), b.get_den()), c.get_den());
-    const auto whole = [&](const mpq_class& number) {
-        return mpq_class(mpz_class(common / number.get_den() * number.get_num()));
-    };
+    const auto whole = [&](const mpq_class& number) { return mpz_class(common / number.get_den() * number.get_num()); };
     return {whole(a), whole(b), whole(c)};
 }
 
 /// The point in what CGAL gives as an intersection, a variant: Boost's in CGAL 5, the standard library's since CGAL 6.
 template <class Intersection>
-const Kernel::Point_2* point_of(const Intersection& found) {
-    if constexpr (requires { std::get_if<Kernel::Point_2>(&found); }) {
-        return std::get_if<Kernel::Point_2>(&found);
+const WholeKernel::Point_2* point_of(const Intersection& found) {
+    if constexpr (requires { std::get_if<WholeKernel::Point_2>(&found); }) {
+        return std::get_if<WholeKernel::Point_2>(&found);
     } else {
-        return boost::get<Kernel::Point_2>(&found);
+        return boost::get<WholeKernel::Point_2>(&found);
     }
 }
 
@@ -53,25 +64,29 @@ Exact sum_of_products(const Exact& a, const Exact& b, const Exact& c, const Exac
 }
 
 Exact difference_of_products(const Exact& a, const Exact& b, const Exact& c, const Exact& d) {
-    return exact(CGAL::determinant(cgal_vector(a, d), cgal_vector(c, b)));
+    return exact(CGAL::determinant(a.rational(), d.rational(), c.rational(), b.rational()));
 }
 
 ProjectiveLine finite_line_through(const ProjectivePoint& p, const Vector& d) {
     KG_ASSERT(!p.at_infinity() && !d.is_zero(), "a line needs a finite point and a direction");
-    return projective({cgal(p), cgal_vector(d.x, d.y)});
+    return line_of([&](mpq_class& a, mpq_class& b, mpq_class& c) {
+        CGAL::line_from_point_directionC2(p.x.rational(), p.y.rational(), d.x.rational(), d.y.rational(), a, b, c);
+    });
 }
 
 ProjectiveLine finite_join(const ProjectivePoint& p, const ProjectivePoint& q) {
     KG_ASSERT(!p.at_infinity() && !q.at_infinity() && !(p.x == q.x && p.y == q.y),
               "a finite line joins two finite points that differ");
-    return projective({cgal(p), cgal(q)});
+    return line_of([&](mpq_class& a, mpq_class& b, mpq_class& c) {
+        CGAL::line_from_pointsC2(p.x.rational(), p.y.rational(), q.x.rational(), q.y.rational(), a, b, c);
+    });
 }
 
 ProjectivePoint finite_meet(const ProjectiveLine& l, const ProjectiveLine& m) {
     const auto found = CGAL::intersection(with_whole_coefficients(l), with_whole_coefficients(m));
-    const Kernel::Point_2* point = found ? point_of(*found) : nullptr;
+    const WholeKernel::Point_2* point = found ? point_of(*found) : nullptr;
     KG_ASSERT(point != nullptr, "lines that are not parallel meet in a point");
-    return {exact(point->x()), exact(point->y()), 1};
+    return {Exact(mpq_class(point->hx(), point->hw())), Exact(mpq_class(point->hy(), point->hw())), 1};
 }
 
 Vector foot_of_perpendicular(const Vector& p, const ProjectiveLine& l) {
