@@ -226,7 +226,7 @@ private:
     int count_ = 0;
 };
 
-tl::unexpected<Error> refused(Words why) { return tl::unexpected(Error{ErrorCode::bad_input, "", std::move(why)}); }
+tl::unexpected<Error> underivable(Words why) { return tl::unexpected(Error{ErrorCode::bad_input, "", std::move(why)}); }
 
 }  // namespace
 
@@ -238,13 +238,13 @@ tl::expected<Expression, Error> derivative(const Expression& of, const NamedCons
         return translation.back(translation.there(of).diff(translation.variable()));
     } catch (const Unwritable& why) {
         if (std::string_view(why.what()) == "too long")
-            return refused({"its derivatives would fill pages; write it shorter, with constants",
-                            "le sue derivate riempirebbero pagine; scriverla più corta, con costanti"});
-        return refused({"its derivative is not real; it has the root or the logarithm of what is negative",
-                        "la sua derivata non è reale; contiene la radice o il logaritmo di ciò che è negativo"});
+            return underivable({"its derivatives would fill pages; write it shorter, with constants",
+                                "le sue derivate riempirebbero pagine; scriverla più corta, con costanti"});
+        return underivable({"its derivative is not real; it has the root or the logarithm of what is negative",
+                            "la sua derivata non è reale; contiene la radice o il logaritmo di ciò che è negativo"});
     } catch (const std::exception&) {  // GiNaC's: pole_error and its like
-        return refused({"it divides by zero, or is infinite, whatever its variable is",
-                        "divide per zero, o è infinita, qualunque sia la variabile"});
+        return underivable({"it divides by zero, or is infinite, whatever its variable is",
+                            "divide per zero, o è infinita, qualunque sia la variabile"});
     }
 }
 
