@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
-#include "app/library/driver_choice.hpp"
 #include "app/commands/outputs.hpp"
+#include "app/library/driver_choice.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/cam.hpp"

@@ -6,12 +6,12 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
-#include "app/library/driver_choice.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/row_file.hpp"
 #include "app/commands/sweep_centrodes.hpp"
 #include "app/commands/sweep_drawing.hpp"
 #include "app/commands/sweep_parameter.hpp"
+#include "app/library/driver_choice.hpp"
 #include "constructions/positions/cycle.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/solution/problem_solution.hpp"

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <optional>
 
-#include "app/library/driver_choice.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/row_file.hpp"
 #include "app/commands/sweep_drawing.hpp"
+#include "app/library/driver_choice.hpp"
 #include "constructions/positions/named_results.hpp"
 #include "constructions/solving/solve.hpp"
 #include "constructions/verdicts/largest_difference.hpp"

@@ -13,7 +13,6 @@
 #include <iterator>
 #include <system_error>
 
-#include "app/library/asked_values.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/quizzes.hpp"
@@ -21,6 +20,7 @@
 #include "app/files/csv_text.hpp"
 #include "app/files/json_text.hpp"
 #include "app/files/roster.hpp"
+#include "app/library/asked_values.hpp"
 #include "constructions/positions/variants.hpp"
 #include "engine/reading/file_text.hpp"
 #include "engine/solution/problem_solution.hpp"
