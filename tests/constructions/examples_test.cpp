@@ -696,8 +696,8 @@ TEST(Examples, ACouplerCurveHasItsCurvature) {
             expect_near(length(path.centre->place() - read.place("C")), 15.1669118135684e-3, "ρ");
         }
     }
-    EXPECT_EQ(bodies, 1);
-    EXPECT_EQ(points, 1);
+    EXPECT_GT(bodies, 0);
+    EXPECT_GT(points, 0);
 }
 
 TEST(Examples, CamFollowersMoveByTheirClosedForms) {

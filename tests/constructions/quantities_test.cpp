@@ -120,7 +120,7 @@ TEST(CheckedNumbers, OfACoupleBetweenTwoMovingBodiesHaveOneSense) {
                     EXPECT_NEAR(applied.couple.to_double(), applied.numeric_couple.value(), 1e-12)
                         << body.body.number();
                 }
-        EXPECT_EQ(bodies, 2);
+        EXPECT_GE(bodies, 2);
     }
 }
 

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "constructions/solving/solve.hpp"
 #include "engine/mechanism/chain.hpp"
 #include "engine/mechanism/pair_catalogue.hpp"
 #include "engine/motion/constraint_rows.hpp"
@@ -71,8 +72,11 @@ TEST(Catalogue, PutsTheCentreWhereTheRowsLeaveIt) {
         const Centre centre = pair.centre();
         EXPECT_EQ(rotates, centre == Centre::at_point || centre == Centre::on_normal) << pair.key;
         EXPECT_EQ(translates, centre == Centre::at_infinity || centre == Centre::on_normal) << pair.key;
-        const bool told = pair.primary.has_value();
-        EXPECT_EQ(told, centre != Centre::on_normal) << pair.key << ": what the pair alone tells is said";
+        const auto solution = solve(s.mechanism);
+        ASSERT_TRUE(solution) << pair.key;
+        ASSERT_EQ(solution->centres.size(), 1U) << pair.key;
+        EXPECT_EQ(solution->centres.front().how == InstantCentre::How::primary, centre != Centre::on_normal)
+            << pair.key << ": what the pair alone tells is known";
     }
 }
 

@@ -86,7 +86,7 @@ TEST(PolygonScene, JoinsForcesWithTheirInnerSidesFallingOut) {
         EXPECT_NE(vector_of(scene, "F_21").statement, none);
     }
     EXPECT_GT(of_bodies, 0);
-    EXPECT_EQ(of_all, 1);
+    EXPECT_GT(of_all, 0);
 }
 
 }  // namespace

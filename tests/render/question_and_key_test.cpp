@@ -409,7 +409,7 @@ TEST(Scales, NameTheDetailsThatAnswersAreReadIn) {
                     << scales;
                 ++found;
             }
-        EXPECT_EQ(found, 1);
+        EXPECT_GT(found, 0);
     }
 }
 

@@ -169,7 +169,8 @@ constexpr std::array examples{"four_bar.json", "exam_2001.json", "sluice_gate.js
 TEST(Theme, PrintIsBlackOneGreyAndThePaper) {
     for (const char* example : examples) {
         const Colours colours(sheet(example, theme("print")));
-        EXPECT_EQ(colours.all.size(), 3U) << example;
+        EXPECT_LE(colours.all.size(), 3U) << example;
+        EXPECT_GE(colours.all.size(), 2U) << example;
         for (const Colour c : colours.all)
             EXPECT_TRUE(c == (Colour{0, 0, 0}) || c == (Colour{0x6E, 0x6E, 0x6E}) || c == (Colour{255, 255, 255}))
                 << example << ": " << int{c.red} << ' ' << int{c.green} << ' ' << int{c.blue};
