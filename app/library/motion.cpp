@@ -23,7 +23,8 @@ template class Shared<const CamFile::State>;
 
 struct Sweep::State {
     Mechanism mechanism;
-    std::optional<Cycle> cycle;  ///< of `mechanism`, which stays where it is
+    Pose pose;
+    std::optional<Cycle> cycle;  ///< of these two, which stay where they are
     Travel travel;
     long steps = 0;
     std::vector<SweepColumn> columns;
@@ -76,13 +77,14 @@ Expected<Sweep> Sweep::of(const MechanismFile& file, const SweepOptions& options
                                                      "il file pone un problema al posto delle coppie: nulla si muove"});
     if (options.steps < 2)
         return refused(Diagnostic::Kind::bad_input, {"at least 2 steps are needed", "occorrono almeno 2 passi"});
-    Sweep sweep(new State{file.state().mechanism, std::nullopt, {}, options.steps, {}, {}});
+    Sweep sweep(new State{file.state().mechanism, {}, std::nullopt, {}, options.steps, {}, {}});
     State& state = *sweep.state_;
     const auto driver = app::driver_named(state.mechanism, options.driver);
     if (!driver) return refused(Diagnostic::Kind::bad_input, driver.error());
-    const auto pose = draw_pose(state.mechanism);
+    auto pose = draw_pose(state.mechanism);
     if (!pose) return tl::unexpected(diagnostics_of(pose.error()));
-    auto cycle = Cycle::of(state.mechanism, *pose, app::course_of(*driver, options.branch));
+    state.pose = *std::move(pose);
+    auto cycle = Cycle::of(state.mechanism, state.pose, app::course_of(*driver, options.branch));
     if (!cycle) return tl::unexpected(diagnostics_of(cycle.error()));
     const auto travel = travel_of(options, state.mechanism, *driver, cycle->positions());
     if (!travel) return tl::unexpected(travel.error());

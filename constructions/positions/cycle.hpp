@@ -42,8 +42,8 @@ std::optional<Transmission> transmission_of(const Mechanism& mechanism, const Po
 
 class Cycle {
 public:
-    /// `mechanism` must outlive the cycle. Rates are the file's at every position; those of the course's driver follow
-    /// its law, where it has one. Errors: those of Positions::of.
+    /// `mechanism` and `pose` must outlive the cycle. Rates are the file's at every position; those of the course's
+    /// driver follow its law, where it has one. Errors: those of Positions::of.
     static Result<Cycle> of(const Mechanism& mechanism, const Pose& pose, const Course& course);
     static Result<Cycle> of(const Mechanism& mechanism, const Pose& pose, int driver) {
         return of(mechanism, pose, Course{driver});

@@ -4,7 +4,7 @@
 
 // CMake reads the version of the project from these three lines.
 #define KINEGRAPH_VERSION_MAJOR 0  ///< changes that a program must follow
-#define KINEGRAPH_VERSION_MINOR 2  ///< additions; before 1.0 also changes
+#define KINEGRAPH_VERSION_MINOR 1  ///< additions; before 1.0 also changes
 #define KINEGRAPH_VERSION_PATCH 0  ///< corrections
 
 #include <string_view>

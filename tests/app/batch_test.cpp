@@ -68,8 +68,8 @@ protected:
 
 TEST_F(Batch, AnswersAsSolveDoes) {
     const std::string lines = R"({"id": 1, "file": "crank.json", "set": {"r": "45 mm", "phi": "50°"}}
-{"id": "all", "file": "crank.json", "set": {"r": "45 mm", "phi": "50°"}, "want": ["json", "svg", "png", "pdf"],
- "to": "new/a"}
+{"id": "all", "file": "crank.json", "set": {"r": "45 mm", "phi": "50°"}, "want": ["json", "svg", "png", "pdf"],)"
+                              R"( "to": "new/a"}
 {"id": 3, "mechanism": )" + json::parse(with_parameters(four_bar_)).dump() +
                               R"(, "set": {"r": "= 9/2 * 10 mm", "phi": "50°"}, "want": ["svg", "json"]})" + "\n";
     const Outcome outcome = batch(lines);

@@ -64,8 +64,8 @@ TEST(Results, AreWrittenAsTheFormatSays) {
   "mobility": {"gruebler": 1, "effective": 2, "verdict": "mechanism"},
   "points": {
     "O": {"at": [0, 0], "velocity": [0, 0], "acceleration": [0, 0]},
-    "A": {"at": [0.1, -0.7], "on": {"2": {"velocity": [0.55, 0]}, "4": {"velocity": [0, 0.3333333333333333],
-    "acceleration": [1, 2]}}},
+    "A": {"at": [0.1, -0.7], "on": {"2": {"velocity": [0.55, 0]}, "4": {"velocity": [0, 0.3333333333333333],)"
+                                                      R"( "acceleration": [1, 2]}}},
     "Q": {"at": [1, 2]}
   },
   "bodies": {

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <regex>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ Message with_all_arguments(Sentence sentence) {
 /// The names of the enumeration, in order, as the header spells them.
 const std::vector<std::string>& sentence_names() {
     static const std::vector<std::string> names = [] {
-        std::ifstream header(KINEGRAPH_TESTS_DIR "/../engine/statement.hpp");
+        std::ifstream header(KINEGRAPH_TESTS_DIR "/../engine/sentences/statement.hpp");
         std::vector<std::string> found;
         std::string line;
         bool inside = false;
@@ -36,6 +37,7 @@ const std::vector<std::string>& sentence_names() {
             static const std::regex name("^    ([a-z_]+),?( .*)?$");
             if (inside && std::regex_match(line, match, name)) found.push_back(match[1]);
         }
+        if (found.empty()) throw std::runtime_error("the list of sentences is not where it was");
         return found;
     }();
     return names;
