@@ -22,9 +22,9 @@ double value_of_decimal(const std::string& decimal) {
 }
 
 /// Those that may be off by as much as they are large.
-std::vector<std::string> unreadable(const std::vector<render::QuizBlank>& blanks) {
+std::vector<std::string> unreadable(const std::vector<render::QuizBlank>& asked) {
     std::vector<std::string> names;
-    for (const render::QuizBlank& each : blanks)
+    for (const render::QuizBlank& each : asked)
         if (each.value != "0" && value_of_decimal(each.tolerance) >= std::abs(value_of_decimal(each.value)))
             names.push_back(each.name);
     return names;

@@ -20,9 +20,6 @@ using ForceKind = AppliedForce::Kind;
 
 std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
 
-const std::string& body_name(const Mechanism& mechanism, BodyIndex body) {
-    return mechanism.bodies[at_index(body)].name;
-}
 RichText point(const Mechanism& mechanism, PointIndex p, Language language) {
     return typeset(Symbol{Symbol::Letter::point, mechanism.points[at_index(p)].name, ""}, language);
 }
