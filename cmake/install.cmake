@@ -21,4 +21,6 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/kinegraphConfig.cmake
 if(EXISTS ${schema})
     install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/kinegraph)
 endif()
+configure_file(cmake/kinegraph.pc.in ${PROJECT_BINARY_DIR}/generated/kinegraph.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/generated/kinegraph.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES docs/kinegraph.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

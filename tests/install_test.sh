@@ -23,3 +23,24 @@ if ldd "$work/prefix/bin/kinegraph" | grep -E 'libcairo|libX11|libharfbuzz|libgi
 cmake -S "$here/install_test" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$work/build"
 "$work/build/consumer"
+
+# The two example programs: against the installed library, and as a program that has the source tree for a subproject. (There
+# only the program is compiled: the library is the one that was built here.)
+cmake -S "$here/../examples/library" -B "$work/examples" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release
+cmake --build "$work/examples"
+"$work/examples/solve_and_draw" "$here/../examples/four_bar.json" "$work/sheet.svg" >"$work/omegas"
+grep -q '^omega 3 = ' "$work/omegas"
+cmp "$work/sheet.svg" "$work/a.svg"
+"$work/examples/class_of_variants" "$here/../examples/variants/four_bar.json" 4 >"$work/class_of_four"
+grep -q '^4: ' "$work/class_of_four"
+cmake -S "$here/../examples/library" -B "$work/subproject" -G Ninja -DKINEGRAPH_SOURCE="$here/.." -DCMAKE_BUILD_TYPE=Release
+ninja -C "$work/subproject" CMakeFiles/solve_and_draw.dir/solve_and_draw.cpp.o
+
+# pkg-config finds it too.
+PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name kinegraph.pc)") pkg-config --exists 'kinegraph >= 0.1'
+
+# What the face asks of a program that includes it all.
+lines=$(echo '#include <kinegraph/kinegraph.hpp>' | c++ -std=c++20 -I"$work/prefix/include" -E -x c++ - | wc -l)
+if [ "$lines" -gt 60000 ]; then echo "the public face preprocesses to $lines lines"; exit 1; fi
+headers=$(find "$work/prefix/include" -name '*.hpp' | wc -l)
+if [ "$headers" -gt 10 ]; then echo "$headers headers are installed"; exit 1; fi

@@ -16,17 +16,18 @@ std::optional<ReyeProblem> ReyeSection::read(JsonValue section) {
     ReyeProblem problem;
     problem.kind = *kind;
     problem.where = section.pointer();
-    const auto read = [&](std::initializer_list<std::string_view> own) {
+    const auto read_members = [&](std::initializer_list<std::string_view> own) {
         std::vector<std::string_view> keys{"kind", "force", "friction", "wear", "time"};
         keys.insert(keys.end(), own.begin(), own.end());
         return file_.members(section, std::span<const std::string_view>(keys), {"\"reye\"", "\"reye\""});
     };
     const bool slides = problem.kind == ReyeProblem::Kind::pad || problem.kind == ReyeProblem::Kind::block;
-    const Members form = problem.kind == ReyeProblem::Kind::pad     ? read({"length", "width", "offset", "speed"})
-                         : problem.kind == ReyeProblem::Kind::block ? read({"length", "width", "speed"})
-                         : problem.kind == ReyeProblem::Kind::disc
-                             ? read({"inner", "outer", "surfaces", "omega"})
-                             : read({"radius", "width", "pivot", "arm", "from", "to", "inside", "sense", "omega"});
+    const Members form =
+        problem.kind == ReyeProblem::Kind::pad     ? read_members({"length", "width", "offset", "speed"})
+        : problem.kind == ReyeProblem::Kind::block ? read_members({"length", "width", "speed"})
+        : problem.kind == ReyeProblem::Kind::disc
+            ? read_members({"inner", "outer", "surfaces", "omega"})
+            : read_members({"radius", "width", "pivot", "arm", "from", "to", "inside", "sense", "omega"});
     problem.force = file_.positive(file_.required(form, "force", {"the force that presses", "la forza che preme"}),
                                    QuantityKind::force, {"the force", "la forza"});
     if (!slides)
