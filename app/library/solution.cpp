@@ -5,7 +5,6 @@
 #include "app/library/state.hpp"
 #include "engine/equations/equations.hpp"
 #include "engine/results/quantity_name.hpp"
-#include "engine/results/result_names.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "render/equations/chapters.hpp"
 #include "render/equations/equation_text.hpp"
@@ -59,15 +58,16 @@ std::optional<ResultValue> Solved::value(std::string_view name) const {
 }
 
 std::optional<std::array<double, 2>> Solved::vector(std::string_view name) const {
-    const Solution& solution = state().solution;
-    const std::vector<NamedResult> all = named_results(solution);
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const NamedResult& each) { return each.column.name == name; });
-    if (found == all.end() || !is_modulus(found->column)) return std::nullopt;
+    if (name.empty()) return std::nullopt;
+    // The components of "v B" are "vx B" and "vy B". (Where the point B slides, "v B" itself is the sliding's.)
+    const std::vector<NamedResult> all = named_results(state().solution);
     std::array<double, 2> components{};
-    for (const FoundValue& each : found_values(solution, true)) {
-        if (each.quantity == found->column.quantity.along(Quantity::Component::x)) components[0] = each.vector.x;
-        if (each.quantity == found->column.quantity.along(Quantity::Component::y)) components[1] = each.vector.y;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        const std::string component = std::string(name).insert(1, i == 0 ? "x" : "y");
+        const auto found = std::find_if(all.begin(), all.end(),
+                                        [&](const NamedResult& each) { return each.column.name == component; });
+        if (found == all.end()) return std::nullopt;
+        components[i] = found->value;
     }
     return components;
 }

@@ -72,8 +72,8 @@ public:
     std::vector<ResultValue> values() const;
     /// The result of that name; none where the solution holds no such result.
     std::optional<ResultValue> value(std::string_view name) const;
-    /// A vector by the name of its length ("v B", "a B", "F A 3 on 2"): x and y in SI units; none where there is no
-    /// vector of that name.
+    /// A vector by its name ("v B", "a B", "F A 3 on 2"): x and y in SI units, the results "vx B" and "vy B"; none
+    /// where there is no vector of that name.
     std::optional<std::array<double, 2>> vector(std::string_view name) const;
     /// The sentences of the worked solution, in order.
     std::vector<Text> statements() const;

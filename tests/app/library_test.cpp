@@ -43,6 +43,9 @@ TEST(PublicFace, GivesResultsByNameExactlyAndAsDoubles) {
     EXPECT_EQ(velocity->exact->text(), "-1/2");
     EXPECT_EQ(velocity->in_file_unit, -0.5);
     EXPECT_EQ(found.vector("v A"), (std::array<double, 2>{-0.4, 0.3}));
+    // B slides too, and "v B" is the signed speed along the guide; the vector is the point's all the same.
+    EXPECT_EQ(found.vector("v B"), (std::array<double, 2>{-0.5, 0}));
+    EXPECT_EQ(found.value("v B")->value, -0.5);
     // A length takes a root, and has no exact value even where it comes out whole.
     const auto speed = found.value("v A");
     ASSERT_TRUE(speed);
