@@ -1,5 +1,5 @@
-// The command line: what may be typed, and how a run ends. A further command is one function here that declares its
-// options and hands its request to a file of its own. Faults of ours are caught here and nowhere else.
+// The command line: its commands and options, and the exit status. A new command is one function here, which declares
+// its options and passes its request to a file of its own. Exceptions from our own faults are caught only here.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -32,7 +32,7 @@ constexpr const char* statuses =
     "(locked, dead point): what could be found is written; 4 the output can't be written, or the font or a\n"
     "module of the program is missing, or the port can't be had; 70 a fault of ours.";
 
-/// What the parser of options says, piece by piece.
+/// Translations of the messages of the option parser.
 constexpr std::array<Translation, 17> option_faults{{
     {"The following argument was not expected: ", "argomento inatteso: "},
     {"The following arguments were not expected: ", "argomenti inattesi: "},
@@ -54,7 +54,7 @@ constexpr std::array<Translation, 17> option_faults{{
     {"A subcommand is required", "manca un comando"},
 }};
 
-/// What was typed, waiting to be carried out.
+/// The command that was typed, ready to run.
 using Action = std::function<Status()>;
 
 CLI::App* add_command(CLI::App& program, const char* name, const char* purpose) {
@@ -65,16 +65,16 @@ CLI::App* add_command(CLI::App& program, const char* name, const char* purpose) 
     return command;
 }
 
-/// A number from `least` to `most` in the whole of the text.
+/// A number from `least` to `most`; empty if the text is anything else.
 std::optional<double> number_within(const std::string& text, double least, double most) {
     double value = 0;
-    // A comparison that is false for what is no number.
+    // This comparison is false for NaN.
     if (!CLI::detail::lexical_cast(text, value) || !(value >= least && value <= most)) return std::nullopt;
     return value;
 }
 
-/// A check that the whole of a text is a whole number from `least` to `most`, digits alone: the parser of options takes
-/// what is beyond its largest number for that number, and nothing for 0.
+/// A validator for integers from `least` to `most`, digits only. The option parser alone would clamp a number that is
+/// too large, and read an empty text as 0.
 auto whole_number(std::uint64_t least, std::uint64_t most) {
     return [least, most](const std::string& text) {
         std::uint64_t value = 0;
@@ -86,22 +86,22 @@ auto whole_number(std::uint64_t least, std::uint64_t most) {
     };
 }
 
-/// Rows beyond these are no use to anyone.
+/// A sanity limit for the number of rows.
 constexpr std::uint64_t most_steps = 10'000'000;
 
-/// 0.005 or 0.5%.
+/// A share: 0.005 or 0.5%.
 std::optional<double> share(const std::string& text) {
     if (!text.ends_with('%')) return number_within(text, 0, 1);
     const auto percent = number_within(text.substr(0, text.size() - 1), 0, 100);
     return percent ? std::optional(*percent / 100) : std::nullopt;
 }
 
-/// What a resolution must be; empty where it is.
+/// The requirement that a resolution violates; empty if it is valid.
 std::string resolution_fits(const std::string& text) {
     return number_within(text, 20, 1200) ? std::string() : "\"" + text + "\" is not a number from 20 to 1200";
 }
 
-/// An option that takes one of several words, in small or large letters.
+/// An option that takes one of several words, in lower or upper case.
 void add_choice(CLI::App& command, const char* name, std::string& chosen, const char* help,
                 std::vector<std::string> words, const char* type) {
     command.add_option(name, chosen, help)
@@ -110,7 +110,7 @@ void add_choice(CLI::App& command, const char* name, std::string& chosen, const 
         ->capture_default_str();
 }
 
-/// The language asked for, also by a command line that is wrong.
+/// The requested language, even if the rest of the command line is wrong.
 Language language_asked_for(int count, char** arguments) {
     std::string word;
     for (int i = 1; i < count; ++i) {
@@ -127,7 +127,7 @@ void add_language(CLI::App& command, std::string& chosen, const char* help) {
     add_choice(command, "--lang", chosen, help, std::move(codes), "LANG");
 }
 
-/// Parameters of the file that are to have another value.
+/// The option that replaces values of the file's parameters.
 void add_settings(CLI::App& command, std::vector<Setting>& set) {
     command
         .add_option_function<std::vector<std::string>>(
@@ -147,7 +147,7 @@ void add_settings(CLI::App& command, std::vector<Setting>& set) {
         ->type_name("NAME=VALUE");
 }
 
-/// What is typed to solve a mechanism: the request, and what it says in words.
+/// The arguments of a command that solves: the request, and the texts of options not yet converted.
 struct SolveWords {
     SolveRequest request;
     std::string language = "en", paper = "A4", orientation = "landscape", dimensions = "auto", detail = "full",
@@ -189,7 +189,7 @@ void add_paper(CLI::App& command, SolveWords& words) {
                {"landscape", "portrait"}, "HOW");
 }
 
-/// What is drawn.
+/// Options for the content of the drawing.
 void add_sheet(CLI::App& command, SolveWords& words) {
     command
         .add_option(
@@ -218,7 +218,7 @@ void add_sheet(CLI::App& command, SolveWords& words) {
         ->excludes("--figure");
 }
 
-/// What stands in the title block, and how a page looks.
+/// Options for the title block and the page.
 void add_print(CLI::App& command, std::string& date, std::string& author, std::string& theme, double& dpi) {
     command.add_option("--date", date, "A date for the title block, as it is to be printed")->type_name("TEXT");
     command.add_option("--author", author, "A name for the title block")->type_name("TEXT");
@@ -244,7 +244,7 @@ void add_text(CLI::App& command, bool& live) {
         ->default_str("outlines");
 }
 
-/// How it looks, and what is added.
+/// Options for the theme and additional figures.
 void add_look(CLI::App& command, SolveRequest& request) {
     add_print(command, request.date, request.author, request.theme, request.dpi);
     add_text(command, request.live_text);
@@ -325,7 +325,7 @@ void add_batch(CLI::App& program, Action& action) {
     });
 }
 
-/// What is typed for a sheet that is no solution: the request, and what it says in words.
+/// The arguments of a command whose sheet is no solution.
 template <class Request>
 struct WordsOf {
     Request request;
@@ -675,7 +675,7 @@ Status run(int count, char** arguments, Language language) {
                 language);
         }
     }
-    // "--at every 30°" in two words; CLI11 takes its words from the last to the first.
+    // Joins "--at every 30°" into one argument. CLI11 takes its arguments in reverse order.
     std::vector<std::string> words;
     for (int i = count; i-- > 1;) {
         if (!words.empty() && arguments[i] == std::string("every") && i > 1 && arguments[i - 1] == std::string("--at"))
@@ -700,8 +700,8 @@ Status run(int count, char** arguments, Language language) {
     return action();
 }
 
-/// A closed standard stream would give its number to the next file that is opened, and messages would end in an output.
-/// What takes its place fails as the closed one does: input cannot be read, output cannot be written.
+/// Opens a stand-in for each closed standard stream. Otherwise the next file opened would get its number, and messages
+/// would end in an output. A stand-in fails like the closed stream: input cannot be read, output cannot be written.
 void hold_standard_streams() {
     for (int stream = 0; stream < 3; ++stream)
         if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
@@ -713,7 +713,7 @@ void hold_standard_streams() {
 int main(int count, char** arguments) {
     using namespace kinegraph::app;
     hold_standard_streams();
-    // A reader that is gone and a file that may not grow are failures to write, told as such.
+    // A closed pipe and a file size limit are reported as write errors.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const Language language = language_asked_for(count, arguments);

@@ -1,6 +1,6 @@
 #!/bin/bash
-# `kinegraph batch`: answers a second and processor, by one worker and by two, with the largest memory held; variants of the
-# four-bar in examples/cluster, all different. GNU time, where installed, tells the memory.
+# `kinegraph batch`: answers a second for each processor, with one worker and with two, and the peak memory. The lines
+# are different variants of the four-bar in examples/cluster. The memory is measured by GNU time, if installed.
 #   batch_bench.sh [PROGRAM] [LINES] [SHEETS]
 set -u
 export LC_ALL=C
@@ -12,7 +12,7 @@ trap 'rm -r "$folder"' EXIT
 cd "$folder" || exit 2
 [ -x "$program" ] || { echo "$program is not there: build it first" >&2; exit 2; }
 
-# measure NAME LINES JOBS ARGUMENTS-OF-requests.sh…: one row.
+# measure NAME LINES JOBS ARGUMENTS-OF-requests.sh…: prints one row.
 measure() {
     local name=$1 count=$2 jobs=$3 start end before after memory=-
     shift 3

@@ -1,5 +1,5 @@
-// What solving costs, from the text of a file to the Solution, and each of its parts: kinematics, centres, the check,
-// reading. Parts, in the process; docs/performance.md has whole commands.
+// The time to solve, from the text of a file to the Solution, and of each part: kinematics, centres, the check,
+// reading. Measured within the process; docs/performance.md measures whole commands.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string example(const std::string& name) {
 }
 
 std::string number(int value) { return std::to_string(value); }
-/// About so many megabytes of points carried by one crank: the largest file that is let in.
+/// A file of about so many megabytes, of points carried by one crank: the size limit of an input file.
 std::string large_file(std::size_t megabytes) {
     std::string points = "\"O\": [0, 0]", carried = "\"O\"";
     for (int i = 1; points.size() + carried.size() < megabytes * 1'000'000 - 1000; ++i) {
@@ -73,7 +73,7 @@ void solve_text(benchmark::State& state, const std::string& text) {
     state.counters["bits"] = static_cast<double>(most_bits(*solution));
 }
 
-/// The record of a mechanism cut to some of its results and replayed in doubles, givens and guards and all.
+/// Replays the program of a mechanism, reduced to some of its results, in doubles, with its givens and guards.
 void replay(benchmark::State& state, const std::string& text, bool with_forces) {
     Solution solution = *solve(read(text));
     std::vector<ElementIndex> wanted;
@@ -113,8 +113,8 @@ BENCHMARK(BM_ReplayWattSixBar);
 void BM_ReplayExamWithForces(benchmark::State& state) { replay(state, example("exam_2001"), true); }
 BENCHMARK(BM_ReplayExamWithForces);
 
-/// A row of a cycle: the joints closed by Newton, the record replayed, without the check. `with_values` false: Newton
-/// alone.
+/// A row of a cycle: closes the joints by Newton's method and replays the program, without the check. `with_values`
+/// false: Newton's method only.
 void cycle(benchmark::State& state, const std::string& text, bool with_values) {
     const Mechanism mechanism = read(text);
     const Pose pose = *draw_pose(mechanism);
@@ -145,7 +145,7 @@ BENCHMARK(BM_PositionJansen);
 void BM_CycleJansen(benchmark::State& state) { cycle(state, example("jansen_leg"), true); }
 BENCHMARK(BM_CycleJansen);
 
-/// Pose, mobility, all centres, both polygons, the second way and the check.
+/// Pose, mobility, all centres, both polygons, the numeric solution and the check.
 void BM_FourBar(benchmark::State& state) { solve_text(state, example("four_bar")); }
 BENCHMARK(BM_FourBar)->Unit(benchmark::kMicrosecond);
 void BM_FourBarByDecimals(benchmark::State& state) { solve_text(state, four_bars_in_a_row(1)); }
@@ -155,7 +155,7 @@ BENCHMARK(BM_WattSixBar)->Unit(benchmark::kMicrosecond);
 void BM_QuickReturn(benchmark::State& state) { solve_text(state, example("quick_return")); }
 BENCHMARK(BM_QuickReturn)->Unit(benchmark::kMicrosecond);
 
-/// Velocities and accelerations of 2 + 2·dyads bodies, with the check; 49 dyads are 100 bodies.
+/// Velocities and accelerations of 2 + 2·dyads bodies, with the check; 49 dyads give 100 bodies.
 void BM_ChainMotion(benchmark::State& state) {
     solve_text(state, four_bars_in_a_row(static_cast<int>(state.range(0)), R"(["velocity", "acceleration"])"));
 }
@@ -166,7 +166,7 @@ void BM_ChainMotionByCompass(benchmark::State& state) {
 }
 BENCHMARK(BM_ChainMotionByCompass)->Arg(10)->Arg(49)->Unit(benchmark::kMillisecond);
 
-/// Twelve bodies: all 66 centres by Aronhold and Kennedy, nothing else (pose and mobility included).
+/// Twelve bodies: pose, mobility and all 66 centres by the Aronhold–Kennedy theorem.
 void BM_TwelveBodiesCentres(benchmark::State& state) {
     solve_text(state, four_bars_in_a_row(5, R"(["instant centres"])"));
 }
@@ -178,8 +178,7 @@ BENCHMARK(BM_TwelveBodiesCentresByCompass)->Unit(benchmark::kMicrosecond);
 void BM_TwelveBodiesAll(benchmark::State& state) { solve_text(state, four_bars_in_a_row(5)); }
 BENCHMARK(BM_TwelveBodiesAll)->Unit(benchmark::kMicrosecond);
 
-// --- the parts
-// -----------------------------------------------------------------------------------------------------------------
+// --- the parts ---
 void BM_FourBarPose(benchmark::State& state) {
     const Mechanism mechanism = read(example("four_bar"));
     for (auto _ : state) benchmark::DoNotOptimize(draw_pose(mechanism));
@@ -200,8 +199,7 @@ void BM_ChainCheck(benchmark::State& state) {
 }
 BENCHMARK(BM_ChainCheck)->Arg(1)->Arg(5)->Arg(49)->Unit(benchmark::kMicrosecond);
 
-// --- reading
-// -------------------------------------------------------------------------------------------------------------------
+// --- reading ---
 void read_text(benchmark::State& state, const std::string& text) {
     for (auto _ : state) {
         auto mechanism = read_mechanism(text, "benchmark");

@@ -1,5 +1,4 @@
-// What lettering costs on the richest example's sheet: each of its figures once, and a drawing with far more names than
-// room.
+// The time to place labels: each figure of the richest example once, and a drawing with far more names than space.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -28,8 +27,8 @@ kinegraph::Solution solved(const char* name) {
     return kinegraph::solve(std::move(*mechanism)).value();
 }
 
-/// A finished figure with its names taken off again: each asks for a place at the middle of where it stood, of the same
-/// size.
+/// A finished figure without its labels; each becomes a request for a label of the same size at the middle of its old
+/// place.
 Figure unlettered(Figure figure) {
     std::vector<Mark> marks;
     for (Mark& mark : figure.marks) {
@@ -55,7 +54,7 @@ Figure unlettered(Figure figure) {
     return figure;
 }
 
-/// The figures of the richest example, at the size that they have on its sheet.
+/// The figures of the richest example, in the size of its sheet.
 std::vector<Figure> richest_figures() {
     const kinegraph::Solution solution = solved("cutting_force.json");
     const Theme theme;
@@ -87,7 +86,7 @@ void letter_the_richest_sheet(benchmark::State& state) {
 }
 BENCHMARK(letter_the_richest_sheet)->Unit(benchmark::kMillisecond);
 
-/// So many names on a page too small for them.
+/// `count` names on a page too small for them.
 void letter_a_crowd(benchmark::State& state) {
     Figure crowd;
     const int count = static_cast<int>(state.range(0));

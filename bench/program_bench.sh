@@ -1,6 +1,6 @@
 #!/bin/bash
-# Whole commands, timed from outside: start of the process to its end, median and best of RUNS, on the processor this is pinned
-# to, with the largest memory it held (GNU time, where installed). "nothing" is a process that only starts and ends.
+# Times whole commands from start to end of the process, on one processor: median and best of RUNS, and the peak memory
+# by GNU time, if installed. "nothing" is a process that only starts and ends.
 #   program_bench.sh [PROGRAM] [RUNS]
 set -u
 export LC_ALL=C
@@ -13,7 +13,7 @@ trap 'rm -r "$folder"' EXIT
 [ -x "$program" ] || { echo "$program is not there: build it first" >&2; exit 2; }
 command -v taskset >/dev/null && taskset -p -c 0 $$ >/dev/null 2>&1
 
-# measure NAME COMMAND…: one row of the table.
+# measure NAME COMMAND…: prints one row of the table.
 measure() {
     local name=$1 start end memory=-
     shift

@@ -1,4 +1,4 @@
-// What type and the backends cost, on an A4 sheet fuller than ours get: 2000 glyphs in four sizes and their scripts,
+// The time for text and for the back ends, on an A4 sheet fuller than ours: 2000 glyphs in four sizes with subscripts,
 // 800 paths.
 #include <benchmark/benchmark.h>
 
@@ -61,7 +61,7 @@ Page full_sheet(const Fonts& fonts, bool coloured) {
     const auto colour = [&](int i) { return coloured ? body_colours[i % 6] : Colour{60, 60, 60}; };
     for (int i = 0; i < 800; ++i) {
         Path path;
-        const double a = i * 2.399963;  // the golden angle: directions of all kinds
+        const double a = i * 2.399963;  // the golden angle, so that the directions are spread evenly
         const Spot centre{30.0 + (i * 37) % 240, 25.0 + (i * 53) % 160};
         const double r = 2 + i % 9 * 3;
         if (i % 10 < 6) {
@@ -107,7 +107,7 @@ void open_fonts(benchmark::State& state) {
 }
 BENCHMARK(open_fonts)->Unit(benchmark::kMicrosecond);
 
-/// Once in a program: opening, shaping and the outlines that are met the first time.
+/// Once in a program: opens the font, shapes the text and loads the outlines.
 void shape_200_labels_first(benchmark::State& state) {
     const auto labels = two_hundred_labels();
     for (auto _ : state) {

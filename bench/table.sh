@@ -1,6 +1,6 @@
 #!/bin/bash
-# The rows of docs/performance.md that concern the built program, as Markdown: medians of RUNS whole commands, start of
-# the process to its end. The rows of the build are the times of the commands that they name.
+# The rows of docs/performance.md about the built program, as Markdown: medians of RUNS whole commands, from start to
+# end of the process. The rows about the build are the times of the commands that they name.
 #   table.sh [PROGRAM] [RUNS]
 set -u
 export LC_ALL=C
@@ -12,7 +12,7 @@ trap 'rm -r "$folder"' EXIT
 cd "$folder" || exit 2
 [ -x "$program" ] || { echo "$program is not there: build it first" >&2; exit 2; }
 
-# median COMMAND…: of its wall clock in microseconds.
+# median COMMAND…: the median wall-clock time in microseconds.
 median() {
     local start end
     "$@" >answers 2>messages </dev/null || { echo "status $? of $*" >&2; cat messages >&2; exit 1; }
@@ -31,7 +31,7 @@ row() {
     awk -v name="$name" -v time="$time" 'BEGIN { printf "| %s | %.1f ms |\n", name, time / 1000 }'
 }
 
-# lines NAME COUNT ARGUMENTS-OF-requests.sh…: how many lines of batch one worker answers in a second.
+# lines NAME COUNT ARGUMENTS-OF-requests.sh…: the lines of batch that one worker answers in a second.
 lines() {
     local name=$1 count=$2 time
     shift 2

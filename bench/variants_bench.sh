@@ -1,6 +1,7 @@
 #!/bin/bash
-# Many variants of each teaching example in examples/variants: each solved, its conditions held against the numeric check, its
-# question and its solution without a fault of the page checker. The suite looks at a few; this, once, at as many as are asked for.
+# Solves many variants of each teaching example in examples/variants, compares their conditions with the numeric check,
+# and runs the page checker on each question and solution. The test suite does this for a few variants; this script for
+# as many as requested.
 #   variants_bench.sh [TESTS] [COUNT]
 set -u
 top=$(cd "$(dirname "$0")/.." && pwd)

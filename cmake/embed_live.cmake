@@ -1,5 +1,5 @@
-# cmake -DSOURCE=render/live -DOUTPUT=live_script.cpp -P embed_live.cmake: the interpreter and the style sheet as text. Compilers take
-# literals of 64 kB, so they are put together of pieces.
+# cmake -DSOURCE=render/live -DOUTPUT=live_script.cpp -P embed_live.cmake: embeds the scripts and the style sheet of the
+# live page as text. Some compilers limit a literal to 64 kB, so the text is a concatenation of literals.
 function(literal out text)
     if(text MATCHES "\\)live\"")
         message(FATAL_ERROR "a file of ${SOURCE} holds )live\", which would end the literal")

@@ -1,4 +1,4 @@
-# cmake -DINPUT=mechanism.schema.json -DOUTPUT=mechanism_schema.cpp -P embed_schema.cmake
+# cmake -DINPUT=mechanism.schema.json -DOUTPUT=mechanism_schema.cpp -P embed_schema.cmake: embeds the schema as text.
 file(READ ${INPUT} text)
 if(text MATCHES "\\)schema\"")
     message(FATAL_ERROR "${INPUT} holds )schema\", which would end the literal")

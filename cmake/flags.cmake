@@ -1,4 +1,4 @@
-# How our own code is compiled: the build type, the warnings, the sanitizers, ccache where it is.
+# The compiler options of our own code: build type, warnings, sanitizers; ccache if installed.
 if(PROJECT_IS_TOP_LEVEL)
     if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
         set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug, RelWithDebInfo or MinSizeRel" FORCE)
@@ -9,7 +9,7 @@ if(PROJECT_IS_TOP_LEVEL)
     find_program(KINEGRAPH_CCACHE ccache)
     mark_as_advanced(KINEGRAPH_CCACHE)
     if(KINEGRAPH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-        # Precompiled headers are cached only where it is said that what they define counts by the headers' own bytes.
+        # ccache caches precompiled headers only with these settings; the headers are compared by content.
         set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${KINEGRAPH_CCACHE})
         if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
             add_compile_options(-fpch-preprocess)
@@ -20,13 +20,13 @@ endif()
 add_library(kinegraph_flags INTERFACE)
 target_compile_options(kinegraph_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-    -ffp-contract=off                                 # the same program gives the same bits
-    -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=        # no path of this machine in any output
+    -ffp-contract=off                                 # the same results to the last bit on every processor
+    -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=        # no absolute path in any output
     -ffunction-sections -fdata-sections
-    -fno-semantic-interposition)                      # nobody puts a function of his own in the place of one of ours
+    -fno-semantic-interposition)                      # our functions cannot be replaced at load time
 
 if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
-    add_compile_options(-fsized-deallocation)  # which C++ has since 2014, and clang when it is asked
+    add_compile_options(-fsized-deallocation)  # on by default in C++14, but an option in clang
 endif()
 
 if(KINEGRAPH_FUZZ)
@@ -34,13 +34,13 @@ if(KINEGRAPH_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS)
     add_link_options(-fsanitize=address,undefined)
 elseif(KINEGRAPH_SANITIZE)
-    # Everything that is linked together must agree, so these are for the whole tree.
+    # Objects that are linked together must agree, so these options are for the whole tree.
     set(CMAKE_CXX_FLAGS_RELEASE "-O1 -g1")
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS)
-    # A null or dangling pointer that is used ends the program by ASan's hand too; to ask before each use costs a third of the
-    # compile time. The target of libFuzzer asks everything.
+    # A null or dangling pointer that is used also ends the program under ASan; these checks before each use take a
+    # third of the compile time. The libFuzzer target has all checks.
     add_compile_options(-fno-sanitize=null,alignment,vptr,object-size)
-    # GCC 12 sees uninitialised members in std::regex and std::variant once the sanitizers' code stands between.
+    # With sanitizers GCC 12 warns wrongly of uninitialised members in std::regex and std::variant.
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
         add_compile_options(-Wno-maybe-uninitialized)
     endif()

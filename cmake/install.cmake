@@ -1,4 +1,4 @@
-# cmake --install: program with its modules, library with its headers and find_package(kinegraph), schema, man page.
+# cmake --install: program and modules, library with headers and find_package(kinegraph), schema, man page.
 include(CMakePackageConfigHelpers)
 
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/kinegraph)

@@ -1,4 +1,5 @@
-# The libraries that a program with Kinegraph in it links. Used by our build and, installed, by find_package(kinegraph).
+# The libraries that a program linked with Kinegraph needs. Included by our build and, installed, by
+# find_package(kinegraph).
 find_package(tl-expected REQUIRED)
 find_package(pugixml REQUIRED)
 pkg_check_modules(gmp REQUIRED IMPORTED_TARGET gmpxx gmp)

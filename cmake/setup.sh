@@ -1,5 +1,5 @@
-# Shared by ./kinegraph, tests/run and .ci/run: the packages, the configuration, the build. POSIX sh, to be sourced with
-# `top` set to the repository; every function speaks on standard error only and leaves standard input alone.
+# Shared by ./kinegraph, tests/run and .ci/run: packages, configuration, build. POSIX sh, to be sourced with `top` set
+# to the repository. All functions write to standard error only and do not read standard input.
 
 say() { printf 'kinegraph: %s\n' "$*" >&2; }
 
@@ -14,7 +14,7 @@ packages() {
     done
 }
 
-# missing_packages SECTION…: those that dpkg does not hold as installed.
+# missing_packages SECTION…: those that are not installed, by dpkg.
 missing_packages() {
     wanted=$(packages "$@")
     # shellcheck disable=SC2086 # a list of words
@@ -29,7 +29,8 @@ apt_install() {
         apt-get install -y --no-install-recommends -o Dpkg::Use-Pty=0 "$@" </dev/null >&2
 }
 
-# install_packages SECTION…: what is missing, by apt. The lists are fetched only where the first try fails without them.
+# install_packages SECTION…: installs missing packages by apt. The package lists are updated only if the first try
+# fails.
 install_packages() {
     if ! command -v dpkg-query >/dev/null; then
         say "no dpkg here: taking it that what cmake/packages.txt names is installed"
@@ -49,7 +50,7 @@ install_packages() {
     as_root apt-get update </dev/null >&2 && apt_install $missing
 }
 
-# install_modules: what the tests of the live page take from npm, exactly as tests/live/package-lock.json names it.
+# install_modules: installs the npm packages of the live page's tests, in the versions of tests/live/package-lock.json.
 install_modules() {
     modules=$top/tests/live/node_modules
     cmp -s "$top/tests/live/package-lock.json" "$modules/.installed" && return 0
@@ -58,7 +59,7 @@ install_modules() {
     cp "$top/tests/live/package-lock.json" "$modules/.installed"
 }
 
-# configured DIRECTORY: whether a configuration went to its end there (one that failed leaves a cache too).
+# configured DIRECTORY: true if a configuration was completed there (a failed one leaves a cache too).
 configured() { [ -e "$1/build.ninja" ] || [ -e "$1/Makefile" ]; }
 
 # configure DIRECTORY [cmake arguments]
@@ -69,7 +70,8 @@ configure() {
     cmake -S "$top" -B "$directory" "$@" </dev/null >&2
 }
 
-# build DIRECTORY [cmake --build arguments]: with a stamp of when the build began, by which ./kinegraph knows what is newer.
+# build DIRECTORY [cmake --build arguments]: also writes a time stamp of its start, by which ./kinegraph finds newer
+# sources.
 build() {
     directory=$1
     shift

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Holds the order of the folders: app → render → engine, app → constructions → engine; within each of them every folder includes
-# those that its `floor` line names, and no other. CGAL in one file of the engine, Eigen in the numeric check alone, cairo
-# in its backend alone; the kinds of joint known by name to the table of pairs and the check alone.
-#   boundaries_test.sh ROOT         every breach in the tree, one a line; status 1 if there is one
-#   boundaries_test.sh --self-test  that each kind of breach is seen
+# Checks the dependencies of the folders: app → render → engine, app → constructions → engine. Within each of them every
+# folder includes only the folders that its `floor` line names. CGAL is included in one file of the engine, Eigen in the
+# numeric check only, cairo in its back end only; only the table of pairs and the check may name kinds of joints.
+#   boundaries_test.sh ROOT         prints every violation in the tree, one on each line; status 1 if there is one
+#   boundaries_test.sh --self-test  tests that each kind of violation is found
 set -u
 
-# includes PATTERN FOLDER…: file:line:text of the includes that match, of all that `check` has listed.
+# includes PATTERN FOLDER…: file:line:text of the matching includes among the files that `check` has listed.
 includes() {
     pattern=$1
     shift
@@ -16,7 +16,7 @@ includes() {
 
 breach() { sed "s|\$|   <- $1|"; }
 
-# floor TOP FOLDER BELOW…: the includes by which TOP/FOLDER knows another folder of TOP than those below it.
+# floor TOP FOLDER BELOW…: the includes in TOP/FOLDER of folders of TOP other than those listed.
 floor() {
     top=$1 folder=$2
     floors="$floors $top/$folder"
@@ -27,7 +27,7 @@ floor() {
         breach "in $top, $folder knows ${*:-itself alone}"
 }
 
-# Every folder of the product has its floor line.
+# Folders of the product that have no floor line.
 unordered() {
     for folder in engine/* constructions/* render/* app/*; do
         [ -d "$folder" ] || continue
@@ -120,7 +120,8 @@ check() {
     return 1
 }
 
-# seen TEXT FILE INCLUDE [FILE INCLUDE]…: a tree with these includes is refused, saying TEXT ("" for: is accepted).
+# seen TEXT FILE INCLUDE [FILE INCLUDE]…: a tree with these includes is refused with TEXT; if TEXT is "", it is
+# accepted.
 seen() {
     expected=$1
     shift

@@ -1,9 +1,9 @@
 #!/bin/bash
-# examples/cluster/ with the real thing on this machine: 10,000 variants, a worker killed under way, and the answers are those of
-# one process, byte for byte. Without the engine's Debian package the test is skipped (77).
-#   cluster_test.sh reference PROGRAM FOLDER         the requests, and their answers by one process
+# Runs examples/cluster/ with the real tool on this machine: 10,000 variants, a worker killed on the way; the answers
+# equal those of one process, byte for byte. Without the tool's Debian package the test is skipped (77).
+#   cluster_test.sh reference PROGRAM FOLDER         makes the requests, and their answers by one process
 #   cluster_test.sh parallel|slurm|dask PROGRAM FOLDER
-# CLUSTER_REQUESTS: how many, for a trial by hand.
+# CLUSTER_REQUESTS: the number of requests, for a trial by hand.
 set -u
 engine=$1 program=$(readlink -f "$2") folder=$3
 here=$(cd "$(dirname "$0")/../examples/cluster" && pwd)
@@ -13,7 +13,7 @@ if [ "$engine" = reference ]; then
     rm -rf "$folder" && mkdir -p "$folder" && cd "$folder" || exit 1
     "$here/requests.sh" "$count" "$here/four_bar.json" >requests.jsonl
     "$program" batch <requests.jsonl >one.jsonl || exit 1
-    # All solved, all different.
+    # All are solved, and all differ.
     [ "$(grep -c '"status": 0, ' one.jsonl)" = "$count" ] || { echo "not all are solved"; exit 1; }
     [ "$(sed 's/"id": [0-9]*//' one.jsonl | sort -u | wc -l)" = "$count" ] || { echo "not all are different"; exit 1; }
     exit 0
@@ -30,21 +30,22 @@ trap finish EXIT
 trap 'exit 1' INT TERM
 cd "$work" || exit 1
 
-# The program under its name, in a PATH of the test's own; each start is noted: its process, and that which started it.
+# A wrapper of the program under its name, in the test's own PATH. It records each start: its process id and its
+# parent's.
 mkdir bin
 printf '#!/bin/sh\necho $$ $PPID >>"%s/starts"\nexec "%s" "$@"\n' "$work" "$program" >bin/kinegraph
 chmod +x bin/kinegraph
 export PATH="$work/bin:$PATH"
 : >starts
 
-# kill_one FIELD: when some blocks have been begun, kills the next one's process (1) or that which started it (2).
+# kill_one FIELD: when some blocks have started, kills the process (1) or the parent process (2) of the next one.
 kill_one() {
     local line pid
     until [ "$(wc -l <starts)" -ge "$((1 + count / 2000))" ]; do sleep 0.02; done
     while :; do
         line=$(tail -n 1 starts)
         pid=$(cut -d ' ' -f "$1" <<<"$line")
-        # Alive, and at work on its block: a zombie is neither.
+        # The process is alive and at work on its block: a zombie is neither.
         if grep -q '^State:[[:space:]]*[RSD]' "/proc/$pid/status" 2>/dev/null && kill -9 "$pid" 2>/dev/null; then
             echo "$line" >killed
             return

@@ -1,5 +1,6 @@
 #!/bin/sh
-# cmake --install of a built tree, then a project that knows only the prefix: find_package(kinegraph), kinegraph::kinegraph.
+# Installs a build tree by cmake --install; then builds a project that knows only the prefix: find_package(kinegraph),
+# kinegraph::kinegraph.
 #   install_test.sh BUILD_DIRECTORY
 set -eu
 build=$1
@@ -13,7 +14,7 @@ for file in bin/kinegraph share/kinegraph/mechanism.schema.json share/man/man1/k
 done
 "$work/prefix/bin/kinegraph" --version
 
-# The installed program finds its modules, and has nothing of their libraries before it opens them.
+# The installed program finds its modules, and does not link their libraries directly.
 "$work/prefix/bin/kinegraph" solve "$here/../examples/four_bar.json" -o "$work/a.svg" -o "$work/a.png" -o "$work/a.pdf"
 "$work/prefix/bin/kinegraph" solve "$here/../examples/four_bar.json" -o "$work/live.svg" --text live
 "$work/prefix/bin/kinegraph" solve "$here/../examples/motion/projectile.json" -o "$work/a.json"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# katex_test.sh PROGRAM ROOT: the LaTeX of every example's closure equations and of every point's derivatives, in Italian (commas,
-# accents), is set by KaTeX, which throws at what it cannot read; and the test itself sees a formula that is wrong.
+# katex_test.sh PROGRAM ROOT: KaTeX, which throws on any error, sets the LaTeX of every example's closure equations and
+# of every point's derivatives, in Italian (decimal commas, accents). A faulty formula proves that the test can fail.
 set -u
 program=$1
 examples=$2/examples

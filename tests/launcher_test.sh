@@ -1,6 +1,6 @@
 #!/bin/sh
-# The launcher (./kinegraph) with a build that is a stand-in: when it builds, what the program is handed, what standard output
-# carries. Building in earnest is what tests/run does.
+# Tests the launcher (./kinegraph) with a stand-in for the build: when it builds, which arguments it passes to the
+# program, what goes to standard output. tests/run does a real build.
 set -u
 root=$1
 tree=$(mktemp -d)
@@ -14,7 +14,7 @@ same() {
     fi
 }
 
-# A clone with sources, tools that only leave their marks, and a program that shows how it was called.
+# A clone with sources, tools that only record their calls, and a program that prints its arguments.
 top="$tree/a clone"
 mkdir -p "$top/engine/board" "$top/render/live/deep/deeper" "$tree/tools" "$tree/elsewhere"
 cp -r "$root/kinegraph" "$root/cmake" "$top/"
@@ -88,7 +88,7 @@ later "1 minute" "$top/render/live/deep/deeper"
 same "so does a folder that lost a file" 4 "$(builds)"
 later "1 minute ago" "$top/render/live/deep/deeper"
 
-# Every folder at the top from which the real build takes a file is one that the launcher looks into.
+# The launcher checks every top-level folder from which the real build takes a file.
 folders=$(cd "$root" && find . -maxdepth 1 -mindepth 1 -type d ! -name '.*' ! -name 'build*' | sed 's|^\./||' | sort)
 taken=$(cd "$root" && for folder in $folders; do
     if grep -qE "(^|[ (/\"])$folder/" CMakeLists.txt cmake/*.cmake && [ "$folder" != tests ] && [ "$folder" != docs ] &&

@@ -1,11 +1,12 @@
 #!/bin/sh
-# Links between the documents: every relative link of a Markdown file leads to a file, and its #part to a heading there.
+# Checks the links between the documents: every relative link of a Markdown file leads to a file, and its #part to a
+# heading there.
 #   links_test.sh ROOT
 set -u
 cd "$1" || exit 2
 
-# check: what leads nowhere, a line each, and how many links were followed. Headings become anchors as on GitHub: small
-# letters, blanks to hyphens, punctuation gone.
+# check: prints the broken links, one on each line, and the number of links checked. Anchors of headings are as on
+# GitHub: lower case, hyphens for blanks, no punctuation.
 check() {
     find . \( -name node_modules -o -name 'build*' -o -name .git \) -prune -o -name '*.md' -print |
         LC_ALL=C.UTF-8 perl -CSD -Mutf8 -e '
@@ -56,7 +57,7 @@ if [ -n "$found" ]; then
     exit 1
 fi
 
-# A file and a heading that are not there are seen.
+# The test finds a missing file and a missing heading.
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 printf '# A\n[a](#a) [b](#b) [c](c.md) [d](a.md#a)\n' >"$work/a.md"

@@ -1,5 +1,5 @@
-# Which suites of the GoogleTest program share an entry of ctest, and with it the solutions and sheets of the examples
-# (support/solved.hpp, support/laid_out.hpp), and which run under sanitizers. Names are regular expressions.
+# Which suites of the GoogleTest program share a ctest entry, and with it the cached solutions and sheets of the
+# examples (support/solved.hpp, support/laid_out.hpp), and which run under sanitizers. Names are regular expressions.
 
 set(suites_of_sheets "Sheet.*|Lying/OverlapOnPaper|Bands|Theme|FigureOne|Brief|.*DataStatement")
 set(suites_of_steps_and_upright "Upright/OverlapOnPaper|Examples/Steps|Steps.*|Handouts")
@@ -7,7 +7,8 @@ set(suites_of_figures "MechanismFigure|OnMechanism|Labels|Polygon.*|.*FigureAlon
 set(suites_of_commands "CommandLine|Batch.*|Sweep.*|SolveAt|.*Command|SameBytes|TexFiles|LiveFiles|QuizFiles|HandoutLine|AnswersLine|.*Commands|MotionOnTheCommandLine")
 set(kinegraph_suite_groups sheets steps_and_upright figures commands)
 
-# Under sanitizers: what reads files and texts, solves and lays out. `tests/run --sanitize --all` takes the others too.
+# Under sanitizers: the suites that read files and texts, solve and lay out. `tests/run --sanitize --all` runs the
+# others too.
 set(kinegraph_sanitized_suites
     Reader JsonSource Gate Formula Parameters Units Decimals Exact Root Found/.* ".*/Found" Pose Positions Mobility Branches
     Cam Program Forces Derivative Trusses Equations.* EquationsAsJson NamedResults Variants Cycle Workings Examples
@@ -16,5 +17,5 @@ set(kinegraph_sanitized_suites
     Svg Backends Png Pdf Picture Markup LiveText Tex Type Utf8 DiffCommand QuizOf)
 list(JOIN kinegraph_sanitized_suites "|" kinegraph_sanitized_suites)
 
-# These cannot run under sanitizers, which hold on to what is freed to see whether it is used again: memory grows.
+# Sanitizers keep freed memory to detect its use, so the memory of a process grows and these suites would fail.
 set(kinegraph_unsanitized_suites "BatchMemory")

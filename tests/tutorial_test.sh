@@ -1,8 +1,9 @@
 #!/bin/sh
-# docs/tutorial.md word for word: its files written and its commands run in an empty folder, in their order.
+# Runs docs/tutorial.md literally: writes its files and executes its commands in an empty folder, in order.
 #   tutorial_test.sh PROGRAM ROOT
-# A block after `<!-- file: NAME -->` is written to NAME. A block ```sh is run; its exit status is 0, or that of a line
-# `<!-- status: N -->` before it. Every line of a block ```text stands in the output of the last block that was run.
+# A block after `<!-- file: NAME -->` is written to NAME. A block ```sh is executed; its exit status must be 0, or that
+# of a line `<!-- status: N -->` before it. Every line of a block ```text must be in the output of the last block
+# executed.
 set -u
 program=$1
 tutorial=$(cd "$2" && pwd)/docs/tutorial.md
@@ -11,8 +12,8 @@ trap 'rm -r "$work"' EXIT
 PATH=$(cd "$(dirname -- "$program")" && pwd):$PATH
 export PATH
 
-# blocks TUTORIAL FOLDER: its blocks as numbered files, and a list of what to do with them, a line each:
-# "NUMBER ACTION DETAIL".
+# blocks TUTORIAL FOLDER: writes its blocks to numbered files, and a list of actions, one on each line: "NUMBER ACTION
+# DETAIL".
 blocks() {
     mkdir "$2"
     awk -v folder="$2" '
@@ -34,7 +35,7 @@ blocks() {
     ' "$1" >"$2/list"
 }
 
-# follow FOLDER: writes, runs and compares in an empty folder; says what differs.
+# follow FOLDER: writes, runs and compares in an empty folder; prints the differences.
 follow() {
     rm -rf "$work/empty" && mkdir "$work/empty" && cd "$work/empty" || return 1
     runs=0
@@ -72,7 +73,7 @@ follow() {
 
 blocks "$tutorial" "$work/blocks" && follow "$work/blocks" || exit 1
 
-# A number that is not the program's, and a status that is not, are seen.
+# The test finds a wrong number and a wrong status.
 for change in 's/^  M       19.6141  N m/  M       19.6142  N m/' 's/^<!-- status: 2 -->/<!-- status: 0 -->/'; do
     sed "$change" "$tutorial" >"$work/changed.md"
     cmp -s "$tutorial" "$work/changed.md" && { echo "nothing to change by $change"; exit 1; }

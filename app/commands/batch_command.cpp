@@ -1,5 +1,6 @@
-// batch: lines from standard input through the workers to standard output, in their order. A line that is wrong has an
-// answer that says so; what ends a run is the end of its input, a signal, or answers that nobody takes.
+// batch: passes lines from standard input to the workers and writes the answers to standard output, in order. The
+// answer to a faulty line states the fault. A run ends at the end of its input, by a signal, or when standard output is
+// closed.
 #include <csignal>
 #include <cstdint>
 #include <memory>
@@ -19,7 +20,7 @@ namespace {
 
 constexpr const char* blanks = " \t\r";
 
-/// Feeds the workers until the input ends or no more answers are taken.
+/// Feeds the workers until the input ends or standard output is closed.
 LineReader::Event feed(LineReader& lines, InOrder& workers) {
     std::string line;
     while (true) {
@@ -31,7 +32,7 @@ LineReader::Event feed(LineReader& lines, InOrder& workers) {
     }
 }
 
-/// What there is to say of a run as a whole.
+/// Prints the summary of the run.
 void sum_up(const BatchTally& tally, Language language) {
     const auto number = [](long count) { return std::to_string(count); };
     if (tally.resumed > 0)

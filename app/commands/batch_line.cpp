@@ -99,7 +99,7 @@ private:
     void read_member(JsonValue member) {
         if (!read_own(member) && !read_option(member)) unknown(member);
     }
-    /// What a line has that solve has not, or has otherwise.
+    /// Reads the keys that solve does not have or spells otherwise.
     bool read_own(JsonValue value) {
         const std::string_view key = value.key();
         if (key == "id")
@@ -114,7 +114,7 @@ private:
             return key == "file" || key == "mechanism";
         return true;
     }
-    /// The options of solve; texts go as they are.
+    /// Reads an option of solve. Texts are not checked here.
     bool read_option(JsonValue value) {
         using namespace render;
         const std::string_view key = value.key();
@@ -261,7 +261,8 @@ private:
 }  // namespace
 
 std::vector<Target> BatchLine::targets() const {
-    std::string stem = to.empty() ? "/dev/null/answer" : to;  // below what is no folder nothing can lie
+    std::string stem =
+        to.empty() ? "/dev/null/answer" : to;  // a path below a file that is no folder: nothing can exist there
     for (const Format format : want) {
         const std::string_view ending = ending_of(format);
         if (!to.ends_with(ending)) continue;

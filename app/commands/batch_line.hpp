@@ -1,4 +1,4 @@
-// A line of `kinegraph batch`: what it asks, read and held against its form (docs/batch.md). Solves and writes
+// A line of `kinegraph batch`: reads the request and checks it against the format (docs/batch.md). Solves and writes
 // nothing.
 #pragma once
 
@@ -15,16 +15,15 @@ namespace kinegraph::app {
 struct BatchLine {
     std::string id = "null";   ///< as JSON, as the line gives it
     SolveRequest request;      ///< of a mechanism in the line: its text, under the name "mechanism"
-    std::vector<Format> want;  ///< each once, in the line's order
-    std::string to;            ///< where files go, without the ending; empty: all goes into the answer
-    Errors errors;             ///< every fault of the line; where there is one the rest is not to be used
+    std::vector<Format> want;  ///< each once, in the order of the line
+    std::string to;            ///< path of the files without extension; empty: everything goes into the answer
+    Errors errors;             ///< every fault of the line; if there is one, ignore the other members
 
-    /// Where what is wanted goes: TO.json, TO.svg …; of a line without "to" a name for each, under which nothing is
-    /// written.
+    /// The output files: TO.json, TO.svg … For a line without "to": a name for each, under which nothing is written.
     std::vector<Target> targets() const;
 };
 
-/// Reads a line; what it does not say is as in `defaults`.
+/// Reads a line; missing keys are taken from `defaults`.
 BatchLine read_batch_line(std::string_view line, const SolveRequest& defaults);
 
 }  // namespace kinegraph::app

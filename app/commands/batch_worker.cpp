@@ -15,13 +15,13 @@ constexpr std::size_t shown_of_a_line = 80;
 
 Error too_long() { return {ErrorCode::bad_input, "", {"is larger than 64 MiB", "supera 64 MiB"}}; }
 
-/// ", \"key\": value" of texts; nothing where there are none.
+/// ", \"key\": value" of texts; empty if there are none.
 std::string member(std::string_view key, const std::vector<std::string>& texts) {
     if (texts.empty()) return {};
     return ", \"" + std::string(key) + "\": " + json_quoted(texts);
 }
 
-/// What `solve` would have said on standard error.
+/// What `solve` would write on standard error.
 std::string said_of(const Solved& found) {
     std::vector<std::string> unsolved;
     for (const Solved::Missing& missing : found.unsolved) unsolved.push_back(missing.line);
@@ -123,7 +123,7 @@ BatchWorker::Answer BatchWorker::written(const BatchLine& line) {
     if (request_.resume) {
         if (const auto before = receipt.answer()) {
             ++tally_.resumed;
-            return {Status::done, ", " + before->substr(1, before->size() - 2)};  // its status is in it
+            return {Status::done, ", " + before->substr(1, before->size() - 2)};  // the record contains its status
         }
     }
     auto found = solved(line.request, line.targets(), *theme, press_);

@@ -1,5 +1,5 @@
-// One worker of `kinegraph batch`: a line to its answer. Fonts and modules are opened by the first line that draws and
-// stay.
+// One worker of `kinegraph batch`: computes the answer to a line. The first line that draws opens the fonts and
+// modules; they stay open.
 #pragma once
 
 #include <array>
@@ -14,18 +14,18 @@
 
 namespace kinegraph::app {
 
-/// How the lines of a run came out; shared by its workers.
+/// Counts how the lines of a run ended; shared by the workers.
 struct BatchTally {
     std::atomic<long> answered = 0;
     std::atomic<long> refused = 0;  ///< answered with a status other than 0 and 3
-    std::atomic<long> resumed = 0;  ///< done before
+    std::atomic<long> resumed = 0;  ///< skipped, because an earlier run had done them
 };
 
 class BatchWorker {
 public:
     BatchWorker(const BatchRequest& request, BatchTally& tally) : request_(request), tally_(tally) {}
 
-    /// The answer, a line with its line feed. What goes wrong is said in it, faults of ours too.
+    /// The answer: one line with its line feed. It reports every failure, also our own faults.
     std::string answer(const std::string& line);
 
 private:
@@ -36,7 +36,7 @@ private:
     Answer carry_out(BatchLine& line);
     Answer made(const BatchLine& line);
     Answer written(const BatchLine& line);
-    /// The look that is asked for; else it has been said what is wrong.
+    /// The theme that was requested, or null after an error was reported.
     const render::Theme* look(const SolveRequest& request);
 
     const BatchRequest& request_;

@@ -1,5 +1,5 @@
-// cam FILE: the disc cam that gives its follower a law; every position of it solved as a mechanism, and held against
-// the law.
+// cam FILE: computes the disc cam that gives its follower a law, solves every position of it as a mechanism and
+// compares the result with the law.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -24,7 +24,7 @@ namespace {
 
 using Spot = VectorOf<double>;
 
-/// Speed and acceleration of the follower as our own solver finds them, m/s or rad/s; nothing where it finds none.
+/// Speed and acceleration of the follower as the solver finds them, m/s or rad/s; empty if it finds none.
 struct Found {
     double speed = 0, acceleration = 0;
 };
@@ -43,14 +43,14 @@ std::optional<Found> follower_of(const Solution& solution, bool translates, doub
 tl::expected<Solution, Errors> solved_at_turn(const Cam& cam, const CamGeometry& geometry, double turn) {
     auto mechanism = read_mechanism(mechanism_file_of(cam, geometry, turn), cam.source);
     if (!mechanism) return tl::unexpected(mechanism.error());
-    // The numbers are those of the file as written; to ask of each position what its last digits leave open takes twice
-    // as long again.
+    // The numbers are taken as exact: to compute in each position what their last digits leave open would triple the
+    // time.
     mechanism->precision.reset();
     mechanism->find.instant_centres = false;
     return solve(*std::move(mechanism));
 }
 
-/// The same to be drawn with the profile itself: without the circle that stands for it at the contact.
+/// The same for drawing, with the profile itself in place of the circle that replaces it at the contact.
 tl::expected<Solution, Errors> drawn_at(const Cam& cam, const CamGeometry& geometry, double turn) {
     auto mechanism = read_mechanism(mechanism_file_of(cam, geometry, turn), cam.source);
     if (!mechanism) return tl::unexpected(mechanism.error());
@@ -114,7 +114,7 @@ private:
     double speed(const CamState& state) const { return state.rise.first * rate_; }
     double acceleration(const CamState& state) const { return state.rise.second * rate_ * rate_; }
 
-    /// Every position as a mechanism, solved; where the law jumps, the piece that begins there is meant.
+    /// Solves every position as a mechanism; where the law jumps, uses the piece that begins there.
     void confirm() {
         double most_speed = 0, most_acceleration = 0, off_speed = 0, off_acceleration = 0;
         for (const CamState& state : states_) {
@@ -150,8 +150,7 @@ private:
                       std::to_string(not_solved_)});
     }
 
-    // --- what a designer asks
-    // -----------------------------------------------------------------------------------------------
+    // --- values for the designer ---
     Words turn_text(double turn) const {
         std::array<char, 32> text{};
         std::snprintf(text.data(), text.size(), "%.4g°", turn * 180 / std::numbers::pi);
@@ -217,7 +216,7 @@ private:
             "prendere un raggio di base maggiore o una rotella minore",
             from, to};
     }
-    /// Speeds count away from the cam, as the law's rise.
+    /// Speeds are positive away from the cam, like the rise of the law.
     std::vector<Words> jumps() const {
         const auto text = [&](const CamState& state) {
             std::array<char, 32> value{};
@@ -233,8 +232,7 @@ private:
         return said;
     }
 
-    // --- rows
-    // ---------------------------------------------------------------------------------------------------------------
+    // --- rows ---
     std::string csv() const {
         std::string text = "turn,time,s,v,a,";
         if (!is_flat()) text += "x pitch,y pitch,";
@@ -255,8 +253,7 @@ private:
         return text;
     }
 
-    // --- the sheet
-    // ----------------------------------------------------------------------------------------------------------
+    // --- the sheet ---
     CycleTable table(const Solution& drawn) const {
         CycleTable table;
         table.driver = drawn.mechanism.bodies[1].name;
@@ -275,7 +272,7 @@ private:
             add(Column::Kind::along, {.kind = Kind::sliding_acceleration, .joint = slides.joint}, "a",
                 QuantityKind::acceleration);
         } else {
-            // Away from the cam is not always counter-clockwise: they are no ω and α.
+            // Away from the cam is not always counter-clockwise, so these are not ω and α.
             add(Column::Kind::named, {}, "rise angle", QuantityKind::angle);
             add(Column::Kind::named, {}, "rise angle rate", QuantityKind::angular_velocity);
             add(Column::Kind::named, {}, "rise angle acceleration", QuantityKind::angular_acceleration);
@@ -287,10 +284,10 @@ private:
         for (const Words& jump : jumps()) table.facts.push_back(jump);
         return table;
     }
-    /// As many as a plot shows, and where the law jumps both its sides.
+    /// As many states as a plot shows; where the law jumps, both sides.
     std::vector<CamState> drawn_states() const {
         const std::vector<LawBreak> breaks = breaks_of_cycle(cam_.law);
-        // What jumps where the law begins does so at the edge of the plot.
+        // A jump at the beginning of the law lies on the edge of the plot.
         auto next = std::find_if(breaks.begin(), breaks.end(), [](const LawBreak& each) { return each.at > 0; });
         constexpr double same = 1e-12;
         const auto stride = static_cast<std::size_t>(std::max(1L, request_.steps / 3600));
@@ -305,7 +302,7 @@ private:
         }
         return drawn;
     }
-    /// As the cam lies in the position that is drawn.
+    /// Transforms from the cam to the position that is drawn.
     Spot placed(const Spot& on_cam) const {
         const double angle = geometry_.sense() * at_;
         return faced(Spot{std::cos(angle), std::sin(angle)}, on_cam);
@@ -315,14 +312,13 @@ private:
     }
     render::RichText named(const char* key) const { return render::one_piece(render::word(key, language())); }
 
-    /// Working profile, pitch curve and base circle, as they lie in the position that is drawn, and the construction
-    /// behind them.
+    /// Working profile, pitch curve and base circle in the position that is drawn, and the construction behind them.
     std::vector<render::Way> curves() const {
         constexpr int samples = 1440;
         render::Way profile{.name = "profile", .is_path = true, .places = {}, .outline = BodyIndex(1)},
             pitch{.name = "pitch curve", .is_path = true, .places = {}, .is_thin = true, .label = named("pitch curve")},
             base{.name = "base circle", .is_path = true, .places = {}, .is_thin = true, .label = named("base circle")};
-        // Where the follower does not stand: on the other side of the cam.
+        // On the side of the cam opposite to the follower.
         pitch.label_at = base.label_at = samples * 5 / 8;
         for (const Spot& place : working_profile(cam_, geometry_, samples)) profile.places.push_back(placed(place));
         for (int i = 0; i <= samples; ++i) {
@@ -340,8 +336,8 @@ private:
     static Spot circle_about(const Spot& centre, double radius, double angle) {
         return centre + radius * Spot{std::cos(angle), std::sin(angle)};
     }
-    /// The cam held, the follower led round it against its sense: twelve positions with their numbers, from the law's
-    /// beginning.
+    /// Kinematic inversion: the cam fixed, the follower turned round it against the cam's rotation, in twelve numbered
+    /// positions from the beginning of the law.
     std::vector<render::Way> inversion() const {
         constexpr int positions = 12, corners = 48;
         std::vector<render::Way> ways;
@@ -361,12 +357,12 @@ private:
         }
         return ways;
     }
-    /// Where it moves, seen from the frame: from where its law begins past where it is; the face; the arm from its
-    /// pivot.
+    /// The line of motion of the follower, seen from the frame, from the beginning of the law to past its position; the
+    /// flat face; the arm from its pivot.
     std::vector<Spot> line_of_follower(const CamState& state) const {
         const double base = cam_.base_circle.to_double();
         if (is_flat()) {
-            // Long enough to cross its neighbours.
+            // Long enough to intersect its neighbours.
             const Spot half = 0.6 * base * quarter_turn(state.outward);
             return {state.contact - half, state.contact + half};
         }
@@ -375,7 +371,8 @@ private:
                     {state.trace.x, state.trace.y + cam_.follower.radius.to_double() + 0.2 * base}};
         return {state.trace, {cam_.follower.pivot.x.to_double(), cam_.follower.pivot.y.to_double()}};
     }
-    /// Of a flat face, square to its way: as long as it is touched over the whole turn, and a little more at both ends.
+    /// A flat face, perpendicular to the motion: as long as the part touched over the whole turn, with a margin at both
+    /// ends.
     render::Way plate() const {
         constexpr double beyond = 0.12, thickness = 0.09;  // of the base circle's radius
         const double radius = cam_.base_circle.to_double();
@@ -387,7 +384,7 @@ private:
         return {
             .name = "plate", .is_path = true, .places = {from, to, to + up, from + up, from}, .outline = BodyIndex(2)};
     }
-    /// A status where something is missing, which has been said.
+    /// Returns a status after an error was reported.
     std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme,
                                std::vector<Output>& outputs) {
         auto drawn = drawn_at(cam_, geometry_, at_);
@@ -417,7 +414,7 @@ private:
     std::vector<std::string> remarks_;
 };
 
-/// The turn at which the mechanism is written and drawn, rad.
+/// The angle of the cam at which the mechanism is written and drawn, rad.
 tl::expected<double, Words> turn_asked(const CamRequest& request, const Cam& cam) {
     if (request.steps < 2)
         return tl::unexpected(Words("--steps: at least 2 are needed", "--steps: ne occorrono almeno 2"));

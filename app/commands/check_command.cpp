@@ -1,5 +1,4 @@
-// check FILE: reads and validates a mechanism file, curves that cannot meet included, and says what was probably
-// forgotten.
+// check FILE: reads and validates a mechanism file, including curves that cannot meet, and reports likely mistakes.
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
 #include "constructions/kinematics/degeneracy.hpp"
@@ -43,8 +42,8 @@ Words no_mechanism(const char* command) {
 
 namespace {
 
-/// What an exercise asks for and requires, held against its own values: a fault where there is no such result, a remark
-/// where a condition does not hold. Polygons are not drawn for it.
+/// Checks what an exercise asks for against its own values: an error if there is no such result, a remark if a
+/// condition does not hold. Needs no polygons.
 std::optional<Status> check_exercise(const Mechanism& mechanism, const Words& name, Language language) {
     if (!mechanism.exercise) return std::nullopt;
     const auto solution = solve(mechanism);
@@ -68,7 +67,7 @@ std::optional<Status> check_exercise(const Mechanism& mechanism, const Words& na
     return std::nullopt;
 }
 
-/// What only the solution tells: numbers too far apart, bodies that part.
+/// Remarks that need the solution: numbers too far apart, bodies that separate.
 Status check_problem(const Mechanism& mechanism, const Words& name, Language language) {
     const auto solution = solve(mechanism);
     if (!solution) return say(name, solution.error(), language);

@@ -1,4 +1,4 @@
-// diff EXPECTED ACTUAL: reads two pictures, compares them, says by how much they differ and shows it.
+// diff EXPECTED ACTUAL: compares two pictures, reports by how much they differ and draws the difference.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -15,14 +15,14 @@ namespace {
 using render::Picture;
 using render::PictureDifference;
 
-/// Begins like XML, perhaps after a byte order mark.
+/// True if the text begins like XML, possibly after a byte order mark.
 bool may_be_svg(std::string_view bytes) {
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     return first != std::string_view::npos && bytes[first] == '<';
 }
 
-/// One of the two: its bytes, and the picture as soon as it is known.
+/// One of the two inputs: its bytes, and the picture once decoded.
 struct Side {
     Words name;
     std::string bytes;
@@ -35,7 +35,7 @@ Status fails(const Side& side, const Words& why, Status status = Status::bad_inp
     return status;
 }
 
-/// The bytes, and what they show if that is a PNG.
+/// Reads the bytes, and decodes them if they are a PNG.
 Status read_side(Side& side, const std::string& path) {
     side.name = spoken(path);
     auto bytes = read_whole(path, {"picture", "disegno"});
@@ -62,7 +62,7 @@ Status draw(Side& side, double dpi) {
     return Status::done;
 }
 
-/// Up to six decimals, the same in every locale.
+/// At most six decimals, independent of the locale.
 std::string digits(double value) {
     char text[32];
     std::string written(text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 6).ptr);
@@ -75,7 +75,7 @@ std::string size_of(const Picture& picture) {
     return std::to_string(picture.width) + " × " + std::to_string(picture.height);
 }
 
-/// What was found, as one line.
+/// The result as one line.
 std::string verdict(const Side& expected, const Side& actual, const PictureDifference& difference, double threshold) {
     const Language language = expected.language;
     Words line(one_line(in(expected.name, language)) + ", " + one_line(in(actual.name, language)) + ": ");

@@ -1,4 +1,4 @@
-// equations FILE: the closure equations as they are worked by hand, or the derivatives of a point's laws, as text,
+// equations FILE: the closure equations as solved by hand, or the derivatives of the position of a point, as text,
 // LaTeX or JSON.
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"

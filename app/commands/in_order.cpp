@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t window_of_a_worker = 16;
 
-/// While it lives, signals are for the threads that are there already.
+/// While it exists, new threads block all signals, so that only the existing threads receive them.
 class NoSignals {
 public:
     NoSignals() {
@@ -37,14 +37,14 @@ InOrder::InOrder(std::vector<Worker> workers, Sink sink, Stops stops)
             threads_.emplace_back([this, worker = std::move(worker)] { work(worker); });
         } catch (const std::system_error&) {
             if (threads_.empty()) throw;
-            break;  // the machine gives no more: those that are there will do
+            break;  // the system gives no more threads: continue with those we have
         }
     }
 }
 
 bool InOrder::add(std::string line) {
     std::unique_lock lock(mutex_);
-    // Where there is no room, until there is much: to be woken for each line costs as much as a tenth of an answer.
+    // Waits until the window is well below its limit: a wake-up for each line costs a tenth of an answer.
     if (lines_.size() >= window_) room_.wait(lock, [this] { return has_much_room() || refused_ || stopped_; });
     if (refused_ || stopped_) return false;
     lines_.push_back({std::move(line)});
@@ -84,7 +84,7 @@ void InOrder::work(const Worker& worker) {
 }
 
 void InOrder::hand_on(std::unique_lock<std::mutex>& lock) {
-    if (handing_on_) return;  // by another thread, which will see this line too
+    if (handing_on_) return;  // another thread writes answers and will find this one too
     handing_on_ = true;
     while (!refused_ && !lines_.empty() && lines_.front().done) {
         const std::string answer = std::move(lines_.front().text);

@@ -1,5 +1,5 @@
-// Lines through several workers, answers out in the order of the lines. Owns the threads and the window of lines under
-// way; knows nothing of what a line means.
+// Runs lines through several workers and delivers the answers in the order of the lines. Owns the threads and the
+// window of lines in progress; does not interpret the lines.
 #pragma once
 
 #include <condition_variable>
@@ -15,34 +15,34 @@ namespace kinegraph::app {
 
 class InOrder {
 public:
-    /// Answers a line; each worker is called by one thread alone. No exception leaves it.
+    /// Answers a line. Each worker is called by one thread only, and must not throw.
     using Worker = std::function<std::string(const std::string& line)>;
-    /// Takes the answers one after the other; false: it takes no more.
+    /// Receives the answers one after the other; false: accepts no more.
     using Sink = std::function<bool(const std::string& answer)>;
 
-    /// Whether no further line is to be begun; asked by workers, before each.
+    /// True if no further line is to be started; called by workers before each line.
     using Stops = std::function<bool()>;
 
-    /// Where the machine refuses a thread, so many workers as it gave.
+    /// If the system refuses a thread, uses fewer workers.
     InOrder(std::vector<Worker> workers, Sink sink, Stops stops);
     InOrder(const InOrder&) = delete;
     InOrder& operator=(const InOrder&) = delete;
     ~InOrder() { finish(); }
 
-    /// Waits while so many lines are under way that an answer must come first. False: the sink takes no more, or no
-    /// further line is begun.
+    /// Waits while the window of lines in progress is full. False: the sink accepts no more, or no further line is
+    /// started.
     bool add(std::string line);
-    /// Waits for the answers of all lines that are begun. False: the sink did not take them all.
+    /// Waits for the answers of all started lines. False: the sink did not accept them all.
     bool finish();
 
 private:
     struct Line {
-        std::string text;  ///< and once it is done the answer
+        std::string text;  ///< the line; once done, its answer
         bool done = false;
     };
     void work(const Worker& worker);
     bool has_much_room() const { return lines_.size() <= window_ / 2; }
-    /// Hands on what is done at the head; `lock` holds mutex_.
+    /// Delivers the finished answers at the head; `lock` must own mutex_.
     void hand_on(std::unique_lock<std::mutex>& lock);
 
     Sink sink_;
@@ -50,8 +50,8 @@ private:
     std::size_t window_;
     std::mutex mutex_;
     std::condition_variable to_do_, room_;
-    std::deque<Line> lines_;  ///< under way; a deque, so that a line stays in its place while others come and go
-    std::size_t taken_ = 0;   ///< of lines_, by workers
+    std::deque<Line> lines_;  ///< in progress; a deque, so that references stay valid when others are added or removed
+    std::size_t taken_ = 0;   ///< number of lines_ that workers have taken
     bool handing_on_ = false, closed_ = false, refused_ = false, stopped_ = false;
     std::vector<std::thread> threads_;
 };

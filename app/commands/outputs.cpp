@@ -32,14 +32,14 @@ Words listed(std::span<const Format> formats, const std::string& before) {
     return list;
 }
 
-/// Where a path's last dot is, or its end: "out/sheet.svg" → 9, "a.b/sheet" → 9.
+/// The position of the extension's dot in a path, or the length of the path: "out/sheet.svg" → 9, "a.b/sheet" → 9.
 std::size_t ending_begins(const std::string& path) {
-    const std::size_t name = path.rfind('/') + 1;  // 0 where there is no slash
+    const std::size_t name = path.rfind('/') + 1;  // 0 if there is no slash
     const std::size_t dot = path.rfind('.');
     return dot == std::string::npos || dot <= name ? path.size() : dot;
 }
 
-/// "./a.svg" and "a.svg" alike.
+/// Normalises a path: "./a.svg" and "a.svg" become equal.
 std::string plain(const std::string& path) { return std::filesystem::path(path).lexically_normal().string(); }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Outputs: what -o and --format ask for, and the drawings that go there: themes, typefaces, pages as bytes. Shared by
-// the commands that draw.
+// Outputs: reads -o and --format, and writes drawings: themes, typefaces, pages as bytes. Shared by the commands that
+// draw.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace kinegraph::app {
 
 enum class Format { svg, png, pdf, tex, json, csv, html };
 
-/// How SVG and PDF carry their words: as outlines alone, or so that they can be selected, searched and read aloud.
+/// How SVG and PDF contain text: as outlines only, or so that it can be selected, searched and read aloud.
 enum class Lettering { outlines, live };
 
 struct Target {
@@ -24,43 +24,40 @@ struct Target {
     Format format = Format::svg;
     bool standard() const { return path == "-"; }
     bool is_drawn() const { return format != Format::json && format != Format::csv; }
-    bool is_page() const { return format == Format::html; }  ///< live: laid out by itself
+    bool is_page() const { return format == Format::html; }  ///< a live page, which has its own layout
     std::string path_of_page(std::size_t page) const;        ///< OUT.svg, OUT-2.svg, OUT-3.svg …
 };
 
-/// What is to be written, or why the command line cannot be meant so. Without `outputs` a stated `format` goes to
-/// standard output.
+/// The output files, or why the options are wrong. Without `outputs`, a given `format` goes to standard output.
 tl::expected<std::vector<Target>, Words> targets_of(const std::vector<std::string>& outputs, const std::string& format,
                                                     const std::string& file, std::span<const Format> formats);
 
-/// A built-in theme, or that of a file; else it has been said what is wrong.
+/// A built-in theme or that of a file; a status after an error was reported.
 tl::expected<render::Theme, Status> theme_of(const std::string& name, const std::string& file, Language language);
 
-/// What a live page of that theme turns to on dark screens: a built-in theme of colours goes with the dark one, what
-/// was chosen otherwise is shown as it is.
+/// The theme of a live page on dark screens: the dark theme for a built-in theme in colours, none for any other theme.
 std::optional<render::Theme> dark_beside(const std::string& theme);
 
-/// The names of further pages are known only late; none may be another output's, or the mechanism file's. Says so where
-/// one is.
+/// The names of further pages are known only after layout. Returns true, and reports it, if one of them is another
+/// output or the mechanism file.
 bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language);
 
-/// Type; where PNG or PDF is asked for, cairo.
+/// The output writer: owns the typefaces, and cairo if PNG or PDF is requested.
 class Press {
 public:
-    /// All that the targets need; else it has been said what is missing. `language`: of that, and of the remarks.
+    /// Opens all that the targets need; a status after an error was reported. `language`: of errors and remarks.
     static tl::expected<Press, Status> open(const std::vector<Target>& targets, Language language,
                                             Lettering lettering = Lettering::outlines);
-    /// What their sheets need to be laid out, for one that may be open already: for a further sheet, which does not
-    /// remember the one before.
+    /// Opens what layout needs, unless already open. Call before each sheet: it clears the remarks of the sheet before.
     static tl::expected<void, Status> prepare(std::optional<Press>& press, Language language,
                                               Lettering lettering = Lettering::outlines);
-    /// What is needed to print them. (Loading it takes longer than to lay out a sheet.)
+    /// Loads what printing needs. Separate from prepare(), because loading takes longer than the layout of a sheet.
     tl::expected<void, Status> prepare_to_print(const std::vector<Target>& targets);
     const render::Fonts& fonts() const { return *fonts_; }
-    /// Adds the pages' bytes for a drawn target, and to `remarks` what standard output cannot carry.
+    /// Adds the bytes of the pages for a target, and to `remarks` what standard output cannot contain.
     void print(const std::vector<render::Page>& pages, const Target& target, double dpi, std::vector<Output>& outputs,
                std::vector<std::string>& remarks) const;
-    /// The characters that the font has not got.
+    /// Adds a remark on the characters that the font lacks.
     void remark_missing(std::vector<std::string>& remarks) const;
 
 private:
@@ -68,7 +65,7 @@ private:
 
     Language language_ = Language::en;
     std::optional<render::Fonts> fonts_;
-    mutable render::GlyphPaths glyph_paths_;  ///< of these fonts: a memory, as they have theirs
+    mutable render::GlyphPaths glyph_paths_;  ///< a cache of outlines of these fonts
     Lettering lettering_ = Lettering::outlines;
 };
 

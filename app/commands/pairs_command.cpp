@@ -15,7 +15,7 @@
 namespace kinegraph::app {
 namespace {
 
-/// The catalogue, or the pairs of the file; else it has been said what is wrong.
+/// The catalogue, or the pairs of the file; a status after an error was reported.
 tl::expected<std::string, Status> text_of(const PairsRequest& request, render::TextForm form) {
     const Language language = request.sheet.language;
     if (request.file.empty()) return render::pair_catalogue(language, form);
@@ -33,7 +33,7 @@ tl::expected<std::string, Status> text_of(const PairsRequest& request, render::T
         language, form);
 }
 
-/// What -o asks for.
+/// Writes the files of -o.
 Status write_targets(const PairsRequest& request, const std::vector<Target>& targets) {
     const Language language = request.sheet.language;
     std::vector<Output> outputs;

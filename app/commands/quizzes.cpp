@@ -21,7 +21,7 @@ double value_of_decimal(const std::string& decimal) {
     return value;
 }
 
-/// Those that may be off by as much as they are large.
+/// The names of answers whose possible error is as large as their value.
 std::vector<std::string> unreadable(const std::vector<render::QuizBlank>& asked) {
     std::vector<std::string> names;
     for (const render::QuizBlank& each : asked)
@@ -88,7 +88,7 @@ std::vector<Packed> package_of(const std::vector<render::QuizItem>& items, const
     return files;
 }
 
-/// A line of cells.
+/// A line of CSV.
 class Line {
 public:
     Line& operator<<(const std::string& cell) { return add(csv_cell(cell)); }
@@ -108,7 +108,7 @@ private:
 }  // namespace
 
 std::string Quizzes::csv() const {
-    // As in the key: the columns are those of the first; a further variant may lack one.
+    // The same columns as in the answer key: those of the first variant; a later variant may lack one.
     const std::vector<render::QuizBlank>& blanks = rows_.front().blanks;
     Line head;
     head << "variant";

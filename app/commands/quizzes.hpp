@@ -1,5 +1,5 @@
-// Quizzes: the variants of a run gathered for learning platforms, one file for each platform: moodle.xml, qti.zip,
-// answers.csv. Chooses no words and no numbers: those are the items'.
+// Quizzes: collects the variants of a run for learning platforms, one file for each: moodle.xml, qti.zip, answers.csv.
+// Words and numbers come from the items.
 #pragma once
 
 #include <optional>
@@ -15,21 +15,21 @@ namespace kinegraph::app {
 
 class Quizzes {
 public:
-    /// `platforms`: some of "moodle", "qti", "csv". `original`: the file as it stands; `title` names its questions
-    /// together.
+    /// `platforms`: some of "moodle", "qti", "csv". `original`: the file without variation; `title`: the name of the
+    /// question bank.
     Quizzes(const std::vector<std::string>& platforms, const Mechanism& original, std::string title,
             unsigned long long seed);
 
     bool are_wanted() const { return moodle_ || qti_ || csv_; }
-    /// Which files belong to a variant.
+    /// The files of a variant.
     struct Files {
         std::string question, solution, results, file;
     };
-    /// Which of the answers no reading tells from zero: their names.
+    /// Adds a variant. Returns the names of answers that cannot be distinguished from zero.
     std::vector<std::string> add(const std::string& number, const std::string& owner, const Variant& variant,
                                  const Files& files, const render::SheetOptions& options, double dpi,
                                  const Press& press);
-    /// What is to be written; `folder` ends in a slash. Else it has been said what is missing.
+    /// The output files; `folder` ends in a slash. A status after an error was reported.
     tl::expected<std::vector<Output>, Status> outputs(const std::string& folder, Language language) const;
 
 private:
@@ -40,7 +40,7 @@ private:
     std::string title_, seed_;
     Units units_;
     std::vector<render::QuizItem> items_;  ///< without their figures
-    std::vector<std::string> figures_;     ///< PNG; none where only answers are wanted
+    std::vector<std::string> figures_;     ///< PNG; empty if only answers are requested
     struct Row {
         std::string owner;
         std::vector<std::string> parameters;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view before_answer = ", \"answer\": ";
 
-/// Fields with their lengths, so that none runs into the next.
+/// Writes each field with its length, so that different fields never give the same text.
 class Description {
 public:
     Description& operator<<(std::string_view field) {
@@ -107,7 +107,7 @@ std::vector<std::string> Receipt::files_of(const std::string& kind, const std::s
     std::vector<std::string> found;
     auto size = sizes.begin();
     for (const JsonValue file : files) {
-        // The folder may be called otherwise today, or have been moved.
+        // Compares the name only: the folder may have been renamed or moved.
         const std::filesystem::path name = std::filesystem::path(file.text()).filename();
         if (!name.string().starts_with(kind)) return {};
         const std::string here = (std::filesystem::path(folder_).parent_path() / name).string();

@@ -1,5 +1,5 @@
-// Receipts: by which work that was done is known again. Beside the files of DIR/NAME lies DIR/.kinegraph/NAME, written
-// with them and last of them: the hash of what was asked, the sizes of the files, the answer.
+// A record of finished work, to skip it in a later run: beside the files DIR/NAME.* it writes, last,
+// DIR/.kinegraph/NAME with the hash of the request, the sizes of the files and the answer.
 #pragma once
 
 #include <cstddef>
@@ -13,28 +13,28 @@
 
 namespace kinegraph::app {
 
-/// 128 bits in hexadecimal over all that decides the bytes of the files: the mechanism file's text, parameters,
-/// options, the theme's text, what is wanted and where, the program's version. Not the line's id.
+/// The cache key: 128 bits in hexadecimal over all that determines the bytes of the files: text of the mechanism file,
+/// parameters, options, text of the theme, formats, paths, version of the program. The id of the line is not part of
+/// it.
 std::string hash_of(const BatchLine& line, const std::string& theme);
 
-/// The same over any fields, one after the other, and the program's version.
+/// The same over any sequence of fields, and the program's version.
 std::string hash_of(const std::vector<std::string>& fields);
 
 class Receipt {
 public:
-    /// Of the files that go to `to`, for what has the hash `asked`.
+    /// The record for files that go to `to`; `asked`: the hash of the request.
     Receipt(const std::string& to, std::string asked);
 
-    /// The answer, where the same was asked before and its files are there as they were.
+    /// The answer, if an earlier run had the same request and its files still have the recorded sizes.
     std::optional<std::string> answer() const;
-    /// The files of whatever was asked before, as far as they are there with the sizes that they were written with, and
-    /// nothing where this is the receipt of something else than `kind`, which the names of its files begin with.
-    /// Nothing, too, where the answer says that they are of `same`.
+    /// The files of an earlier run, whatever its request, that still have their recorded sizes. Empty if the record is
+    /// not of `kind` (the prefix of its file names), or if its answer says that the files are of `same`.
     std::vector<std::string> files_of(const std::string& kind, const std::string& same = {}) const;
-    /// Makes the folder, and takes away the receipt of what was asked before. What cannot be written, if it cannot.
+    /// Creates the folder and removes the old record. Returns what cannot be written, if anything.
     std::optional<NotWritten> make_room() const;
     const std::string& path() const { return path_; }
-    /// The receipt as an output, to be written after `outputs`.
+    /// The record as an output; write it after `outputs`.
     Output of(const std::vector<Output>& outputs, const std::string& answer) const;
 
 private:

@@ -71,7 +71,7 @@ Progress::~Progress() {
     if (shown_) std::fputs("\r     \r", stderr);
 }
 void Progress::at(long done) {
-    constexpr long seldom = 16;  // a position may have to be planned, which takes milliseconds
+    constexpr long seldom = 16;  // a position may need a new plan, which takes milliseconds
     if (!shows_ || done % seldom != 0) return;
     const auto now = std::chrono::steady_clock::now();
     if (now < next_) return;

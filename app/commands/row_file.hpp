@@ -1,5 +1,4 @@
-// Row files: rows of numbers written while they are found, as CSV or JSON, and how far they have come. Knows no
-// mechanics.
+// Row files: writes rows of numbers as CSV or JSON while they are computed, and shows the progress. Knows no mechanics.
 #pragma once
 
 #include <chrono>
@@ -13,9 +12,9 @@
 
 namespace kinegraph::app {
 
-/// The shortest decimal of a double; no minus before zero.
+/// The shortest decimal that reads back as the same double; never "-0".
 std::string decimal_of(double value);
-/// In the quotes of JSON.
+/// The text as a JSON string, with quotes.
 std::string in_json(const std::string& name);
 
 /// The rows of a sweep in the form of a file.
@@ -23,12 +22,12 @@ class RowFile {
 public:
     RowFile(Growing file, Format format) : file_(std::move(file)), format_(format) {}
 
-    /// `before`: members of the JSON that come before the columns, without braces and without a last comma.
+    /// `before`: JSON members to write before the columns, without braces and without a last comma.
     void head(const std::vector<Column>& columns, const std::string& before);
     void row(std::span<const double> values);
-    /// `after`: members of the JSON that come after the rows; may be empty.
+    /// `after`: JSON members to write after the rows; may be empty.
     void tail(const std::string& after);
-    /// What could not be written, if it could not.
+    /// The write error, if there was one.
     const std::optional<NotWritten>& failure() const { return failure_; }
     Output finish() { return std::move(file_).finish(); }
 
@@ -42,7 +41,7 @@ private:
     long rows_ = 0;
 };
 
-/// On a terminal, once it takes over a second.
+/// Progress on a terminal, shown if the run takes over a second.
 class Progress {
 public:
     explicit Progress(long all);

@@ -1,4 +1,4 @@
-// solve FILE: reads, solves, draws what is asked and writes it, all or nothing.
+// solve FILE: reads, solves, draws and writes all outputs or none.
 #include "app/commands/solved.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@
 namespace kinegraph::app {
 namespace {
 
-/// Why Joukowsky's lever cannot be drawn; empty where it can.
+/// Why Joukowsky's lever cannot be drawn; empty if it can.
 Words why_no_lever(const Solution& solution) {
     switch (render::no_lever(solution)) {
         case render::NoLever::drawn: return {};
@@ -43,13 +43,13 @@ Words why_no_lever(const Solution& solution) {
     return {};
 }
 
-/// Positions asked for, as the driver's coordinates: exactly, and as they are told.
+/// A requested position: the driver's coordinate, exact, and as text.
 struct AskedPosition {
     Exact coordinate;
     Words text;
     std::optional<Rates> rates;  ///< of a driver with a law
 };
-/// Where the driver has a law: its rates when it first comes to a coordinate.
+/// For a driver with a law: its rates when it first reaches a coordinate.
 tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanism, int driver,
                                                        const Exact& coordinate) {
     const Law* law = law_of(mechanism, driver);
@@ -62,7 +62,7 @@ tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanis
                                 name_of_driver(mechanism, driver), text(rates.error().first),
                                 text(rates.error().second)));
 }
-/// A time of a law, zero as drawn; nothing where the text is no time.
+/// Reads a time of the law, zero in the position of the file; empty if the text is no time.
 std::optional<AskedPosition> asked_by_time(const Law& law, const std::string& text) {
     const auto written = read_quantity(text, QuantityKind::time);
     if (!written || written->unit->kind != QuantityKind::time) return std::nullopt;
@@ -112,7 +112,7 @@ tl::expected<std::vector<AskedPosition>, Words> positions_asked(const SolveReque
     return all;
 }
 
-/// Its title says in which position a sheet is.
+/// Adds the position to the title of the sheet.
 void name_position(Mechanism& mechanism, const std::string& driver, const Words& turn) {
     Words& title = mechanism.title;
     if (title.empty()) title = mechanism.source;
@@ -120,7 +120,7 @@ void name_position(Mechanism& mechanism, const std::string& driver, const Words&
             Words(" ({0}: {1})", " ({0}: {1})", driver, turn);
 }
 
-/// The mechanism solved in the positions asked for; else it has been said what is wrong.
+/// Solves the mechanism in the requested positions; a status after an error was reported.
 tl::expected<std::vector<Solution>, Status> solved_positions(const Mechanism& mechanism, const SolveRequest& request,
                                                              Arithmetic arithmetic) {
     const Words file = spoken(request.file);
@@ -172,7 +172,7 @@ tl::expected<std::vector<Solution>, Status> solved_positions(const Mechanism& me
     return solutions;
 }
 
-/// What a request asks that only a mechanism has; null where a problem in place of joints will do.
+/// The first option of the request that needs a mechanism; null if none does.
 const char* asked_of_mechanisms(const SolveRequest& request) {
     if (!request.at.empty()) return "solve --at";
     if (request.grid) return "solve --grid";
@@ -188,7 +188,7 @@ tl::expected<Mechanism, Status> mechanism_of(const SolveRequest& request) {
 bool wants(const SolveRequest& request, const char* what) {
     return std::find(request.with.begin(), request.with.end(), what) != request.with.end();
 }
-/// The file read and solved; else it has been said what is wrong.
+/// Reads and solves the file; a status after an error was reported.
 tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request, Arithmetic arithmetic) {
     auto mechanism = mechanism_of(request);
     if (!mechanism) return tl::unexpected(mechanism.error());
@@ -224,8 +224,8 @@ render::SheetOptions options_of(const SolveRequest& request, const render::Theme
     return options;
 }
 
-/// The sheet, its steps or one figure; remarks on it are added to `remarks`. Else it has been said that there is no
-/// such figure.
+/// The sheet, its steps or one figure; adds its remarks to `remarks`. A status after reporting that there is no such
+/// figure.
 tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solution, const render::Theme& theme,
                                                          const SolveRequest& request, const render::Fonts& fonts,
                                                          std::vector<std::string>& remarks) {
@@ -251,7 +251,7 @@ tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solutio
     return tl::unexpected(Status::bad_input);
 }
 
-/// What of a request has no meaning beside the rest of it; empty where all has.
+/// The message for options that contradict each other; empty if there are none.
 Words meaningless(const SolveRequest& request) {
     const bool solution = request.sheet == render::SheetKind::solution,
                brief = request.detail == render::SolutionDetail::brief;
@@ -275,7 +275,7 @@ Words meaningless(const SolveRequest& request) {
     return {};
 }
 
-/// A live page is the whole worked solution, step by step.
+/// The same for a live page, which is always the whole solution, step by step.
 Words meaningless_on_page(const SolveRequest& request, const std::vector<Target>& targets) {
     if (std::none_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_page(); })) return {};
     const char* const other = !request.figure.empty()                        ? "--figure"
@@ -289,7 +289,7 @@ Words meaningless_on_page(const SolveRequest& request, const std::vector<Target>
         std::string(other)};
 }
 
-/// What was asked for and has no effect.
+/// Reports options that have no effect.
 void remark_on_request(const SolveRequest& request, const Solution& solution, const std::vector<Target>& targets,
                        std::vector<std::string>& remarks) {
     const auto is_json = [](const Target& target) { return target.format == Format::json; };
@@ -337,14 +337,14 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
 
 std::string live_page(const Solution& solution, const render::Theme& theme, const SolveRequest& request,
                       const render::Fonts& fonts) {
-    // A position asked for is not the one that the file draws.
+    // In a requested position the page cannot change parameters: they apply to the position of the file.
     const Rereading file =
         request.at.empty() ? rereading_of(*request.text, bare_name(request.file), request.set) : Rereading{};
     return render::live_page(solution, moving_of(solution, file), options_of(request, theme),
                              dark_beside(request.theme), fonts);
 }
 
-/// The table on the terminal, or all that the targets ask for. Remarks are added to `remarks`.
+/// The table for the terminal, or the bytes of all targets. Adds to `remarks`.
 tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solutions,
                                                const std::vector<Target>& targets, const render::Theme& theme,
                                                const SolveRequest& request, std::optional<Press>& press,
@@ -402,8 +402,8 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
 
 namespace {
 
-/// A file that asks for what it has not got is refused, as `check` and `variants` do. What has no unique answer here is
-/// told with the solution.
+/// A file that asks for a result that it does not have is an error, as in `check` and `variants`. A result without a
+/// unique value in this position is reported with the solution.
 std::optional<Status> refused_exercise(const std::vector<Solution>& solutions, const SolveRequest& request) {
     for (const Solution& solution : solutions)
         if (const Errors missing = missing_in(solution); !missing.empty())

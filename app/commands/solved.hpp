@@ -1,5 +1,5 @@
-// What a request to solve comes to, before anything is written or said: for the command, and for those that carry out
-// many requests in one run.
+// The outcome of a request to solve, before anything is written or reported: shared by `solve` and by the commands that
+// execute many requests in one run.
 #pragma once
 
 #include <optional>
@@ -14,19 +14,20 @@
 namespace kinegraph::app {
 
 struct Solved {
-    /// A result that was sought and could not be found: in which file or position, what, and why.
+    /// A result that could not be found: the file or position, the name, the reason.
     struct Missing {
         Words where;
         std::string line;
     };
-    std::vector<Output> outputs;  ///< the targets' files with their bytes; of no targets the table, for standard output
+    std::vector<Output>
+        outputs;  ///< the targets' files with their bytes; without targets the table, for standard output
     std::vector<std::string> remarks;  ///< in the language of the request, each once
     std::vector<Missing> unsolved;
     Status status() const { return unsolved.empty() ? Status::done : Status::unsolved; }
 };
 
-/// Reads, solves and draws what `request` asks, for `targets` (its own outputs and theme have been made targets and
-/// theme). The press is opened where something is drawn and it is not open yet. Else it has been said what is wrong.
+/// Reads, solves and draws `request` for `targets` (the caller has already resolved its outputs and theme). Opens the
+/// output writer if something is drawn and it is not open yet. A status after an error was reported.
 tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vector<Target>& targets,
                                     const render::Theme& theme, std::optional<Press>& press);
 

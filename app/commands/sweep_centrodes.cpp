@@ -88,7 +88,7 @@ std::string json_of(const std::vector<Centrodes>& centrodes, const Mechanism& me
 void add_ways(const Centrodes& centrodes, const Mechanism& mechanism, std::vector<render::Way>& ways) {
     using Kind = render::Way::Kind;
     const std::string name = mechanism.body(centrodes.first).name + "," + mechanism.body(centrodes.second).name;
-    // As drawn is the coordinate zero, or the nearest to it.
+    // The sample nearest to coordinate zero, the position of the file.
     double nearest = 1e300;
     render::Way pole{centre_symbol(mechanism, centrodes.first, centrodes.second, false).about, false, {}, Kind::pole};
     for (const Centrodes::Branch& branch : centrodes.branches) {

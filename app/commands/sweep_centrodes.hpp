@@ -1,4 +1,4 @@
-// The centrodes of a sweep: which bodies' are asked for, as data of the JSON and as lines of the drawing.
+// The centrodes of a sweep: the pairs of bodies requested, the JSON data, the lines of the drawing.
 #pragma once
 
 #include <string>
@@ -13,12 +13,12 @@
 
 namespace kinegraph::app {
 
-/// Pairs of bodies. Error, one line: a name that is none, with the nearest; no pair; twice one body.
+/// Reads pairs of bodies. Error, one line: unknown body (with the nearest name), not a pair, twice the same body.
 tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs_of(
     const std::vector<std::string>& asked, const Mechanism& mechanism);
-/// The member "centrodes" of the JSON, without its key.
+/// The value of the member "centrodes" of the JSON.
 std::string json_of(const std::vector<Centrodes>& centrodes, const Mechanism& mechanism);
-/// Fixed and moving, piece by piece, and the pole in which they touch as drawn.
+/// Adds the fixed and the moving centrode, piece by piece, and the pole in the position of the file.
 void add_ways(const Centrodes& centrodes, const Mechanism& mechanism, std::vector<render::Way>& ways);
 
 }  // namespace kinegraph::app

@@ -1,4 +1,4 @@
-// sweep FILE: the results in one position after another, as rows that are written while they are found.
+// sweep FILE: the results in a sequence of positions, as rows that are written while they are computed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,8 +21,8 @@
 namespace kinegraph::app {
 namespace {
 
-/// What a file of rows in JSON says before its columns. `along`: the drivers that go along, with their coordinates over
-/// the driver's.
+/// The members of the JSON before its columns. `along`: the drivers that follow, each with its rate relative to the
+/// driver.
 std::string begun(const std::string& driver, const std::vector<std::pair<std::string, double>>& along,
                   const Travel& travel) {
     const auto limit = [](bool is_one, double at) { return is_one ? decimal_of(at) : std::string("null"); };
@@ -37,7 +37,7 @@ std::string begun(const std::string& driver, const std::vector<std::pair<std::st
         text += (i > 0 ? ", " : "") + decimal_of(travel.change_points[i]);
     return text + "]";
 }
-/// And after its rows. `centrodes`: as JSON; empty: none are asked for.
+/// The members after its rows. `centrodes`: JSON; empty: not requested.
 std::string ended(const Cycle& cycle, const std::string& centrodes) {
     const Cycle::Difference off = cycle.difference();
     std::string text = "\"largest difference\": ";
@@ -49,13 +49,13 @@ std::string ended(const Cycle& cycle, const std::string& centrodes) {
     return centrodes.empty() ? text : text + ",\n  \"centrodes\": " + centrodes;
 }
 
-/// What a sweep is asked for, read against the mechanism.
+/// The range and drivers of a sweep, checked against the mechanism.
 struct AskedCourse {
     Course course;
     std::optional<Exact> from, to;  ///< coordinates, or times where the driver has a law
 };
 
-/// The drivers that go along with the first, each by its --step.
+/// Adds the drivers that follow the first, each with its --step.
 std::optional<Words> add_along(const SweepRequest& request, const Mechanism& mechanism, AskedCourse& asked) {
     const std::size_t more = request.drivers.empty() ? 0 : request.drivers.size() - 1;
     if (more != request.step.size())
@@ -116,10 +116,10 @@ tl::expected<AskedCourse, Words> asked_of(const SweepRequest& request, const Mec
     return asked;
 }
 
-/// Sums over the rows of an effort: its mean and extremes.
+/// Accumulates the mean and the extremes of an input force or couple over the rows.
 class EffortSums {
 public:
-    /// Means are over column `over`: the driver's coordinate, or the time.
+    /// The means are over column `over`: the driver's coordinate, or the time.
     EffortSums(const std::vector<Column>& columns, std::size_t over) : over_(over) {
         for (std::size_t i = 0; i < columns.size(); ++i)
             if (columns[i].quantity.kind == Quantity::Kind::effort) sums_.push_back({i});
@@ -171,7 +171,7 @@ private:
     std::vector<Sum> sums_;
 };
 
-/// What is said of a sweep when it is done.
+/// The messages at the end of a sweep.
 class Report {
 public:
     Report(const SweepRequest& request, const Mechanism& mechanism, const Course& course, const Travel& travel)
@@ -207,7 +207,7 @@ public:
             line({"the other drivers rest where they are drawn, with the rates of the file",
                   "gli altri moventi restano dove sono disegnati, con le velocità e accelerazioni del file"});
     }
-    /// As rounding leaves it.
+    /// Reports the difference from the check, unless it is rounding.
     void on_difference(const Cycle& cycle) const {
         const Cycle::Difference off = cycle.difference();
         if (off.column < 0) return;
@@ -228,7 +228,7 @@ public:
                   std::to_string(count), text(first), text(last)});
     }
 
-    /// Where a row is: a coordinate, or a time.
+    /// The position of a row: a coordinate, or a time.
     Words text(double at) const { return has_law_ ? time_text(at) : coordinate_text(mechanism_, driver_, at); }
 
 private:
@@ -239,12 +239,12 @@ private:
     bool has_law_;
 };
 
-/// The drawing as a run needs it: what is asked, read against the columns before the first row.
+/// The drawing of a run: its options, checked against the columns before the first row.
 struct Drawing {
     std::vector<std::vector<std::size_t>> plots;
     std::vector<Trace> traces;
     CycleTable table;
-    long stride = 1;  ///< more rows than a pen can draw are not kept
+    long stride = 1;  ///< keep only every stride-th row: more cannot be seen in a plot
 
     void keep(long i, double at, const std::optional<std::span<const double>>& row) {
         if (!row)
@@ -363,7 +363,7 @@ private:
             progress.at(i);
             const double share = static_cast<double>(i) / static_cast<double>(request_.steps);
             const double at = travel_.at(share);
-            // At a limit the driver has no velocity to give.
+            // At a limit position the rates of the driver are not defined.
             if ((i == 0 && travel_.starts_at_limit) || (i == request_.steps && travel_.ends_at_limit)) {
                 if (draws)
                     drawing_.table.limits.push_back(
@@ -384,7 +384,7 @@ private:
         return true;
     }
 
-    /// Adds the sheets; a status where something is missing, which has been said.
+    /// Adds the sheets; a status after an error was reported.
     std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme,
                                std::vector<Output>& outputs) {
         Mechanism plain = mechanism_;
@@ -438,7 +438,7 @@ private:
     double first_left_out_ = 0, last_left_out_ = 0;
 };
 
-/// How far it goes, or why it cannot.
+/// The range of the travel, or why it is impossible.
 tl::expected<Travel, Words> travel_asked(const Positions& positions, const Mechanism& mechanism,
                                          const AskedCourse& asked) {
     const int driver = asked.course.driver;

@@ -22,7 +22,7 @@ std::vector<std::string> parted(const std::string& text) {
     return parts;
 }
 
-/// What a reader wants to see first.
+/// The default plots.
 std::vector<std::vector<std::size_t>> usual_plots(const std::vector<Column>& columns) {
     std::vector<std::vector<std::size_t>> plots;
     std::optional<Quantity> subject;
@@ -117,7 +117,7 @@ std::vector<render::Way> ways_of(const Mechanism& mechanism, Positions positions
                                  const std::vector<Trace>& traces) {
     std::vector<render::Way> ways;
     Places places;
-    // Short of the ends, where the driver may stop.
+    // Just inside the ends: the driver may stop there.
     const auto move_along = [&](double share) {
         constexpr double short_of = 1e-6;
         share = std::clamp(share, travel.starts_at_limit ? short_of : 0, travel.ends_at_limit ? 1 - short_of : 1);

@@ -1,4 +1,4 @@
-// The drawing of a sweep: which columns are plotted, which paths and positions stand behind the mechanism.
+// The drawing of a sweep: the columns to plot, the paths and positions drawn with the mechanism.
 #pragma once
 
 #include <string>
@@ -12,22 +12,22 @@
 
 namespace kinegraph::app {
 
-/// Lists of columns: those asked for, or displacement, speed and acceleration of what slides (else of the last body
-/// that turns) and the efforts. Error, one line: no such column (with the nearest name), too many, or several units in
-/// one plot.
+/// The columns of each plot: those requested or, by default, displacement, speed and acceleration of the slider (else
+/// of the last body that turns) and the input forces and couples. Error, one line: no such column (with the nearest
+/// name), too many, or several units in one plot.
 tl::expected<std::vector<std::vector<std::size_t>>, Words> plots_of(const std::vector<std::string>& asked,
                                                                     const std::vector<Column>& columns);
 
-/// A path to be traced.
+/// The path of a point.
 struct Trace {
     PointIndex point;
     BodyIndex on = frame;
     std::string name;
 };
-/// Error, one line: a name that is none, with the nearest.
+/// Error, one line: an unknown name, with the nearest one.
 tl::expected<std::vector<Trace>, Words> traces_of(const std::vector<std::string>& asked, const Mechanism& mechanism);
 
-/// `poses` positions spread over the travel, and the traces.
+/// `poses` positions distributed over the travel, and the paths.
 std::vector<render::Way> ways_of(const Mechanism& mechanism, Positions positions, const Travel& travel, int poses,
                                  const std::vector<Trace>& traces);
 

@@ -24,7 +24,7 @@
 namespace kinegraph::app {
 namespace {
 
-/// In SI: a formula counts angles in degrees.
+/// The value in SI, but angles in degrees, as formulas use them.
 double si_of(const Measured& value) {
     return value.value.to_double() * std::pow(std::numbers::pi / 180, value.dimension.angle);
 }
@@ -38,7 +38,7 @@ tl::expected<Measured, Words> value_of(const std::string& option, const std::str
     return tl::unexpected(option + std::string(": ") + read.error());
 }
 
-/// The values that a parameter takes, as settings; one step beyond `to` is not taken.
+/// The values of the parameter, as settings. The last one does not exceed `to`.
 tl::expected<Variation, Words> values_of(const SweepRequest& request) {
     constexpr int most = 1'000'000;
     const auto from = value_of("--from", request.from), to = value_of("--to", request.to);
@@ -145,13 +145,13 @@ private:
         return std::nullopt;
     }
 
-    /// The unit of the first value, as SI counts it.
+    /// The unit of the first value, with its factor to SI.
     Unit told_unit() const {
         if (values_.unit.empty()) return {"", 1};
         const KnownUnit* known = unit_spelt(values_.unit);
         return {known->symbol == "deg" ? "°" : std::string(known->symbol), known->si};
     }
-    /// Adds the sheets; a status where something is missing, which has been said.
+    /// Adds the sheets; a status after an error was reported.
     std::optional<Status> draw(const std::vector<Target>& targets, std::vector<std::vector<double>> rows,
                                const std::vector<std::vector<std::size_t>>& plots, std::vector<Output>& outputs) {
         Mechanism plain = own_;
@@ -181,12 +181,12 @@ private:
         return std::nullopt;
     }
 
-    /// An effort's column holds what virtual work found where reactions do not.
+    /// The column of an input force may contain the value by virtual work if there are no reactions.
     static bool is_effort_by_work(const Quantity& held, const Quantity& column) {
         return held.kind == Quantity::Kind::virtual_effort && column.kind == Quantity::Kind::effort &&
                held.given == column.given;
     }
-    /// Holds the row of a value against the check.
+    /// Compares the row of a value with the check.
     void hold_against_check(const Solution& solution, const std::vector<double>& row) {
         size_ = std::max(size_, solution.pose.size.to_double());
         for (std::size_t i = 1; i < columns_.size(); ++i) {
@@ -202,7 +202,7 @@ private:
         }
     }
 
-    /// The results with one value; nothing where there are none.
+    /// The results for one value; empty if there are none.
     std::optional<std::vector<double>> row_of(const std::string& value) {
         const auto note = [&](Errors errors) {
             if (fault_.empty()) fault_ = std::move(errors);
@@ -276,19 +276,19 @@ private:
 
     const SweepRequest& request_;
     std::string text_;
-    Mechanism own_;  ///< with the file's own values
+    Mechanism own_;  ///< with the values of the file
     Variation values_;
-    std::optional<double> drawn_;  ///< the parameter's own value, SI; none: a formula gives it
+    std::optional<double> drawn_;  ///< the parameter's value in the file, SI; empty: a formula gives it
     LargestDifference difference_;
     double size_ = 0;  ///< of the largest drawing, m
     std::vector<std::string> remarks_;
     std::vector<Column> columns_;
     std::vector<double> last_;
     std::vector<std::string> left_out_;
-    Errors fault_;  ///< of the first value that has one
+    Errors fault_;  ///< of the first value that fails
 };
 
-/// Why the values cannot be the parameter's; empty where they can, or where a formula says what it is.
+/// Why the parameter cannot have these values; empty if it can, or if a formula gives it.
 Words of_another_kind(const Variation& values, JsonValue parameter) {
     if (is_formula(parameter.text())) return {};
     const auto own = read_measured(parameter.text(), {}), given = read_measured(values.value(0), {});
@@ -297,7 +297,7 @@ Words of_another_kind(const Variation& values, JsonValue parameter) {
             values.parameter, described(*own)};
 }
 
-/// Why a parameter cannot be swept so; empty where it can.
+/// Why a parameter cannot be swept; empty if it can.
 Words meaningless_sweep(const SweepRequest& request, JsonValue parameters) {
     if (!request.drivers.empty() || request.branch != 0 || !request.traces.empty() || !request.centrodes.empty() ||
         request.poses != 0)
@@ -313,7 +313,7 @@ Words meaningless_sweep(const SweepRequest& request, JsonValue parameters) {
             quoted(request.over), did_you_mean(Speller().nearest(request.over, names))};
 }
 
-/// The parameter's own value, SI: that of --set, else the file's; nothing where a formula gives it.
+/// The parameter's own value, SI: that of --set, else of the file; empty if a formula gives it.
 std::optional<double> drawn_value(const SweepRequest& request, const JsonSource& source) {
     std::string text(source.root()["parameters"][request.over].text());
     for (const Setting& each : request.set)
@@ -336,7 +336,7 @@ Status sweep_parameter(const SweepRequest& request) {
         say(spoken(request.file), text.error(), language);
         return Status::bad_input;
     }
-    // Its own faults come first.
+    // Faults of the file itself are reported first.
     auto own = read_mechanism(*text, bare_name(request.file), request.set);
     if (!own) return say(spoken(request.file), own.error(), language);
     const bool draws =

@@ -1,11 +1,11 @@
-// sweep FILE --over r: the results with one value of a parameter after another.
+// sweep FILE --over r: the results for a sequence of values of a parameter.
 #pragma once
 
 #include "app/commands/commands.hpp"
 
 namespace kinegraph::app {
 
-/// Every row is the file solved anew with that value, in the position that it then draws.
+/// For every row the file is solved again with that value, in its drawn position.
 Status sweep_parameter(const SweepRequest& request);
 
 }  // namespace kinegraph::app

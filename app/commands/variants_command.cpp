@@ -1,5 +1,5 @@
-// variants FILE: draws variants of an exercise and writes the sheets, the results and the file of each, and the key of
-// all.
+// variants FILE: draws variants of an exercise and writes the sheets, the results and the file of each, and the answer
+// key.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -33,14 +33,13 @@
 namespace kinegraph::app {
 namespace {
 
-// --- stopping
-// -----------------------------------------------------------------------------------------------------------------
+// --- interruption ---
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): all that a signal may touch
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler can use nothing else
 volatile std::sig_atomic_t stop_asked = 0;
 void ask_to_stop(int signal) { stop_asked = signal; }
 
-/// While it lives, Ctrl-C asks to stop and nothing more: what is being written becomes whole.
+/// While it exists, Ctrl-C only sets a flag, so that the files being written are completed.
 class Stopping {
 public:
     Stopping() {
@@ -59,7 +58,7 @@ private:
     std::array<void (*)(int), 2> before_{};
 };
 
-/// How many are done and how long the rest will take, on a terminal, once it takes over a second.
+/// On a terminal: the number of finished variants and the remaining time, if the run takes over a second.
 class Countdown {
 public:
     Countdown(std::size_t all, Language language)
@@ -89,10 +88,9 @@ private:
                                           next_ = begun_ + std::chrono::seconds(1);
 };
 
-// --- the key
-// ------------------------------------------------------------------------------------------------------------------
+// --- the answer key ---
 
-/// A line for each variant: its number, whose it is, its parameters and what is asked for.
+/// One line for each variant: number, name of the student, parameters and answers.
 class Key {
 public:
     Key(const Mechanism& original, bool has_names, Language language)
@@ -121,7 +119,7 @@ public:
             row.push_back(in(printed(each.value), language_));
             csv_ += "," + csv_cell(each.value);
         }
-        // A further variant may lack what is only chosen because the first has it.
+        // The columns are those of the first variant; a later one may lack a result that was chosen automatically.
         for (const std::string& result : names_) {
             const auto found = std::find_if(variant.results.begin(), variant.results.end(),
                                             [&](const NamedResult& each) { return each.column.name == result; });
@@ -139,7 +137,7 @@ public:
     render::KeyTable table(const std::string& title) const { return {title, columns_, rows_}; }
 
 private:
-    /// On paper by the symbols of the question, unless two have the same.
+    /// The printed key uses the symbols of the question, unless two results have the same symbol.
     void add_heads(const Variant& variant, const render::Fonts& fonts) {
         const render::Theme theme;
         const render::DrawingContext context{variant.solution, theme, fonts, language_, render::Dimensions::off};
@@ -160,7 +158,7 @@ private:
         }
         csv_ += "\n";
     }
-    /// As it is printed: a true minus, the comma of Italian.
+    /// As printed: a true minus sign, and a decimal comma in Italian.
     static Words printed(std::string value) {
         if (value.starts_with('-')) value.replace(0, 1, "−");
         std::string italian = value;
@@ -177,10 +175,9 @@ private:
     std::string csv_;
 };
 
-// --- a run
-// --------------------------------------------------------------------------------------------------------------------
+// --- a run ---
 
-/// "007": the same whatever the count is.
+/// "007": with the same width whatever the count is.
 std::string number_of(std::size_t variant) {
     const std::string digits = std::to_string(variant);
     constexpr std::size_t least = 3;
@@ -238,14 +235,14 @@ private:
         return given.empty() ? bare_name(request_.file) : given;
     }
 
-    /// All that one variant has, whole or not at all; a status where it cannot be written.
+    /// Writes all files of one variant or none; a status if they cannot be written.
     std::optional<Status> write(Variant& variant) {
         const std::size_t index = key_.size();
         const std::string number = number_of(index + 1), name = index < names_.size() ? names_[index] : "";
         variant.solution.mechanism.source = number + ".json";
         const std::string drawn = hash_of(told_of(number, name, variant));
         const Receipt receipt(path(number), asked_of(number, name, variant));
-        // A theme from standard input is read once, and is not known again.
+        // A theme from standard input can be read only once, so it has no cache key.
         const bool is_there = request_.resume && request_.theme != "-" && receipt.answer();
         render::SheetOptions options = options_;
         if (!name.empty()) options.author = name + (options.author.empty() ? "" : "  ·  " + options.author);
@@ -284,15 +281,15 @@ private:
         if (const auto failure = receipt.make_room()) return not_put(*failure);
         outputs.push_back(receipt.of(outputs, "{\"files\": " + json_quoted(paths) + ", \"of\": \"" + drawn + "\"}"));
         if (const auto status = put(outputs)) return status;
-        // Sheets in another format of what this number no longer is; those of what it still is stay beside the new
-        // ones.
+        // Removes the sheets that an earlier variant of this number left in another format. Sheets of the same variant
+        // stay.
         for (const std::string& each : before)
             if (std::none_of(paths.begin(), paths.end(), [&](const std::string& now) { return same_file(now, each); }))
                 take_away(each);
         return std::nullopt;
     }
-    /// Variants beyond the last, which an earlier run has left: they would be handed out without a solution in the key.
-    /// What has been altered since then stays.
+    /// Removes variants that an earlier run left beyond the last one: they could be handed out although the key does
+    /// not list them. Files changed since then stay.
     void take_away_what_no_key_lists() {
         std::error_code trouble;
         std::vector<std::size_t> beyond;
@@ -313,7 +310,7 @@ private:
             taken_away_.push_back(number_of(each));
         }
     }
-    /// What a variant is, whatever its sheets look like.
+    /// The content of a variant, independent of the look of its sheets.
     std::vector<std::string> told_of(const std::string& number, const std::string& name, const Variant& variant) const {
         std::vector<std::string> fields{"variant", number, name, text_};
         for (const std::vector<Setting>* settings : {&variant.values, &request_.set}) {
@@ -322,7 +319,7 @@ private:
         }
         return fields;
     }
-    /// By what a variant's files are known again: all that decides their bytes.
+    /// The fields of the cache key: all that determines the bytes of a variant's files.
     std::string asked_of(const std::string& number, const std::string& name, const Variant& variant) const {
         std::vector<std::string> fields = told_of(number, name, variant);
         fields.insert(fields.end(), {theme_text_, request_.format, std::to_string(request_.dpi)});
@@ -374,7 +371,7 @@ private:
         const auto failure = write_all(outputs);
         return failure ? not_put(*failure) : std::nullopt;
     }
-    /// Says what could not be written, what there is, and how to go on.
+    /// Reports what could not be written, what was written, and how to continue.
     std::optional<Status> not_put(const NotWritten& failure) const {
         const Status status = fail_to_write(failure, language());
         const bool one = count_ == 1;
@@ -471,11 +468,11 @@ private:
     Key key_;
     Quizzes quizzes_;
     std::size_t there_before_ = 0;
-    std::vector<std::string> taken_away_;  ///< numbers, ascending
+    std::vector<std::string> taken_away_;  ///< numbers of removed variants, ascending
     std::vector<render::Page> questions_, solutions_;
 };
 
-/// The roster's names; none without one. Else it has been said what is wrong.
+/// The names of the roster; empty without a roster. A status after an error was reported.
 tl::expected<std::vector<std::string>, Status> names_of(const VariantsRequest& request) {
     if (request.roster.empty()) return std::vector<std::string>();
     const auto text = read_whole(request.roster, {"roster", "elenco"});
@@ -485,7 +482,7 @@ tl::expected<std::vector<std::string>, Status> names_of(const VariantsRequest& r
     return tl::unexpected(Status::bad_input);
 }
 
-/// The folder is there, and one can write into it; else it has been said why not.
+/// Checks that the folder exists and can be written into; a status after an error was reported.
 std::optional<Status> folder_fails(const VariantsRequest& request) {
     std::error_code trouble;
     std::filesystem::create_directories(request.folder, trouble);
@@ -496,7 +493,7 @@ std::optional<Status> folder_fails(const VariantsRequest& request) {
     return fail_to_write({Words(request.folder), Words(trouble.message())}, request.sheet.language);
 }
 
-/// What decides how it looks: its name, and what a file of that name holds.
+/// For the cache key: the theme's name, and the content of a file of that name.
 std::string text_of_theme(const std::string& name) {
     if (name == "-" || render::built_in_theme(name)) return name;
     const auto text = read_whole(name, {"theme file", "file di tema"});

@@ -1,5 +1,5 @@
-// watch FILE: serves the live page of a file while it is worked on. Two paths are known, the page and what is new; all
-// else is not found, so no file of the machine can be reached.
+// watch FILE: serves the live page of a file while it is edited. There are two paths, the page and its changes; any
+// other is not found, so that no file of the machine can be read.
 #include <sys/random.h>
 #include <sys/signalfd.h>
 #include <sys/stat.h>
@@ -29,7 +29,7 @@ namespace {
 
 constexpr int between_looks = 100;  // ms
 
-/// Ctrl-C and its like, as a descriptor that can be read when one has come. Threads that start later leave them to it.
+/// SIGINT and similar signals as a file descriptor that becomes readable. Threads that start later block these signals.
 class Interruption {
 public:
     Interruption() {
@@ -54,7 +54,7 @@ private:
     int descriptor_ = -1;
 };
 
-/// A name for the page that nobody guesses: others who use this machine reach its ports as well.
+/// A secret path for the page: other users of this machine can reach its ports too.
 std::string secret_name() {
     std::array<unsigned char, 16> random{};
     KG_ASSERT(::getrandom(random.data(), random.size(), 0) == static_cast<ssize_t>(random.size()),
@@ -82,7 +82,7 @@ std::string as_json(const Watched& watched) {
     return "{\"page\": " + std::to_string(watched.pages) + ", \"faults\": [" + faults + "]}\n";
 }
 
-/// What is served, under which paths.
+/// The content that is served, by path.
 class Site {
 public:
     Site(std::string name, std::string waiting)
@@ -115,7 +115,7 @@ private:
     std::shared_ptr<const std::string> page_, news_;
 };
 
-/// What a page is made with, once for all pages.
+/// Fonts and theme, shared by all pages.
 struct Tools {
     const WatchRequest& request;
     const render::Theme& theme;
@@ -140,7 +140,7 @@ struct Tools {
     }
 };
 
-/// On the terminal too, as other commands say it.
+/// Reports faults on the terminal too, as other commands do.
 void tell(const WatchRequest& request, const Watched& watched) {
     Errors errors;
     for (const FileFault& fault : watched.faults) {
@@ -153,7 +153,7 @@ void tell(const WatchRequest& request, const Watched& watched) {
     say(spoken(request.file), errors, request.language);
 }
 
-/// Until it is interrupted.
+/// Serves until interrupted.
 void serve(LocalServer& server, Site& site, WatchedFile& file, const Interruption& interruption,
            const WatchRequest& request) {
     const Answering answer = [&site](const HttpHead& head) { return site.answer(head); };
@@ -204,7 +204,7 @@ Status watch_command(const WatchRequest& request) {
     auto file = std::make_unique<WatchedFile>(
         request.file, [&tools](const std::string& text, int number) { return tools.page(text, number); });
     serve(*server, site, *file, interruption, request);
-    // A long solution is not waited for: nothing of it is kept.
+    // Does not wait for a long solution: its result would be discarded.
     if (file->is_busy()) std::_Exit(static_cast<int>(Status::done));
     return Status::done;
 }

@@ -1,4 +1,4 @@
-// Cells of CSV, as they are written.
+// Cells of CSV files.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace kinegraph::app {
 
-/// In quotes where it must be.
+/// A cell, quoted if necessary.
 inline std::string csv_cell(const std::string& text) {
     if (text.find_first_of(",;\"\r\n") == std::string::npos) return text;
     std::string cell = "\"";
@@ -17,7 +17,8 @@ inline std::string csv_cell(const std::string& text) {
     return cell + '"';
 }
 
-/// A text of someone else's: what a spreadsheet would take for a formula has an apostrophe before it, as OWASP advises.
+/// A cell with text from a user: if a spreadsheet would read it as a formula, an apostrophe is put before it, as OWASP
+/// advises.
 inline std::string csv_cell_of_text(const std::string& text) {
     const bool looks_like_a_formula =
         !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;

@@ -1,4 +1,4 @@
-// Reading whole, writing whole or not at all: plain POSIX calls, every one of them checked.
+// Reads whole files and writes all files or none, by plain POSIX calls. Every call is checked.
 #include "app/files/files.hpp"
 
 #include <fcntl.h>
@@ -19,7 +19,7 @@
 namespace kinegraph::app {
 namespace {
 
-/// Why the system refuses; in Italian what happens to people, the rest as the system says it.
+/// The system's error message; the most frequent ones also in Italian.
 Words reason() {
     const std::string english = std::strerror(errno);
     switch (errno) {
@@ -52,7 +52,7 @@ bool write_to(int file, std::string_view bytes) {
     return true;
 }
 
-/// Through symbolic links to the name that is to be replaced, so that a link stays one.
+/// Resolves symbolic links to the file that will be replaced, so that a link remains a link.
 std::string followed(std::string path) {
     for (int links = 0; links < 40; ++links) {
         char target[PATH_MAX];
@@ -67,7 +67,7 @@ std::string followed(std::string path) {
 std::string temporary_beside(const std::string& target, int number) {
     return folder_of(target) + "/.kinegraph-" + std::to_string(::getpid()) + '-' + std::to_string(number);
 }
-/// A new file beside the target; < 0: it cannot be made.
+/// Creates a temporary file beside the target; < 0 on failure.
 int create_beside(const std::string& target, std::string& name) {
     for (int number = 0; number < 10000; ++number) {
         const std::string candidate = temporary_beside(target, number);
@@ -78,7 +78,7 @@ int create_beside(const std::string& target, std::string& name) {
     return -1;
 }
 
-/// One output under way: what lies on disk for it besides its target is removed with it.
+/// One output in progress; the destructor removes its temporary files.
 class Pending {
 public:
     explicit Pending(const Output& output) : output_(output) {}
@@ -90,7 +90,7 @@ public:
         if (!backup_.empty()) ::unlink(backup_.c_str());
     }
 
-    /// Safe on disk beside the target; nothing that is seen has changed.
+    /// Writes the temporary file beside the target and flushes it to disk; the target is unchanged.
     bool prepare() {
         if (output_.path == "-" || output_.written == "-") {
             to_stream_ = true;
@@ -118,7 +118,7 @@ public:
         if (::close(file) != 0 && written) return false;
         return written || fails_with(why);
     }
-    /// Straight to where it goes, if that is no plain file.
+    /// Writes directly to a target that is not a regular file.
     bool stream() const {
         if (!to_stream_ || output_.written == "-") return true;
         if (output_.path == "-") return write_to(STDOUT_FILENO, output_.bytes);
@@ -131,8 +131,9 @@ public:
     }
     bool rename(bool last) {
         if (to_stream_) return true;
-        // A second name for what the target was, in case a later output of the same run can't be written. A file system
-        // without such names goes without; so does another user's file, whose second name could not be removed again.
+        // A hard link to the old target allows to restore it if a later output of the run cannot be written. It is
+        // omitted if the file system has no hard links, or if another user owns the file: then the link could not be
+        // removed again.
         if (existed_ && ours_ && !last) back_up();
         if (::rename(temporary_.c_str(), target_.c_str()) != 0) return false;
         temporary_.clear();
@@ -170,7 +171,7 @@ private:
     bool existed_ = false, ours_ = false, to_stream_ = false, renamed_ = false, kept_ = false;
 };
 
-/// Why it could not be written, as the last call left it.
+/// The error of the last system call.
 NotWritten not_written(const std::string& path) {
     const Words why = reason();
     return {path == "-" ? Words("standard output", "uscita standard") : Words(path), why};
@@ -193,7 +194,7 @@ tl::expected<std::string, Words> read_whole(const std::string& path, const Words
                                          ? std::min(static_cast<std::size_t>(status.st_size), largest_input)
                                          : 65536;
         std::size_t size = 0;
-        text.resize(expected + 1);  // one more, so that the end is seen without growing
+        text.resize(expected + 1);  // one more, so that the end of file is seen without another resize
         while (why.empty()) {
             const ssize_t got = ::read(file, text.data() + size, text.size() - size);
             if (got == 0) break;

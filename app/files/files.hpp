@@ -1,4 +1,4 @@
-// Files: reading one whole, writing several whole or not at all. "-" is standard input or output. Knows no mechanics.
+// Files: reads one whole file; writes several files, all or none. "-" is standard input or output. Knows no mechanics.
 #pragma once
 
 #include <optional>
@@ -12,36 +12,36 @@
 
 namespace kinegraph::app {
 
-/// The largest file that is read, bytes.
+/// The size limit of an input file, bytes.
 constexpr std::size_t largest_input = std::size_t{64} << 20;
 
-/// The whole of a file, which should be a `kind` ("mechanism file"). Error: why it cannot be read, in a few words.
+/// Reads a whole file; `kind` ("mechanism file") is for messages. Error: why it cannot be read, in a few words.
 tl::expected<std::string, Words> read_whole(const std::string& path, const Words& kind);
 
 /// True where both paths exist and are the same file.
 bool same_file(const std::string& one, const std::string& other);
 
-/// Bytes that are to stand under a path, or on standard output ("-").
+/// Bytes to write to a path, or to standard output ("-").
 struct Output {
     std::string path;
     std::string bytes;
-    std::string written = {};  ///< a temporary file that holds them already; of what was streamed "-"
+    std::string written = {};  ///< a temporary file that already contains the bytes; "-" if they were streamed
 };
 struct NotWritten {
     Words path;
     Words why;
 };
-/// An output that grows, of any length: in a temporary file beside its target, or straight to what is no plain file (a
-/// device, a pipe, standard output). What is not handed on by finish() is removed.
+/// An output of unlimited length, written piece by piece: to a temporary file beside its target, or directly to a
+/// target that is not a regular file (a device, a pipe, standard output). Removed unless finish() passes it on.
 class Growing {
 public:
     static tl::expected<Growing, NotWritten> open(const std::string& path);
     Growing(Growing&& other) noexcept;
     Growing& operator=(Growing&&) = delete;
     ~Growing();
-    /// What cannot be written, if it cannot.
+    /// Appends bytes. Returns the write error, if there was one.
     std::optional<NotWritten> add(std::string_view bytes);
-    /// To be given to write_all with the rest of the run.
+    /// The output, to pass to write_all with the other outputs of the run.
     Output finish() &&;
 
 private:
@@ -49,17 +49,17 @@ private:
     std::string path_, temporary_;
     int file_ = -1;
 };
-/// Writes all or none: first into temporary files beside the targets, then renamed; whatever fails, every target is as
-/// it was. What is no plain file (a device, a pipe, standard output) is written before the renaming, when all the rest
-/// is safe on disk.
+/// Writes all outputs or none: first to temporary files beside the targets, then by renaming. If anything fails, every
+/// target is as before. A target that is not a regular file (a device, a pipe, standard output) is written before the
+/// renaming, when all other files are on disk.
 std::optional<NotWritten> write_all(const std::vector<Output>& outputs);
-/// A folder with those it lies in, unless it is there. What cannot be written, if it cannot.
+/// Creates a folder and its parents if necessary. Returns what cannot be written, if anything.
 std::optional<NotWritten> make_folder(const std::string& path);
-/// Takes a file away, if it is there.
+/// Removes a file if it exists. Returns what cannot be removed, if anything.
 std::optional<NotWritten> take_away(const std::string& path);
-/// A text on standard output, and how that ended; a failure is told.
+/// Writes a text to standard output and returns the exit status; reports a failure.
 Status print(const std::string& text, Language language);
-/// Says what could not be written.
+/// Reports a write error.
 Status fail_to_write(const NotWritten& failure, Language language);
 
 }  // namespace kinegraph::app

@@ -5,7 +5,7 @@
 namespace kinegraph::app {
 namespace {
 
-/// Sheets have many lines: the short way to end one.
+/// Escapes a line feed as "\n", the shortest form: sheets have many lines.
 void quote(std::string_view text, std::string& json) { append_json_text(json, text, "\\n"); }
 
 void copy(JsonValue value, std::string& json) {

@@ -1,4 +1,4 @@
-// Pieces of JSON as they go into a line: texts quoted, values copied as they were written, a document on one line.
+// JSON for one-line answers: quoted texts, values copied as they were written, a document on one line.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace kinegraph::app {
 
-/// A text in quotes; it is UTF-8 already.
+/// A text in quotes; it must be UTF-8.
 std::string json_quoted(std::string_view text);
 /// ["…", "…"]
 std::string json_quoted(const std::vector<std::string>& texts);
-/// A value and all in it, numbers with the digits they were written with, keys in their order, given twice or not.
+/// A value with its members, unchanged: digits of numbers, order of keys, duplicate keys.
 std::string copied(JsonValue value);
-/// A document of several lines, whose texts hold no line feed (JSON's never do), on one.
+/// A JSON document on one line. (JSON strings contain no line feed.)
 std::string on_one_line(std::string_view json);
 
 }  // namespace kinegraph::app

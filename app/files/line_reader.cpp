@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t read_at_once = std::size_t{1} << 16U;
 
-/// Written by a handler, read by every thread.
+/// Written by the signal handler, read by all threads.
 std::atomic<int> stopped_by = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
 
@@ -29,7 +29,7 @@ sigset_t those_that_stop() {
     return set;
 }
 
-/// While it lives they wait: none can come between the question whether one came and the waiting for input.
+/// While it exists, the signals are blocked: none can arrive between the test of the flag and the wait for input.
 class Held {
 public:
     Held() {
@@ -45,7 +45,7 @@ private:
     sigset_t before_{};
 };
 
-/// Waits until there is input, its end, or a signal. True: something can be read.
+/// Waits for input, its end, or a signal. True: something can be read.
 bool input_comes() {
     const Held held;
     if (stopped_by != 0) return false;
@@ -94,7 +94,7 @@ bool LineReader::fill() {
 }
 
 LineReader::Event LineReader::next(std::string& line) {
-    // The lines that the buffer still holds are no longer begun.
+    // Lines still in the buffer are not started.
     if (stopped_by != 0) return Event::stopped;
     bool long_one = false;
     std::size_t searched = at_;
@@ -112,7 +112,7 @@ LineReader::Event LineReader::next(std::string& line) {
         searched = buffer_.size() - at_;
         if (!fill()) ended_ = true;
     }
-    // The last line may lack its line feed; what was cut off by a signal or a failure is no line.
+    // The last line may lack its line feed. A line cut off by a signal or an error is not returned.
     if (last_ == Event::end && (long_one || at_ < buffer_.size())) {
         if (!long_one) line.assign(buffer_, at_);
         at_ = buffer_.size();

@@ -1,4 +1,4 @@
-// Lines from standard input, one at a time, until its end or until the run is to stop. Owns the signals that stop it.
+// Reads lines from standard input until its end or a signal. Owns the handlers of the signals that stop a run.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace kinegraph::app {
 
-/// Reads lines while it lives; SIGINT and SIGTERM end the reading, also where input is always ready and where lines
-/// wait in the buffer. Further signals change nothing while it lives.
+/// While it exists, SIGINT and SIGTERM end the reading, also if input is always ready or lines wait in the buffer.
+/// Further signals have no effect.
 class LineReader {
 public:
     enum class Event { line, end, stopped, failed };
@@ -20,15 +20,15 @@ public:
     LineReader& operator=(const LineReader&) = delete;
     ~LineReader();
 
-    /// The next line, without its line feed. Of one longer than `largest_input` so much and one character more.
+    /// The next line, without its line feed. A longer line is cut to `largest_input` + 1 characters.
     Event next(std::string& line);
     /// Why reading failed.
     Words why() const { return why_; }
-    /// The signal that came; 0: none. Any thread may ask.
+    /// The signal that arrived; 0: none. May be called from any thread.
     static int signal();
 
 private:
-    /// More of the input; false: there is none, or no more is to be read.
+    /// Reads more input; false: there is none, or reading has ended.
     bool fill();
     Event last_ = Event::end;
     std::string buffer_;

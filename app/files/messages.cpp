@@ -1,4 +1,4 @@
-// Lines on standard error.
+// Messages on standard error.
 #include "app/files/messages.hpp"
 
 #include <cstdio>
@@ -9,7 +9,7 @@
 namespace kinegraph::app {
 namespace {
 
-/// Who listens on this thread; null: standard error.
+/// The object that collects the messages of this thread; null: they go to standard error.
 thread_local Hearing* hearing = nullptr;
 
 }  // namespace
@@ -47,7 +47,7 @@ void say(const Words& subject, const Words& message, Language language) {
         hearing->lines_.push_back(std::move(line));
         return;
     }
-    // In one piece, so that the lines of two programs that write to one terminal do not mix.
+    // One write for each line, so that the lines of two programs on one terminal do not mix.
     line += '\n';
     std::fwrite(line.data(), 1, line.size(), stderr);
 }

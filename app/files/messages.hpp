@@ -1,5 +1,5 @@
-// What the command line says: exit statuses and lines on standard error. One message is one line, whatever a file's
-// name holds.
+// Exit statuses and messages on standard error. One message is one line, even if a file name contains control
+// characters.
 #pragma once
 
 #include <string>
@@ -11,22 +11,22 @@
 
 namespace kinegraph::app {
 
-/// Exit statuses, as docs/command_line.md fixes them.
+/// Exit statuses, as defined in docs/command_line.md.
 enum class Status {
     done = 0,
-    difference = 1,  ///< of two pictures
-    bad_input = 2,   ///< the command line or the file is wrong: nothing is written
-    unsolved = 3,    ///< no unique answer here: what could be found is written
-    output = 4,      ///< the output can't be written, or the font is missing
-    fault = 70,      ///< our own
+    difference = 1,  ///< two pictures differ
+    bad_input = 2,   ///< wrong command line or file: nothing is written
+    unsolved = 3,    ///< some results have no unique value: the others are written
+    output = 4,      ///< an output cannot be written, or the font is missing
+    fault = 70,      ///< an internal error
 };
 
-/// Control characters as \n, \t or \x1b, so that a line stays one.
+/// Control characters as \n, \t or \x1b, so that a message stays one line.
 std::string one_line(std::string_view text);
 using render::Language;
-/// "SUBJECT: MESSAGE" on standard error; the subject is a file's name, or the program's.
+/// Writes "SUBJECT: MESSAGE" to standard error; the subject is the name of a file or of the program.
 void say(const Words& subject, const Words& message, Language language);
-/// While it lives, what is said on its thread is kept here in place of going to standard error. One at a time on a
+/// While it exists, the messages of its thread are collected instead of going to standard error. At most one for each
 /// thread.
 class Hearing {
 public:
@@ -34,16 +34,16 @@ public:
     Hearing(const Hearing&) = delete;
     Hearing& operator=(const Hearing&) = delete;
     ~Hearing();
-    /// The lines so far, without their line feeds; from then on it hears anew.
+    /// Returns the collected lines, without their line feeds, and clears them.
     std::vector<std::string> take();
 
 private:
     friend void say(const Words& subject, const Words& message, Language language);
     std::vector<std::string> lines_;
 };
-/// The same for a command line that cannot be carried out.
+/// Reports a command line that cannot be executed.
 Status refuse(const Words& message, Language language);
-/// Every error of a file, one a line, and the status they lead to.
+/// Reports every error of a file, one on each line, and returns the exit status.
 Status say(const Words& file, const Errors& errors, Language language);
 
 }  // namespace kinegraph::app

@@ -1,4 +1,4 @@
-// One walk through the text, which skips what the pointer does not name.
+// One pass through the text, which skips what the pointer does not name.
 #include "app/files/place_in_file.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace kinegraph::app {
 namespace {
 
-/// A pointer's segment as the key it stands for.
+/// Decodes a segment of a JSON pointer.
 std::string unescaped(std::string_view segment) {
     std::string key;
     for (std::size_t i = 0; i < segment.size(); ++i) {
@@ -24,7 +24,8 @@ class Walk {
 public:
     explicit Walk(std::string_view json) : text_(json) { skip_space(); }
 
-    /// From the value here to its member or element; false, and nothing is known of the place, where it has none such.
+    /// Descends from the current value to its member or element. False if there is none; then the position is
+    /// undefined.
     bool enter(const std::string& segment) {
         if (at_end()) return false;
         const char bracket = text_[at_];
@@ -34,7 +35,7 @@ public:
         if (bracket != '[' || fault != std::errc() || end != segment.data() + segment.size()) return false;
         return enter_element(index);
     }
-    /// Where what was entered last begins.
+    /// The beginning of the member or element entered last.
     PlaceInFile place() const {
         const std::string_view before = text_.substr(0, begins_);
         const std::size_t newline = before.rfind('\n');
@@ -65,7 +66,7 @@ private:
             }
         } while (!at_end() && (depth > 0 || (text_[at_] != ',' && text_[at_] != '}' && text_[at_] != ']')));
     }
-    /// Past a comma; false where there is none.
+    /// Moves past a comma; false if there is none.
     bool next() {
         skip_space();
         if (!is(',')) return false;

@@ -1,4 +1,4 @@
-// Where in a file's text a JSON pointer leads: what an editor wants of a fault. Knows no mechanism.
+// Line and column of a JSON pointer in a file, for editors. Knows no mechanism.
 #pragma once
 
 #include <optional>
@@ -6,13 +6,13 @@
 
 namespace kinegraph::app {
 
-/// Counted from 1; columns count characters.
+/// Counted from 1; columns count characters, not bytes.
 struct PlaceInFile {
     long line = 1, column = 1;
 };
 
-/// Of a member its key, of an element of an array its beginning. Of what is not there (a key that is missing) the
-/// nearest thing around it; nothing where that is the whole file. `json` must be JSON.
+/// The position of a member's key or of an array element's beginning. If the pointer leads to nothing (a missing key),
+/// the position of the nearest enclosing value; empty if that is the whole file. `json` must be valid JSON.
 std::optional<PlaceInFile> place_in_file(std::string_view json, std::string_view pointer);
 
 }  // namespace kinegraph::app

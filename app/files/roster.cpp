@@ -10,10 +10,10 @@
 namespace kinegraph::app {
 namespace {
 
-/// What a title block could print with some goodwill.
+/// The longest name that a title block can print.
 constexpr std::size_t longest_name = 200;
 
-/// How long the character at the beginning is; 0: it is none of UTF-8.
+/// The length of the first UTF-8 character, bytes; 0: invalid UTF-8.
 std::size_t character_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const std::size_t length = byte(0) < 0x80   ? 1
@@ -41,7 +41,7 @@ std::string in_small_letters(std::string text) {
     return text;
 }
 
-/// The words of a field in small letters: what stands between them are signs ("Matr.", "E-mail", "Nome e cognome").
+/// The words of a field in lower case, split at all other characters ("Matr.", "E-mail", "Nome e cognome").
 std::vector<std::string> words_of(const std::string& field) {
     std::vector<std::string> words;
     bool goes_on = false;
@@ -54,7 +54,7 @@ std::vector<std::string> words_of(const std::string& field) {
     return words;
 }
 
-/// A field that says what stands below it: made of nothing but words for that, one of which no student is called.
+/// True if a field is a column heading: all its words are heading words, at least one of which is not a person's name.
 bool is_head(const std::string& field) {
     constexpr auto heads = std::to_array<std::string_view>(
         {"name",      "names",  "surname", "student",     "students",   "id",        "email",
@@ -74,7 +74,7 @@ bool is_head(const std::string& field) {
 
 bool is_heading(const std::vector<std::string>& fields) { return std::any_of(fields.begin(), fields.end(), is_head); }
 
-/// The fields of one line; nothing where a quote is not closed.
+/// The fields of one line; empty if a quote is not closed.
 std::optional<std::vector<std::string>> fields_of(std::string_view line) {
     std::vector<std::string> fields{""};
     bool in_quotes = false;
@@ -96,7 +96,7 @@ std::optional<std::vector<std::string>> fields_of(std::string_view line) {
     return fields;
 }
 
-/// Why a line cannot be names; empty where it can.
+/// Why a line is not a name; empty if it is.
 Words unreadable(std::string_view line) {
     for (std::size_t i = 0; i < line.size();) {
         const std::size_t length = character_length(line.substr(i));
@@ -114,10 +114,10 @@ std::size_t characters_of(std::string_view text) {
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// The names so far, and what a further line may not be beside them.
+/// The names so far, and the rules that a further line must obey.
 class Names {
 public:
-    /// A line that is not empty; why it cannot be taken, empty where it can.
+    /// Adds a line that is not empty. Returns why it is invalid; empty if it is valid.
     Words add(std::size_t line, std::string_view text) {
         if (Words why = unreadable(text); !why.empty()) return why;
         const auto fields = fields_of(text);
@@ -155,7 +155,7 @@ private:
 
     std::vector<std::string> names_;
     std::unordered_map<std::string, std::size_t> lines_;
-    std::size_t wanted_ = 0;  ///< fields, as many as the heading has; 0: there is none
+    std::size_t wanted_ = 0;  ///< number of fields in the heading; 0: no heading
     bool is_first_ = true;
 };
 

@@ -1,4 +1,4 @@
-// Rosters: the names of students, from a CSV file.
+// Reads a roster: the names of students, from a CSV file.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace kinegraph::app {
 
-/// A name for each line that is not empty: its fields, parted by commas, semicolons or tabs, one after the other.
-/// Fields may stand in quotes. A first line that says what the fields are (name, surname, student, id, e-mail …, in
-/// English or Italian) is none. Error: no UTF-8, control characters, a quote that is not closed, other fields than the
-/// heading has, a name beyond 200 characters, one that stands twice, no name at all; with the line.
+/// One name for each line that is not empty: its fields, separated by commas, semicolons or tabs and possibly quoted,
+/// joined in order. A first line of headings (name, surname, student, id, e-mail …, in English or Italian) is skipped.
+/// Error, with the line: not UTF-8, control characters, a quote that is not closed, a number of fields that differs
+/// from the heading, a name of more than 200 characters, a duplicate name, no name at all.
 tl::expected<std::vector<std::string>, Words> read_roster(std::string_view text);
 
 }  // namespace kinegraph::app

@@ -1,5 +1,5 @@
-// rsvg-convert as a child: the SVG on its standard input, the PNG from its standard output, both through memory files,
-// so that neither waits for the other.
+// Runs rsvg-convert as a child process. Its input and output are files in memory, so neither process can block the
+// other.
 #include "app/files/svg_picture.hpp"
 
 #include <fcntl.h>
@@ -19,12 +19,12 @@
 namespace kinegraph::app {
 namespace {
 
-constexpr rlim_t longest = 60;                // seconds of computing
-constexpr rlim_t largest = rlim_t{4} << 30;   // bytes of memory
-constexpr rlim_t longest_answer = 512 << 20;  // bytes of picture
-constexpr int not_found = 127;                // as a shell says it
+constexpr rlim_t longest = 60;                // CPU time, s
+constexpr rlim_t largest = rlim_t{4} << 30;   // memory, bytes
+constexpr rlim_t longest_answer = 512 << 20;  // size of the picture, bytes
+constexpr int not_found = 127;                // exit status, as in a shell
 
-/// A file without a name, gone when it is closed.
+/// An anonymous file in memory, freed when closed.
 class MemoryFile {
 public:
     MemoryFile() : file_(::memfd_create("kinegraph", MFD_CLOEXEC)) {}
@@ -60,7 +60,7 @@ private:
     int file_;
 };
 
-/// The child's part: never returns.
+/// Executed in the child; never returns.
 [[noreturn]] void become_rsvg_convert(const MemoryFile& in, const MemoryFile& out, const MemoryFile& err,
                                       const std::string& dpi) {
     const auto limit = [](auto resource, rlim_t most) {
@@ -78,7 +78,7 @@ private:
     ::_exit(not_found);
 }
 
-/// The exit status; a child that was ended by a signal has none.
+/// The exit status; empty if a signal ended the child.
 std::optional<int> wait_for(pid_t child) {
     int status = 0;
     while (::waitpid(child, &status, 0) < 0)

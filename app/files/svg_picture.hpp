@@ -1,5 +1,5 @@
-// An SVG as pixels, by librsvg's program rsvg-convert. As a program of its own it costs solve nothing, and what a
-// hostile file does to it stays there.
+// Renders an SVG by librsvg's program rsvg-convert. A separate process adds nothing to the start of the other commands,
+// and isolates the effects of a hostile file.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 namespace kinegraph::app {
 
 struct NotDrawn {
-    Status status = Status::bad_input;  ///< output where the program is missing
+    Status status = Status::bad_input;  ///< `output` if the program is missing
     Words why;
 };
-/// The bytes of a PNG of the SVG at `dpi` dots per inch. Files that the SVG refers to are not read.
+/// A PNG of the SVG at `dpi` dots per inch. Files that the SVG refers to are not read.
 tl::expected<std::string, NotDrawn> svg_to_png(const std::string& svg, double dpi);
 
 }  // namespace kinegraph::app

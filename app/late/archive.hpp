@@ -1,4 +1,4 @@
-// Archives, for the packages of a learning platform.
+// ZIP archives, for the packages of learning platforms.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ struct Packed {
     std::string bytes;
 };
 
-/// A ZIP archive: the files stored in this order, not compressed, dated 1 January 1980, so that the same files are the
-/// same bytes, whatever compressor, clock and time zone there are. Error: what libzip says.
+/// A ZIP archive of the files in this order, not compressed and dated 1 January 1980, so that the same files give the
+/// same bytes on every machine. Error: the message of libzip.
 tl::expected<std::string, Words> packed(const std::vector<Packed>& files);
 
 }  // namespace kinegraph::app

@@ -1,5 +1,5 @@
-// Functions of the library whose back ends the program opens late. They stand in the place of the library's own, which
-// call the same back ends without a detour (CMakeLists.txt says how, and why).
+// Replaces functions of the library by functions that load their back end on the first call. The library's own
+// functions link the same back ends directly (CMakeLists.txt explains how and why).
 #include "app/late/late_library.hpp"
 #include "app/late/modules.hpp"
 #include "engine/number/assert.hpp"

@@ -1,4 +1,4 @@
-// Libraries that are opened late: by the runs that need them, when they first do.
+// Loads libraries on the first use, only in the runs that need them.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace kinegraph::app {
 
-/// What the module NAME.so exports under the name NAME. It is looked for beside the program, as built, or in
-/// lib/kinegraph, as installed, and stays open to the end of the run. Any thread may call this, any number of times.
-/// `purpose`: what it does, for the message where it cannot be opened.
+/// The symbol NAME exported by the module NAME.so. The module is searched beside the program (in a build folder) or in
+/// lib/kinegraph (installed), and stays loaded until the end of the run. Thread-safe. `purpose`: what the module does,
+/// for the message if it cannot be loaded.
 tl::expected<const void*, Words> late_library(const std::string& name, const Words& purpose);
 
 }  // namespace kinegraph::app

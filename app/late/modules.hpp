@@ -1,5 +1,5 @@
-// The seam between the program and its modules: each exports one table, under its own name, of the library's functions
-// that it holds.
+// The interface between the program and its modules: each module exports, under its own name, one table of the
+// library's functions that it contains.
 #pragma once
 
 #include "app/late/archive.hpp"

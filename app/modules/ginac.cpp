@@ -1,4 +1,4 @@
-// kinegraph_ginac.so: derivatives in symbols.
+// kinegraph_ginac.so: symbolic derivatives.
 #include "app/late/modules.hpp"
 
 using namespace kinegraph;

@@ -1,4 +1,4 @@
-// kinegraph_type.so: HarfBuzz, for typefaces and parts of fonts.
+// kinegraph_type.so: HarfBuzz, for typefaces and subsets of fonts.
 #include "app/late/modules.hpp"
 
 using namespace kinegraph;

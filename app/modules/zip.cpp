@@ -35,7 +35,7 @@ bool add(zip_t* archive, const Packed& file) {
            zip_file_set_external_attributes(archive, at, 0, ZIP_OPSYS_DOS, 0) == 0;
 }
 
-/// All that was written into a source.
+/// Reads all that was written into a source.
 Bytes read_back(zip_source_t* source) {
     const auto fails = [&] { return failure(zip_error_strerror(zip_source_error(source))); };
     zip_stat_t stat;
@@ -55,7 +55,7 @@ Bytes packed(const std::vector<Packed>& files) {
     const std::unique_ptr<zip_source_t, void (*)(zip_source_t*)> whole(zip_source_buffer_create(nullptr, 0, 0, &error),
                                                                        zip_source_free);
     if (!whole) return failure(error);
-    zip_source_keep(whole.get());  // the archive takes one, and we read from the other
+    zip_source_keep(whole.get());  // the archive releases one reference; we read through the other
     zip_t* const archive = zip_open_from_source(whole.get(), ZIP_CREATE | ZIP_TRUNCATE, &error);
     if (archive == nullptr) {
         zip_source_free(whole.get());

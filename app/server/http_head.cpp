@@ -1,4 +1,4 @@
-// RFC 9112, the part that a GET needs.
+// RFC 9112, as far as a GET request needs it.
 #include "app/server/http_head.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// "GET /path HTTP/1.1"; the status to answer with where it is not.
+/// Parses "GET /path HTTP/1.1"; returns the error status if the line differs.
 std::optional<int> read_first_line(std::string_view line, HttpHead& head) {
     const std::size_t first = line.find(' ');
     const std::size_t last = first == std::string_view::npos ? first : line.find(' ', first + 1);
@@ -87,7 +87,7 @@ tl::expected<HttpHead, int> read_http_head(std::string_view head) {
 }
 
 bool is_from_here(const HttpHead& head, int port) {
-    constexpr int port_of_http = 80;  // which browsers leave out
+    constexpr int port_of_http = 80;  // browsers omit it
     for (const std::string name : {"127.0.0.1", "localhost"}) {
         const std::string with_port = name + ":" + std::to_string(port);
         const bool is_named = head.host == with_port || (port == port_of_http && head.host == name);

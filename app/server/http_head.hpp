@@ -1,5 +1,5 @@
-// The head of an HTTP request, read strictly: what a browser sends is taken, all else is refused with its status. Knows
-// no socket.
+// Strict parser for the head of an HTTP request: accepts what browsers send; for anything else it returns the error
+// status. Knows no sockets.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace kinegraph::app {
 
-/// The longest head that is read, bytes.
+/// The size limit of a head, bytes.
 constexpr std::size_t longest_head = 8192;
 
 struct HttpHead {
@@ -18,15 +18,14 @@ struct HttpHead {
     std::optional<std::string> origin;
 };
 
-/// Where the head in `received` ends, its empty line counted; nothing where it has not come to an end.
+/// The length of the head in `received`, with its empty line; empty if the head is incomplete.
 std::optional<std::size_t> end_of_head(std::string_view received);
 
-/// `head` with its empty line. Error: the status to answer with, 400 or 505.
+/// `head` includes its empty line. Error: the status to answer with, 400 or 505.
 tl::expected<HttpHead, int> read_http_head(std::string_view head);
 
-/// True where the request is meant for the server at `port` of this machine, and no page of another site sends it: by
-/// its Host, and its Origin where it has one. So no foreign page reads what is served, and no name that was made to
-/// lead here does.
+/// True if the request is for this server, by its Host, and not from a page of another site, by its Origin if it has
+/// one. So no other site can read what is served, not even by a domain name that resolves to this machine.
 bool is_from_here(const HttpHead& head, int port);
 
 }  // namespace kinegraph::app

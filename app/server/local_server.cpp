@@ -1,5 +1,5 @@
-// Sockets and poll. A connection reads a head, writes an answer, and drains what the other side still sends; each of
-// the three has its time, and where there are too many connections the oldest gives way.
+// Sockets and poll. A connection reads a head, writes an answer, and drains further input; each of the three states has
+// a time limit. If there are too many connections, the oldest is closed.
 #include "app/server/local_server.hpp"
 
 #include <arpa/inet.h>
@@ -39,7 +39,8 @@ const char* phrase_of(int status) {
     }
 }
 
-/// Head of an answer. Browsers are told to guess nothing, keep nothing, and show it in no other site's frame.
+/// The head of an answer. It forbids browsers to guess the type, to cache, and to show the page in a frame of another
+/// site.
 std::string head_of(const HttpAnswer& answer) {
     std::string head = "HTTP/1.1 " + std::to_string(answer.status) + " " + phrase_of(answer.status) + "\r\n";
     head += "Content-Type: " + answer.type + "\r\n";
@@ -102,7 +103,7 @@ tl::expected<LocalServer, std::string> LocalServer::open(int port) {
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     socklen_t size = sizeof address;
-    // The sockets' interface takes every kind of address by a pointer to one.
+    // The socket interface takes every kind of address by a pointer to sockaddr.
     auto* const any = reinterpret_cast<sockaddr*>(&address);  // NOLINT(cppcoreguidelines-pro-type-reinterpret-cast)
     if (::bind(server.listening_, any, size) != 0 || ::listen(server.listening_, SOMAXCONN) != 0) return refused();
     if (::getsockname(server.listening_, any, &size) != 0) return refused();
@@ -115,7 +116,7 @@ void LocalServer::take_in() {
         const int socket = ::accept4(listening_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (socket < 0) {
             if (errno == ECONNABORTED || errno == EINTR) continue;
-            // No descriptor left: the oldest connection gives one back.
+            // No descriptor left: close the oldest connection.
             if ((errno == EMFILE || errno == ENFILE) && !connections_.empty()) {
                 close(connections_.begin());
                 continue;
@@ -144,7 +145,7 @@ std::string LocalServer::reply_to(std::string_view head, const Answering& answer
     return text;
 }
 
-/// False where the connection has come to its end.
+/// False if the connection has ended.
 bool LocalServer::read_from(Connection& connection, const Answering& answer) const {
     std::array<char, 4096> piece{};
     while (connection.received.size() <= longest_head) {
@@ -180,7 +181,7 @@ bool LocalServer::write_to(Connection& connection) {
     return drain(connection);
 }
 
-/// What comes after the head is not wanted; but a socket that is closed with it unread loses the answer on its way.
+/// Reads and discards input after the head: closing a socket with unread input can lose the answer.
 bool LocalServer::drain(Connection& connection) {
     std::array<char, 4096> piece{};
     constexpr int most_at_a_time = 16;
@@ -218,7 +219,7 @@ void LocalServer::serve(int milliseconds, int signals, const Answering& answer) 
             const auto next = std::next(connection);
             bool goes_on = watched[i].revents == 0 || advance(*connection, answer);
             if (goes_on && connection->until <= now) {
-                // Who was too slow to ask is told; who is too slow to listen is not.
+                // A client whose request is too slow gets an answer; a client that reads too slowly does not.
                 const bool asks = connection->state == Connection::State::reading;
                 const HttpAnswer too_slow = plain(request_too_slow);
                 if (asks) connection->answer(head_of(too_slow), too_slow.body);

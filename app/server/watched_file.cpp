@@ -37,7 +37,7 @@ WatchedFile::Stamp WatchedFile::stamp_of(const std::string& path) {
 
 std::optional<Watched> WatchedFile::look() {
     const Stamp now = stamp_of(path_);
-    const bool rests = !seen_ || *seen_ == now;  // the first time it is read at once
+    const bool rests = !seen_ || *seen_ == now;  // the first time the file is read at once
     if (rests && read_ != now) {
         read_ = now;
         hand_over();
@@ -54,14 +54,14 @@ bool WatchedFile::is_busy() {
 
 void WatchedFile::hand_over() {
     struct stat status {};
-    // A pipe would be waited for.
+    // Reading a pipe would block.
     const bool can_be_read = ::stat(path_.c_str(), &status) != 0 || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode);
     auto text = can_be_read ? read_whole(path_, {"mechanism file", "file di meccanismo"})
                             : tl::unexpected(Words("is no plain file, which could be saved again",
                                                    "non è un file comune, che si possa salvare di nuovo"));
     const std::lock_guard lock(mutex_);
     if (!text) {
-        // What it said before counts no more: if it comes back as it was, it is solved again.
+        // The earlier content no longer counts: if the same content returns, it is solved again.
         solved_.reset();
         waiting_.reset();
         watched_.faults = {{std::nullopt, Error{ErrorCode::bad_input, "", text.error()}}};
@@ -101,7 +101,7 @@ void WatchedFile::work() {
 void WatchedFile::finish(Result<std::string> made, const std::string& text) {
     const std::lock_guard lock(mutex_);
     working_ = false;
-    if (waiting_ || !solved_) return;  // it was saved again, or is gone: that is what counts
+    if (waiting_ || !solved_) return;  // the file was saved again or removed: this result is obsolete
     watched_.faults.clear();
     if (made) {
         watched_.page = std::make_shared<const std::string>(*std::move(made));

@@ -1,5 +1,5 @@
-// A file that is watched: each time it was saved it is read, solved and made a live page, on a thread of its own, while
-// whoever looks at it is answered. Knows no sockets.
+// Watches a file: whenever it is saved, a separate thread reads it, solves it and makes a live page, while the server
+// stays responsive. Knows no sockets.
 #pragma once
 
 #include <condition_variable>
@@ -16,38 +16,37 @@
 
 namespace kinegraph::app {
 
-/// What is wrong with a file, and where.
+/// A fault of a file and its position.
 struct FileFault {
     std::optional<PlaceInFile> place;
     Error error;
 };
 
-/// What there is to see: the last page that could be made, and what is wrong with the file since.
+/// The state to show: the last page that could be made, and the faults of the file since then.
 struct Watched {
-    std::shared_ptr<const std::string> page;  ///< none before the first that could be made
-    int pages = 0;                            ///< how many have been made, the number of `page`
+    std::shared_ptr<const std::string> page;  ///< null until the first page is made
+    int pages = 0;                            ///< number of pages made so far, which is the number of `page`
     std::vector<FileFault> faults;
 };
 
 class WatchedFile {
 public:
-    /// A page of a file's text, under its number; else what is wrong with the file. Called on the thread of the work
-    /// alone.
+    /// Makes page `number` from a file's text. Error: the faults of the file. Called on the worker thread only.
     using Making = std::function<Result<std::string>(const std::string& text, int number)>;
 
     WatchedFile(std::string path, Making making);
     WatchedFile(const WatchedFile&) = delete;
     WatchedFile& operator=(const WatchedFile&) = delete;
-    /// Waits for work under way, see is_busy().
+    /// Waits for work in progress, see is_busy().
     ~WatchedFile();
 
-    /// Looks whether the file was saved; to be called again and again. A file is read when it has rested from one look
-    /// to the next: an editor may still be writing it. Returns what there is to see where that has changed.
+    /// Checks whether the file was saved; call it periodically. The file is read when two successive calls find it
+    /// unchanged, because an editor may still be writing it. Returns the new state if it has changed.
     std::optional<Watched> look();
     bool is_busy();
 
 private:
-    /// By which one state of a file is known from another; all zero where there is none.
+    /// Identifies a version of the file; all zero if there is no file.
     struct Stamp {
         long long inode = 0, size = 0, seconds = 0, nanoseconds = 0;
         bool operator==(const Stamp&) const = default;
@@ -59,12 +58,12 @@ private:
 
     const std::string path_;
     const Making making_;
-    std::optional<Stamp> read_, seen_;   ///< as it was read last, as it was seen last
-    std::optional<std::string> solved_;  ///< its text when it was handed over last
+    std::optional<Stamp> read_, seen_;   ///< as last read, as last seen
+    std::optional<std::string> solved_;  ///< text passed to the worker last
 
     std::mutex mutex_;
     std::condition_variable wakes_;
-    std::optional<std::string> waiting_;  ///< a text to be worked on
+    std::optional<std::string> waiting_;  ///< text to be processed next
     bool working_ = false, ends_ = false, changed_ = false;
     Watched watched_;
     std::thread worker_;

@@ -1,8 +1,8 @@
-// The joints closed in the browser: Newton's method on the closure's rows, as engine/motion/positions.cpp does it,
-// begun near the place that the cycle was found to pass. Knows no construction and no figure.
+// Closes the joints in the browser: Newton's method on the closure equations, as in engine/motion/positions.cpp,
+// started near a sample of the cycle. Knows no construction and no figure.
 
 /**
- * What `facing` makes of a drawn direction: the product as complex numbers.
+ * The direction turned by `facing`: the product as complex numbers.
  * @param {Spot} facing
  * @param {number} x
  * @param {number} y
@@ -39,7 +39,7 @@ function unitOf(a) {
 
 const together = 0, onLine = 1, atDistance = 2, turnsAlike = 3, rollsRound = 4;
 
-/** The places of the bodies, closed at any position of a driver. */
+/** The positions of the bodies, closed at any coordinate of a driver. */
 class Places {
     /** @param {MovingData} data */
     constructor(data) {
@@ -48,7 +48,7 @@ class Places {
         this.turn = data.bodies.map(() => 0);
         this.facing = data.bodies.map(() => ({x: 1, y: 0}));
         this.columns = data.frozen.length;
-        /** As they were closed last, by column. */
+        /** The last closed position, by column. */
         this.q = new Float64Array(this.columns);
     }
 
@@ -63,7 +63,7 @@ class Places {
     }
 
     /**
-     * Where a place of a body is, in the closure's unit.
+     * The position of a point of a body, in the closure's unit.
      * @param {number} body
      * @param {number} x
      * @param {number} y
@@ -90,7 +90,7 @@ class Places {
     }
 
     /**
-     * Writes a row's gradient; returns its excess, the driver's coordinate not counted.
+     * Writes a row's gradient; returns its residual, without the driver's coordinate.
      * @param {Row} row
      * @param {Float64Array} into
      */
@@ -128,7 +128,7 @@ class Places {
     }
 
     /**
-     * Closes all joints with the driver at a coordinate, from a start; false where it does not get there.
+     * Closes all joints at a coordinate of the driver, from a start; false if it does not converge.
      * @param {ArrayLike<number>} start
      * @param {number} coordinate
      * @param {number[]} shares by driver
@@ -159,7 +159,7 @@ class Places {
         return false;
     }
 
-    /** Points, guides, normals and tangents, m, as engine/motion/positions.cpp reads them. */
+    /** Points, guides, normals and tangents, m, as in engine/motion/positions.cpp. */
     read() {
         const {points, joints, unit} = this.data;
         const scaled = (/** @type {Spot} */ a) => ({x: unit * a.x, y: unit * a.y});
@@ -198,7 +198,7 @@ class Places {
     }
 
     /**
-     * Where two profiles touch, in the closure's unit.
+     * The contact point of two profiles, in the closure's unit.
      * @param {JointRule} joint
      * @returns {Spot}
      */
@@ -221,7 +221,7 @@ class Places {
     }
 
     /**
-     * Along a straight slide since the drawn position, m.
+     * The displacement along a straight slide from the drawn position, m.
      * @param {JointRule} joint
      */
     slid(joint) {
@@ -234,8 +234,8 @@ class Places {
 }
 
 /**
- * The solution of rows (each with its right side last) by elimination with complete pivoting: repeated equations do no
- * harm, and what no equation determines stays zero.
+ * Solves rows (each with its right side last) by elimination with complete pivoting: repeated equations are harmless,
+ * and unknowns that no equation determines stay zero.
  * @param {Float64Array[]} matrix
  * @param {number} columns
  */

@@ -1,20 +1,20 @@
-// The next line is the student's: where it begins, in which direction, how long. What is right is what the construction
-// drew; what is wrong is told apart as point, direction, sense and length. In the drawn position, one polygon at a
-// time. Nothing is sent.
+// The exercise: the student draws the next line of a polygon: its start, direction and length. The line is compared
+// with the construction; a wrong one is reported as a wrong point, direction, sense or length. Only in the drawn
+// position, one polygon at a time. Nothing is sent.
 
 /**
  * @typedef {{statement: number, kind: 'vector' | 'line', name: string, from: Spot, by: Spot}} Task
- *   name: of the vector drawn, or of that which lies on the line; by: the vector, or the line's direction, mm on paper
+ * name: of the vector drawn, or of the vector on the line; by: the vector, or the line's direction, mm on paper
  * @typedef {{name: string, along: Spot}} Direction a unit vector on paper
  */
 
-/** How far off a drawing may be: degrees, mm, share of the length. */
+/** Tolerances: degrees, mm, share of the length. */
 const straightEnough = 2, longEnough = 1, shareEnough = 0.02;
 
 /**
- * What of a polygon is drawn one after the other: vectors that are known, and the lines on which the others lie.
+ * The lines of a polygon in drawing order: known vectors, and the lines on which the others lie.
  * @param {FigureView} view
- * @param {(statement: number) => Set<string>} unknownIn names of the vectors whose magnitude a statement does not know
+ * @param {(statement: number) => Set<string>} unknownIn names of the vectors of unknown magnitude in a statement
  * @returns {Task[]}
  */
 function tasksOf(view, unknownIn) {
@@ -45,7 +45,7 @@ function tasksOf(view, unknownIn) {
             );
             tasks.push({statement, kind: 'line', name: lying?.name ?? '', from, by: direction});
         }
-        // Of a force only the line of action is known: it is drawn through whichever end is there.
+        // Of a force only the line of action is known: it is drawn through the end that is known.
         for (const {name, ends} of ofIt) {
             const from = ends.find(isKnown);
             if (!unknown.has(name) || on.length > 0 || !from || ends.every(isKnown)) continue;
@@ -78,7 +78,7 @@ function drawnIn(view) {
 }
 
 /**
- * What is wrong with a line; nothing where it is right.
+ * The fault of a line; empty if it is right.
  * @param {Task} task
  * @param {Spot} from
  * @param {Spot} to
@@ -104,7 +104,7 @@ class Exercise {
         this.figure = '';
         this.next = 0;
         /**
-         * By task done: 1, right at once; ½, with help; 0, shown.
+         * By finished task: 1, right at the first try; ½, with help; 0, shown.
          * @type {number[]}
          */
         this.points = [];
@@ -131,8 +131,8 @@ class Exercise {
         return tasksOf(view, (statement) => this.unknownIn(statement, view.id.startsWith('forces')));
     }
     /**
-     * As the table under a sentence says it: terms, whether their magnitudes are known, whether their directions are. A
-     * sentence of forces names those that it finds.
+     * Reads the table under a sentence: terms, whether their magnitudes are known, whether their directions are. A
+     * sentence on forces names the forces that it finds.
      * @param {number} statement
      * @param {boolean} isOfForces
      */
@@ -152,7 +152,7 @@ class Exercise {
         }
         return new Set(names.filter((name) => unknown.includes(name.replaceAll('_', ''))));
     }
-    /** Polygons in which there is something to draw. */
+    /** Polygons with at least one task. */
     get polygons() {
         const all = this.page.figures.filter(
             (view) => !view.isMechanism && !view.held && view.follows && view.id !== 'closure',
@@ -198,7 +198,7 @@ class Exercise {
         this.group = this.handle = null;
     }
 
-    /** The page as it stands before the next line. */
+    /** Shows the page before the next line. */
     refresh() {
         const {page} = this;
         page.showTrying(true);
@@ -268,10 +268,11 @@ class Exercise {
         putLine(line, along(task.from, -width / 3, task.by), along(task.from, width / 3, task.by));
     }
 
-    // --- what may be chosen ------------------------------------------------------------------------------------------
+    // --- the choices
+    // --------------------------------------------------------------------------------------------------
 
     /**
-     * Vertices that are drawn already, the pole first.
+     * Vertices already drawn, the pole first.
      * @param {FigureView} view
      * @returns {{name: string, at: Spot}[]}
      */
@@ -305,7 +306,7 @@ class Exercise {
         return points;
     }
     /**
-     * Along and across what the mechanism shows.
+     * Directions along and perpendicular to the lines of the mechanism.
      * @returns {Direction[]}
      */
     directions() {
@@ -336,7 +337,8 @@ class Exercise {
         return found;
     }
 
-    // --- the line that is drawn --------------------------------------------------------------------------------------
+    // --- the student's line
+    // -------------------------------------------------------------------------------------------
 
     /** @param {FigureView} view */
     layLine(view) {
@@ -362,7 +364,7 @@ class Exercise {
         const {value} = this.page.at('try-direction');
         return value === '' ? null : this.directions()[Number(value)].along;
     }
-    /** A line that is turned keeps its length, and as far as it can its sense. */
+    /** Turns the line to the chosen direction; its length, and if possible its sense, stay. */
     aim() {
         const {handle, from} = this, e = this.chosenDirection;
         if (!handle) return;
@@ -370,7 +372,7 @@ class Exercise {
         this.drag(e ? along(from, dot(minus(handle.at, from), e) < 0 ? -size : size, e) : handle.at);
     }
     /**
-     * The end, on the direction that is chosen, if one is.
+     * Moves the end, along the chosen direction if there is one.
      * @param {Spot} at
      */
     drag(at) {
@@ -384,7 +386,7 @@ class Exercise {
             kind === 'vector' ? measured(apart(from, handle.at), view.drawnScale, view.unit, written) : '';
     }
     /**
-     * A vertex under the pointer is the point where it begins.
+     * If there is a vertex under the pointer, the line starts there.
      * @param {SVGSVGElement} svg
      * @param {PointerEvent} event
      */
@@ -398,7 +400,8 @@ class Exercise {
         this.choosePoint();
     }
 
-    // --- what is said of it ------------------------------------------------------------------------------------------
+    // --- the verdict
+    // --------------------------------------------------------------------------------------------------
 
     check() {
         if (!this.handle) return;
@@ -434,7 +437,7 @@ class Exercise {
 }
 
 /**
- * Digits set low where nothing else can be.
+ * Digits and letters as subscripts of Unicode, for plain text.
  * @param {string} name
  */
 function unscored(name) {

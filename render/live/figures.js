@@ -1,7 +1,6 @@
-// A figure of the sheet that follows the mechanism. Its marks are those of the drawing; each is bound once to what it
-// hangs on (a body, a place, a vector of the record, a line) and moved with it. What hangs on nothing known here is
-// left out while the mechanism is elsewhere: nothing is shown that was not constructed. At the drawn position it is the
-// sheet's figure, untouched.
+// A figure of the sheet that follows the mechanism. Each mark of the drawing is bound once to what it moves with (a
+// body, a place, a vector of the program, a line). Away from the drawn position, marks without a binding are hidden,
+// since nothing may be shown that was not constructed. In the drawn position it is the sheet's figure, unchanged.
 
 /**
  * @typedef {{name: string, origin: [number, number], places?: number, labels: string[][]}} FigureInfo
@@ -25,7 +24,7 @@ function parsePath(d) {
 
 /**
  * @param {Segment[]} segments
- * @param {(at: Spot) => Spot} map rigid, where there are arcs
+ * @param {(at: Spot) => Spot} map must be rigid if there are arcs
  */
 function mappedPath(segments, map) {
     const spot = (/** @type {number} */ x, /** @type {number} */ y) => {
@@ -41,7 +40,7 @@ function mappedPath(segments, map) {
 }
 
 /**
- * The places that a path goes through.
+ * The points of a path.
  * @param {Segment[]} segments
  * @returns {Spot[]}
  */
@@ -88,24 +87,24 @@ function apart(a, b) {
     return Math.hypot(a.x - b.x, a.y - b.y);
 }
 
-/** What nobody can tell apart on paper, mm. */
+/** Points nearer than this are the same, mm. */
 const samePlace = 0.02;
 /** Shorter vectors are not drawn, mm. */
 const leastVector = 0.05;
-/** An arrow keeps two fifths of shaft, its head some width: as render/page/shapes.cpp draws it. */
+/** Share of an arrow that its head may take, and its least width, mm, as in render/page/shapes.cpp. */
 const headShare = 0.6, leastHeadWidth = 0.35;
 
-/** A figure of a drawing, which may hold several. */
+/** A figure of a drawing; a drawing may contain several. */
 class FigureView {
     /** @type {Map<number, Drawn>} */
     plans = new Map();
     /**
-     * Of vectors that are drawn here, by name: under which they are in the plans.
+     * By the name of a vector of this figure: its key in the plans.
      * @type {Map<string, string>}
      */
     keys = new Map();
     /**
-     * The scale bar: true at the drawing's scale alone.
+     * The scale bar: valid only at the drawing's scale.
      * @type {Element[]}
      */
     measures = [];
@@ -117,36 +116,36 @@ class FigureView {
     written = String;
     tellsValues = false;
     /**
-     * A body cut free keeps its place: its points, and the middle of them as drawn.
+     * A free body stays in place: its points, and the middle of them as drawn.
      * @type {{points: number[], middle: Spot} | null}
      */
     own = null;
     /**
-     * What was changed, as it was and as it is.
+     * Changed attributes: the value as drawn and the current one.
      * @type {Map<Element, Map<string, {drawn: string | null, now: string | null}>>}
      */
     drawn = new Map();
     /**
-     * Arrows of a polygon, in the order in which they are drawn; where each stands beside its place.
+     * Arrows of a polygon in drawing order; the offset of each that is drawn beside its place.
      * @type {string[]}
      */
     strokes = [];
     /** @type {Map<string, Spot>} */
     asides = new Map();
     /**
-     * Labels that find their place once all else has one, and what they keep off.
+     * Labels placed after all others, so that they avoid them.
      * @type {(() => void)[]}
      */
     placings = [];
     crowd = new Crowd();
     /**
-     * Of points on guides of the frame: how far they go before and behind where they were drawn, mm.
+     * By point on a guide of the frame: its range of travel before and behind the drawn place, mm.
      * @type {Map<number, {from: number, to: number, drawn: Spot, e: Spot}>}
      */
     travels = new Map();
     room = {left: 0, top: 0, right: 0, bottom: 0};
     /**
-     * Of several in one drawing.
+     * If there are several in one drawing.
      * @type {FigureView[][]}
      */
     rows = [];
@@ -156,7 +155,7 @@ class FigureView {
     foot = undefined;
     isBound = false;
     saysOtherScale = false;
-    /** Leaders, which go with their labels. */
+    /** Leaders, which move with their labels. */
     taken = new Set();
 
     /**
@@ -176,24 +175,24 @@ class FigureView {
         this.unit = group.getAttribute('data-unit') ?? '';
         this.drawnScale = Number(group.getAttribute('data-scale') ?? 1);
         this.scale = this.drawnScale;
-        /** A body, or a pin, cut free. */
+        /** A free body, or a free pin. */
         this.isFree = /^(body|pin)-/.test(info.name);
         const isHeld = this.isFree || /^(lines-|curvature-|joukowsky$)/.test(info.name);
         this.isMechanism =
             ['mechanism', 'centres', 'velocities'].includes(info.name) || (isHeld && info.name !== 'joukowsky');
-        /** Of the vectors, units of the quantity for a mm; a drawing of the mechanism may bear vectors. */
+        /** Units of the quantity for a mm of a vector; a drawing of the mechanism may show vectors. */
         this.vectorScale = this.drawnScale;
         if (this.isMechanism) this.drawnScale = this.scale = info.places ?? 1;
         this.origin = this.isMechanism || isHeld ? {x: info.origin[0], y: info.origin[1]} : this.poleOf();
-        /** Marks that say what they go with. */
+        /** The marks with a data-on attribute. */
         this.held = isHeld ? new HeldMarks(this) : null;
         if (this.held?.isLever) this.drawnScale = this.scale;
         this.drawnOrigin = this.origin;
-        /** What is seen of the paper: left, top, width, height. */
+        /** The visible area of the drawing: left, top, width, height. */
         this.shownRoom = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
         /**
-         * What a polygon that fills its room is given: seen flat, or beside a detail, it may be of another shape
+         * The area for a polygon that fills its space: if it was drawn flat, or beside a detail, its shape may differ
          * elsewhere.
          */
         this.fitRoom = this.isMechanism || isHeld ? this.viewBox : wellShaped(this.viewBox);
@@ -202,16 +201,16 @@ class FigureView {
         this.captionOfScale = /** @type {HTMLElement | null} */ (figure?.querySelector('.scale'));
     }
 
-    /** Whether the figure can follow the mechanism at all. */
+    /** Whether the figure can follow the mechanism. */
     get follows() {
         if (this.isMechanism || this.held) return this.scale > 0;
         return this.keys.size > 0 && ![...this.keys.values()].includes('');
     }
-    /** Whether it hangs on a construction, and not on the position alone. */
+    /** Whether the figure depends on a construction, not on the position only. */
     get isConstructed() {
         return !this.isMechanism || this.held !== null;
     }
-    /** Of what it shows: a unit for each mm, now and as drawn; of the lever velocities and forces. */
+    /** Units for a mm, now and as drawn; of Joukowsky's lever for velocities and forces. */
     get scales() {
         const {held, unit, scale, drawnScale} = this, forces = held && held.forces.length > 0 ?
             [{now: held.scale / held.inUnit, drawn: held.drawnScale / held.inUnit, unit: held.unit}] : [];
@@ -227,7 +226,7 @@ class FigureView {
         return this.group.querySelector('title')?.textContent ?? '';
     }
     /**
-     * Where the pole of a polygon lies: its vectors tell.
+     * The pole of a polygon, computed from its vectors.
      * @returns {Spot}
      */
     poleOf() {
@@ -243,27 +242,28 @@ class FigureView {
                 told.push({name, key, x, y});
             }
         }
-        // Two polygons may be of one body: what most of the vectors tell is this one's.
+        // Two polygons may be of one body: the pole on which most vectors agree is the right one.
         const agreeing = told.map((one) => told.filter((other) => apart(one, other) < 0.05));
         const most = agreeing.reduce((best, each) => each.length > best.length ? each : best, []);
-        // One that is drawn a hair beside its place, so that it is seen beside another, is known by its name.
+        // A vector drawn slightly beside its place, so that it does not cover another, is identified by its name.
         told.forEach(({name, key}) => this.keys.set(name, this.keys.has(name) ? '' : key));
         most.forEach(({name, key}) => this.keys.set(name, key));
         return most.length > 0 ? {x: most[0].x, y: most[0].y} : {x: 0, y: 0};
     }
 
     /**
-     * The point at which a vector is drawn on the mechanism: v_B at B; −1: none.
+     * The point at which the mechanism shows a vector: v_B at B; −1: none.
      * @param {string} name
      */
     pointOf(name) {
         return this.names.points.findIndex(({label}) => label === name.slice(2).replace('*', ''));
     }
 
-    // --- where things are --------------------------------------------------------------------------------------------
+    // --- positions
+    // ----------------------------------------------------------------------------------------------------
 
     /**
-     * From SI to mm on paper.
+     * Converts SI to mm on paper.
      * @param {Spot} at
      * @returns {Spot}
      */
@@ -271,7 +271,7 @@ class FigureView {
         return {x: this.origin.x + at.x / this.scale, y: this.origin.y - at.y / this.scale};
     }
     /**
-     * The same in the drawn position's figure.
+     * The same for the figure as drawn.
      * @param {Spot} at
      * @returns {Spot}
      */
@@ -279,7 +279,7 @@ class FigureView {
         return {x: this.drawnOrigin.x + at.x / this.drawnScale, y: this.drawnOrigin.y - at.y / this.drawnScale};
     }
     /**
-     * What a plan draws in this figure, by name.
+     * The elements that a plan draws in this figure, by name.
      * @param {number} plan
      */
     drawnBy(plan) {
@@ -299,7 +299,7 @@ class FigureView {
             if (figure !== from) continue;
             let key = name;
             const known = found.vectors.get(name);
-            if (known && known[0] === tail && known[1] === tip) continue;  // of two bodies that share the point
+            if (known && known[0] === tail && known[1] === tip) continue;  // of two bodies with a common point
             for (let k = 1; found.vectors.has(key); ++k) key = `${name}#${k}`;
             found.vectors.set(key, [tail, tip]);
         }
@@ -314,7 +314,7 @@ class FigureView {
         return this.drawnBy(plan).vectors;
     }
     /**
-     * Tail and tip on paper, in the position where the mechanism is.
+     * Tail and tip on paper, in the current position.
      * @param {string} name
      * @returns {[Spot, Spot] | null}
      */
@@ -329,7 +329,7 @@ class FigureView {
         return [from, {x: from.x + by.x / this.vectorScale, y: from.y - by.y / this.vectorScale}];
     }
     /**
-     * A vertex, or a centre, on paper.
+     * A vertex or a centre, on paper.
      * @param {string} name
      * @returns {Spot | null}
      */
@@ -339,7 +339,7 @@ class FigureView {
         return at && this.paper(at);
     }
     /**
-     * Of a construction line: the places that it was drawn through, and its direction.
+     * The points through which a construction line was drawn, and its direction.
      * @param {string} name
      * @returns {{points: Spot[], direction: Spot} | null}
      */
@@ -362,7 +362,7 @@ class FigureView {
 
     // --- following ---------------------------------------------------------------------------------------------------
 
-    /** Shows the sheet's figure. */
+    /** Shows the figure as drawn. */
     restore() {
         for (const [node, attributes] of this.drawn) {
             for (const [name, known] of attributes) {
@@ -379,7 +379,7 @@ class FigureView {
         this.svg.classList.remove('moved');
     }
     /**
-     * Follows the mechanism; `room`: what it may cover.
+     * Follows the mechanism; `room`: the area that it may cover.
      * @param {number[]} room
      * @param {{scale: number, origin: Spot}} to
      */
@@ -410,7 +410,7 @@ class FigureView {
         return at && by ? [along(at[0], 1, by), along(at[1], 1, by)] : at;
     }
     /**
-     * The scale bar stands in the corner of what is seen, out of the mechanism's way.
+     * Moves the scale bar to the corner of the visible area, away from the mechanism.
      * @param {number[]} room
      */
     measuresToRim([x, y, , height]) {
@@ -421,7 +421,7 @@ class FigureView {
         for (const node of this.measures)
             this.translate(node, isWidened ? {x: x + 3 - left, y: y + height - 2 - bottom} : {x: 0, y: 0});
     }
-    /** A body cut free turns, but does not leave. */
+    /** A free body turns, but stays in place. */
     stayInPlace() {
         if (this.own) this.origin = along(this.origin, 1, minus(this.own.middle, this.middleOf(this.own.points)));
     }
@@ -466,7 +466,7 @@ class FigureView {
         this.set(node, 'visibility', visible ? 'inherit' : 'hidden');
     }
     /**
-     * Before what the node is turned by itself.
+     * Set before the node's own transform.
      * @param {Element} node
      * @param {string} transform
      */
@@ -485,7 +485,7 @@ class FigureView {
 
     // --- binding, in the drawn position ------------------------------------------------------------------------------
 
-    /** To be called once, in the drawn position, the figure visible. */
+    /** Call once, in the drawn position, while the figure is visible. */
     bind() {
         if (this.isBound) return;
         this.isBound = true;
@@ -502,7 +502,7 @@ class FigureView {
         }
     }
 
-    /** Marks that say what they go with, and of a body cut free what it is. */
+    /** Binds the marks with a data-on attribute; of a free body also its own marks. */
     bindHeld() {
         const {held, names, motion} = this;
         if (!held) return;
@@ -524,7 +524,7 @@ class FigureView {
     }
 
     /**
-     * Beside the figures of a drawing: a bar half of which is filled, its outline, and what it measures.
+     * Beside the figures of a drawing: a half-filled bar, its outline and its label.
      * @param {Element} node
      */
     bindScaleBar(node) {
@@ -547,7 +547,7 @@ class FigureView {
         this.bindArrow(node, drawn, () => this.drawnVector(name));
     }
     /**
-     * Thin lines lead from the places of a vector's ends to where it is drawn.
+     * Thin lines lead from the ends of a vector's place to where it is drawn.
      * @param {string} name
      * @param {[Spot, Spot]} place
      * @param {[Spot, Spot]} drawn
@@ -569,7 +569,7 @@ class FigureView {
         }
     }
     /**
-     * The head of an arrow, and its shaft's width.
+     * The head of an arrow, and the width of its shaft.
      * @param {Element} node
      */
     headOf(node) {
@@ -585,7 +585,7 @@ class FigureView {
             : null;
     }
     /**
-     * The whole head of an arrow that was too short for it: others of the drawing have one.
+     * The full head of an arrow that was too short for it, taken from another arrow of the drawing.
      * @param {Element} node
      * @param {number} length
      */
@@ -597,7 +597,7 @@ class FigureView {
             .reduce((most, each) => (each.length > most.length ? each : most), own);
     }
     /**
-     * Shaft and head keep their shape, however long the arrow becomes.
+     * The arrow's head and shaft keep their shape at any length.
      * @param {Element} node an arrow, or a stroke of one
      * @param {[Spot, Spot]} drawn
      * @param {() => [Spot, Spot] | null} place
@@ -646,7 +646,7 @@ class FigureView {
     }
 
     /**
-     * A stroke that stands by itself: a construction line, a disc at a vertex, the scale bar.
+     * A single stroke: a construction line, a disc at a vertex, the scale bar.
      * @param {Element} node
      */
     bindPath(node) {
@@ -678,7 +678,7 @@ class FigureView {
         return null;
     }
     /**
-     * The construction line on which all of the spots lie.
+     * The construction line through all of the points.
      * @param {Spot[]} spots
      * @param {string | null} statement
      */
@@ -714,7 +714,7 @@ class FigureView {
             const fits = now !== null && ends.every(({nearest}) => nearest < now.points.length);
             this.show(node, fits);
             if (!fits) return;
-            // Where the points changed their order along the line, so did its ends.
+            // If the points change their order along the line, so do its ends.
             const turned =
                 Math.sign(dot(minus(now.points[now.points.length - 1], now.points[0]), now.direction)) * sense < 0
                     ? -1
@@ -726,7 +726,7 @@ class FigureView {
     }
 
     /**
-     * The image of a link whose points lie on one line: it goes on from vertex to vertex.
+     * The image of a link whose points are collinear: it goes from vertex to vertex.
      * @param {Element} node
      * @param {Segment[]} segments
      * @param {Spot[]} spots
@@ -770,8 +770,8 @@ class FigureView {
         });
     }
     /**
-     * What is drawn again in a detail has its name there; elsewhere than drawn there is no detail, and the name stands
-     * here.
+     * The label of a mark repeated in a detail stands in the detail. Away from the drawn position there is no detail,
+     * so a copy of the label stands here.
      */
     bindLabelsOfDetails() {
         if (this.isMechanism || this.held) return;
@@ -786,14 +786,14 @@ class FigureView {
             own.add(vector);
             const copy = /** @type {SVGGElement} */ (label.cloneNode(true)),
                 box = /** @type {SVGGElement} */ (label).getBBox();
-            copy.classList.add('number');  // seen elsewhere alone
+            copy.classList.add('number');  // shown only away from the drawn position
             copy.classList.remove('label');
             this.group.append(copy);
             this.bindVectorLabel([copy], vector, {x: box.x + box.width / 2, y: box.y + box.height / 2}, box);
         });
     }
     /**
-     * The label with what is set beside it in another colour, and its circle.
+     * The label, its parts in other colours, and its circle.
      * @param {Element} label
      * @param {Spot} centre
      */
@@ -813,7 +813,7 @@ class FigureView {
         return parts;
     }
     /**
-     * The line that leads from a label to what it names, and the dot at its end.
+     * The line from a label to what it names, and the dot at its end.
      * @param {Element} first of the label
      * @param {Spot} centre
      * @returns {Element[]}
@@ -842,7 +842,7 @@ class FigureView {
         });
     }
     /**
-     * A vertex's name: as far from it as on the sheet, on a side where it is read.
+     * A vertex's label: it keeps its distance, and goes to a side where it can be read.
      * @param {Element[]} parts
      * @param {() => Spot | null} place
      * @param {Spot} centre
@@ -860,7 +860,7 @@ class FigureView {
         });
     }
     /**
-     * Where it hides least; nowhere: it is left out.
+     * Puts the label where it hides least; if there is no place, hides it.
      * @param {Element[]} parts
      * @param {Spot} centre
      * @param {{width: number, height: number}} box
@@ -876,7 +876,7 @@ class FigureView {
         });
     }
     /**
-     * It keeps its side of the vector and its distance from it.
+     * The label keeps its side of the vector and its distance from it.
      * @param {Element[]} parts
      * @param {string} name
      * @param {Spot} centre
@@ -891,7 +891,7 @@ class FigureView {
         this.bindBeside(parts, axis ? endsOf(axis) : place, () => this.drawnVector(name), centre, box);
     }
     /**
-     * It keeps its side of what it stands beside, and its distance from it, as long as it is read there.
+     * The label keeps its side and its distance while it can be read there.
      * @param {Element[]} parts
      * @param {[Spot, Spot]} drawn
      * @param {() => [Spot, Spot] | null} place
@@ -899,7 +899,7 @@ class FigureView {
      * @param {{width: number, height: number}} box
      */
     bindBeside(parts, drawn, place, centre, box) {
-        // A leader led from where the label was.
+        // A leader started where the label was.
         for (const part of parts) if (this.taken.has(part)) part.classList.add('still');
         const middle = (/** @type {[Spot, Spot]} */ [tail, tip]) => ({
             x: (tail.x + tip.x) / 2,
@@ -913,9 +913,9 @@ class FigureView {
         const side = Math.sign(dot(off, n)) || 1,
             share = dot(off, e) / length,
             clearance = Math.abs(dot(off, n)) - reach(n);
-        // Beyond an end of a short vector, or at the end of a leader, it would be far from a long one, or upon it.
+        // Beyond an end of a short vector, or at a leader, it would be far from a long one or on it.
         const near = Math.min(Math.max(share, -0.4), 0.4), close = Math.min(Math.max(clearance, 0.8), 2.5);
-        const isNear = Math.hypot(off.x, off.y) < length / 2 + 25;  // else it stood in a detail
+        const isNear = Math.hypot(off.x, off.y) < length / 2 + 25;  // otherwise it was in a detail
         const sides = [near, 0, 0.3, -0.3].flatMap((part) => [{part, across: side}, {part, across: -side}]);
         this.placeLabel(parts, centre, box, () => {
             const now = place(), size = now ? apart(now[0], now[1]) : 0;
@@ -930,7 +930,7 @@ class FigureView {
         });
     }
     /**
-     * What each vector is worth here, beside its name; or not.
+     * Shows or hides the value of each vector beside its name.
      * @param {boolean} isOn
      * @param {(value: number) => string} written
      */
@@ -951,7 +951,7 @@ class FigureView {
         }
     }
     /**
-     * What a vector is worth here, in the figure's unit.
+     * The magnitude of a vector in this position, in the figure's unit.
      * @param {string} name
      */
     sizeOf(name) {
@@ -959,7 +959,7 @@ class FigureView {
         return ends && apart(...ends) * (this.isMechanism ? this.vectorScale : this.scale);
     }
     /**
-     * A word along a construction line.
+     * Text along a construction line.
      * @param {Element} label
      * @param {Spot} drawnCentre
      */
@@ -1005,7 +1005,7 @@ class FigureView {
     // --- the mechanism -----------------------------------------------------------------------------------------------
 
     /**
-     * A group of marks by their role.
+     * A group of marks, by its role.
      * @param {Element} group
      */
     bindRole(group) {
@@ -1053,7 +1053,7 @@ class FigureView {
         });
     }
     /**
-     * Where a place that was drawn on a body is now, on paper.
+     * The current position on paper of a place that was drawn on a body.
      * @param {number} body
      * @param {Spot} drawn
      */
@@ -1067,7 +1067,7 @@ class FigureView {
         return this.paper(scaledBy(data.unit, places.world(body, x, y)));
     }
     /**
-     * Whose mark it is, as ids have it: "link-3", "velocities-link-3", "body-2-link-2"; −1: nobody's.
+     * Index of the owner of a mark, by ids such as "link-3", "velocities-link-3", "body-2-link-2"; −1: none.
      * @param {Element} node
      * @param {string} kind
      * @param {{id: string}[]} list
@@ -1087,7 +1087,7 @@ class FigureView {
         else this.bindToBody(node, body);
     }
     /**
-     * The tint of a plate lies under the link with the same corners.
+     * The tint of a plate is below the link with the same corners.
      * @param {Element} node
      */
     bindTint(node) {
@@ -1129,7 +1129,7 @@ class FigureView {
         else node.classList.add('still');
     }
     /**
-     * A line of Aronhold and Kennedy, on which centres lie.
+     * A line of Aronhold and Kennedy, which contains centres.
      * @param {Element} node
      * @param {Segment[]} segments
      * @param {Spot[]} spots
@@ -1159,7 +1159,7 @@ class FigureView {
         });
     }
     /**
-     * The axis of a guide goes with the body that has it; compass strokes are of the drawn position.
+     * The axis of a guide moves with its body; compass strokes exist only in the drawn position.
      * @param {Element} node
      */
     bindGuide(node) {
@@ -1182,8 +1182,8 @@ class FigureView {
         else node.classList.add('still');
     }
     /**
-     * What stands at a place of the frame stays there, unless that goes elsewhere with a length. False: there is none
-     * so near.
+     * A mark at a place of the frame stays there, unless a changed length moves the place. False: there is no place so
+     * near.
      * @param {Element} node
      * @param {number} reach mm
      */
@@ -1197,7 +1197,7 @@ class FigureView {
         return true;
     }
     /**
-     * What goes elsewhere with a length alone.
+     * A mark that moves only with a changed length.
      * @param {Element} node
      * @param {() => Spot} offset
      */
@@ -1210,7 +1210,7 @@ class FigureView {
         });
     }
     /**
-     * The axis of a guide on the frame, and the ground beside it.
+     * The axis of a guide on the frame, and the hatching beside it.
      * @param {Element} node
      * @param {Spot[]} spots
      * @param {number} reach
@@ -1234,7 +1234,7 @@ class FigureView {
         return true;
     }
     /**
-     * A guide is drawn as long as what slides on it goes: a line by its ends, hatching by more of its strokes.
+     * Extends a guide over the travel of its slide: a line by its ends, hatching by more strokes.
      * @param {Element} node
      * @param {number} point
      * @param {Spot} drawn
@@ -1253,7 +1253,7 @@ class FigureView {
                 const ends = spots.map((spot, i) => along(spot, at[i] < at[1 - i] ? from : to, e));
                 return this.set(node, 'd', mappedPath(segments, () => /** @type {Spot} */ (ends.shift())));
             }
-            // The outermost stroke may be cut: copies are of its neighbour.
+            // The outermost stroke may be cut, so its neighbour is copied.
             const pitch = count > 7 ? at[4] - at[2] : 0, step = Math.abs(pitch), isUp = pitch > 0;
             if (step < samePlace) return;
             const copies = [
@@ -1267,7 +1267,7 @@ class FigureView {
             this.set(node, 'd', mappedPath(segments, (spot) => spot) + copies.join(''));
         });
     }
-    /** Where points on guides come, in one position of the way. */
+    /** The travel of points on guides, in one position of the driver. */
     measureTravels() {
         const [, , width, height] = this.viewBox;
         for (const [point, travel] of this.travels) {
@@ -1278,7 +1278,7 @@ class FigureView {
         }
     }
     /**
-     * The place of the frame that is nearest; −1: none.
+     * The nearest place of the frame; −1: none.
      * @param {Spot} at
      * @param {number} reach
      */
@@ -1315,8 +1315,7 @@ class FigureView {
         }
     }
     /**
-     * What says a number is left out where it says another than holds: "ω_2 = 5 rad/s" of a driver stays as long as
-     * nobody changes it.
+     * Hides a label with a number that is no longer true: "ω_2 = 5 rad/s" of a driver stays until it is changed.
      * @param {Element[]} parts
      * @param {string} text
      * @param {Spot} centre
@@ -1328,7 +1327,7 @@ class FigureView {
         this.bindToPlace(parts, () => motion.settings[setting] === settings[setting].value ? this.point(ground) : null);
     }
     /**
-     * "P_13  (O_2P_13 = 424 mm)": its name alone goes elsewhere.
+     * "P_13  (O_2P_13 = 424 mm)": only the name remains away from the drawn position.
      * @param {Element} label
      */
     cutNumber(label) {
@@ -1345,16 +1344,17 @@ class FigureView {
         return {x: (at.x - this.origin.x) * this.scale, y: (this.origin.y - at.y) * this.scale};
     }
 
-    // --- room --------------------------------------------------------------------------------------------------------
+    // --- the area
+    // -----------------------------------------------------------------------------------------------------
 
     /**
-     * Of all that it must show here, at the drawing's scale, mm.
+     * All points that it must show here, at the drawing's scale, mm.
      * @returns {Spot[]}
      */
     extent() {
         if (this.held) return this.extentHeld(this.held);
         if (this.isMechanism) {
-            // A vector that grows beyond all bounds near a dead point leaves the room.
+            // A vector that grows without limit near a dead point may leave the area.
             const [x, y, width, height] = this.viewBox, rim = width / 4;
             const tips = [...this.vectorsOf(this.motion.plan).keys()].flatMap((name) => this.vector(name) ?? []).filter(
                 (at) => at.x > x - rim && at.x < x + width + rim && at.y > y - rim && at.y < y + height + rim);
@@ -1363,7 +1363,7 @@ class FigureView {
         return [...this.keys.keys()].flatMap((name) => this.vector(name) ?? []);
     }
     /**
-     * Points of concurrency and poles of curvature may be anywhere: those far away leave the room, as on the sheet.
+     * Points of concurrency and poles of curvature may be far away; then they leave the area, as on the sheet.
      * @param {HeldMarks} held
      */
     extentHeld(held) {
@@ -1378,7 +1378,7 @@ class FigureView {
         const arrows = [...held.arrows.values()].flatMap(({now}) => now() ?? []);
         return [...points.map((point) => this.point(point)), ...[...places, ...arrows].filter(isNear)];
     }
-    /** Of what it shows at the drawing's scale, mm. */
+    /** The box of what it shows, at the drawing's scale, mm. */
     box() {
         const {scale, origin} = this;
         this.scale = this.drawnScale;
@@ -1388,7 +1388,7 @@ class FigureView {
         return spots.length > 0 ? boxOf(spots) : null;
     }
     /**
-     * Its part of the drawing: alone all of it, else a place in a row. In the drawn position.
+     * The figure's part of the drawing: all of it, or a place in a row. In the drawn position.
      * @param {FigureView[]} views of the drawing, itself among them
      * @param {FigureView[][]} rows
      */
@@ -1404,7 +1404,7 @@ class FigureView {
         this.room = {left: x + rim, top: y + rim, right: x + width - rim, bottom: y + height - rim - below};
     }
     /**
-     * Its title and its table go with a polygon that has a place in a row.
+     * Moves the title and the table with a polygon that has a place in a row.
      * @param {boolean} fits
      */
     placeCompanions(fits) {
@@ -1417,7 +1417,7 @@ class FigureView {
         put(title, room.left - 8, room.top - 8);
         if (foot) put(foot, centre - foot.width / 2, room.bottom + 7);
     }
-    /** How much smaller than on the sheet it must be drawn to fill its room. */
+    /** The factor by which it must be smaller than on the sheet to fill its area. */
     shrinkage() {
         if (this.rows.length > 0) return shareRoom(this.rows);
         const box = this.box(), {left, top, right, bottom} = this.room;
@@ -1429,8 +1429,8 @@ class FigureView {
         );
     }
     /**
-     * Scale and origin with which what it shows stands in the middle of its room.
-     * @param {number} k how much smaller than on the sheet
+     * Scale and origin that centre the figure in its area.
+     * @param {number} k the factor by which it is smaller than on the sheet
      * @returns {{scale: number, origin: Spot}}
      */
     fitted(k) {

@@ -1,7 +1,10 @@
-// Lengths and parameters that a reader may change: the numbers of the closure and of the plans that follow from them,
-// and each driver's way found anew, as far as the joints close. Knows no figure.
+// Lengths and parameters that a reader may change: updates the numbers of the closure and of the plans, and computes
+// each driver's range again, as far as the joints close. Knows no figure.
 
-/** Positions on a whole way; how near a limit the last one stands; a start of Newton's method may be so far off. */
+/**
+ * Positions on a whole range; distance of the last one from a limit; tolerance of a start; largest error of a start of
+ * Newton's method.
+ */
 const stepsOfWay = 72, shortOfLimit = 1e-6, nearEnough = 0.02, farthestChange = 0.3;
 
 class Givens {
@@ -23,7 +26,7 @@ class Givens {
             ends && bar === undefined ? ends.map((end) => scaledBy(1 / data.unit, read.points[end])) : null,
         );
         /**
-         * By body: where a place of it is now, of where it was drawn (from its reference); null: there.
+         * By body: maps a place as drawn to the current one (from the body's reference); null: unchanged.
          * @type {(((at: Spot) => Spot) | null)[]}
          */
         this.shapes = bodies.map(() => null);
@@ -35,7 +38,7 @@ class Givens {
         return Boolean(ends || parameter);
     }
     /**
-     * Whether it goes with a parameter of the file, which is changed instead.
+     * Whether it depends on a parameter of the file; then the parameter is changed instead.
      * @param {number} setting
      */
     follows(setting) {
@@ -43,7 +46,7 @@ class Givens {
     }
 
     /**
-     * The numbers with these values; those of the settings that follow from parameters are written into them.
+     * Sets these values; writes the values of settings that depend on parameters into them.
      * @param {number[]} values
      */
     put(values) {
@@ -70,7 +73,7 @@ class Givens {
         }
     }
     /**
-     * Two of each setting: by how much it is more; of an angle by how much its cosine and its sine are.
+     * Two for each setting: its increase; for an angle the increases of its cosine and its sine.
      * @param {number[]} values
      */
     deltas(values) {
@@ -81,7 +84,7 @@ class Givens {
         });
     }
     /**
-     * All places of a body, from its reference, in proportion.
+     * Scales all places of a body about its reference.
      * @param {number} body
      * @param {number} factor
      */
@@ -89,7 +92,7 @@ class Givens {
         this.changeLocals((on, at) => on === body ? scaledBy(factor, at) : at);
     }
     /**
-     * What the frame holds at a place goes elsewhere.
+     * Moves what is fixed to the frame at a place.
      * @param {Spot} place
      * @param {Spot} by
      */
@@ -116,11 +119,12 @@ class Givens {
     }
 
     /**
-     * The ways with other values, on the same branch; null where the joints do not close, and then nothing changed.
+     * The drivers' ranges with other values, on the same branch; null if the joints do not close, and then nothing
+     * changes.
      * @param {Course[]} courses
      * @param {number[]} before
      * @param {number[]} after
-     * @param {number} near where the mechanism is
+     * @param {number} near the current coordinate
      * @returns {Course[] | null}
      */
     waysWith(courses, before, after, near) {
@@ -144,7 +148,7 @@ class Givens {
         return all;
     }
     /**
-     * A position with the driver where it is, the values changed little by little.
+     * A position at the same coordinate, reached by changing the values in small steps.
      * @param {Course} course
      * @param {Sample} sample
      * @param {number[]} before
@@ -189,7 +193,8 @@ class Givens {
         };
     }
     /**
-     * From a position as far as the joints close; it looks ahead, and does not believe what it did not foresee.
+     * Goes from a position as far as the joints close. It predicts each position and rejects one far from the
+     * prediction.
      * @param {Course} course
      * @param {number} from
      * @param {number[]} start
@@ -221,7 +226,7 @@ class Givens {
         return {samples, isLimit: false};
     }
     /**
-     * Of a law the same times, as far as the joints close.
+     * For a law: the same times, as far as the joints close.
      * @param {Course} course
      * @param {Sample} start
      * @param {number[]} q
@@ -247,8 +252,8 @@ class Givens {
     }
 
     /**
-     * What became of the bodies: a bar is longer between its places, as it was beyond them; a plate goes with three of
-     * its places.
+     * The maps of Givens.shapes: a bar is scaled between its places and keeps its length beyond them; a plate follows
+     * three of its places.
      */
     findShapes() {
         const {data} = this;
@@ -321,7 +326,7 @@ function largest(a, b) {
     return most;
 }
 /**
- * A number of the data, found by its way.
+ * A number of the data, by its path.
  * @param {any} data
  * @param {any[]} way
  */

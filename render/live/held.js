@@ -1,8 +1,8 @@
-// Marks that say what they go with (`data-on`, written by render/backends/svg.cpp): forces and their lines of action,
-// points of concurrency, arms, strings, curvature, Joukowsky's lever. Each name is a place or a vector that every plan
-// tells; here they are found on paper, and the marks put there. Nothing is bound by where it happens to lie.
+// Marks with a `data-on` attribute (written by render/backends/svg.cpp): forces and their lines of action, points of
+// concurrency, arms, strings, curvature, Joukowsky's lever. The attribute names places and vectors of the plans, and
+// the mark is moved to them; nothing is bound by its position in the drawing.
 
-/** Names of forms as in render/ink/holds.cpp. Lines run on as far as the figure is seen, mm. */
+/** Names of forms as in render/ink/holds.cpp. Lines extend over the visible part of the figure. Lengths in mm. */
 const leastLine = 1, largestRound = 1e4, shortestArc = 16, sameLine = 0.3;
 
 /** @typedef {{form: string, on: string[], beyond: number, unit: number}} Hold */
@@ -22,36 +22,36 @@ function holdOf(node) {
 }
 
 class HeldMarks {
-    /** @param {FigureView} view whose places are known */
+    /** @param {FigureView} view its places must be known */
     constructor(view) {
         this.view = view;
         this.isLever = view.info.name === 'joukowsky';
-        /** Of forces drawn to scale: N for each mm, as drawn and now; how many N the unit beside the scale is. */
+        /** Of forces drawn to scale: N for a mm, as drawn and now; the unit in N of the text of the scale. */
         this.drawnScale = 1;
         this.scale = 1;
         this.unit = '';
         this.inUnit = 1;
         /**
-         * Whose forces are drawn to scale.
+         * Names of the forces drawn to scale.
          * @type {string[]}
          */
         this.forces = [];
         /**
-         * By what they are on: where arrows begin and end, as drawn and now.
+         * By the names of their attribute: ends of the arrows, as drawn and now.
          * @type {Map<string, {drawn: [Spot, Spot], now: () => [Spot, Spot] | null}>}
          */
         this.arrows = new Map();
-        /** Force drawn to scale, as drawn. */
+        /** The largest force drawn to scale, as drawn. */
         this.longest = 0;
         /**
-         * Names of places that the figure must show.
+         * Names of places that must be visible in the figure.
          * @type {Set<string>}
          */
         this.places = new Set();
         this.measureScales();
     }
 
-    /** What a mm is worth is read off what is drawn: the longest arrow, and of the lever the longest ray. */
+    /** Computes the scale from the longest arrow; for Joukowsky's lever also from the longest ray. */
     measureScales() {
         const {view} = this, all = [...view.group.querySelectorAll('[data-on]')];
         const longest = (/** @type {string} */ form, /** @type {(on: string[]) => number} */ sizeOf) => {
@@ -80,11 +80,12 @@ class HeldMarks {
         this.longest = Math.max(0, ...this.forces.map((force) => this.sizeOf(['', force])));
     }
 
-    // --- where names are ---------------------------------------------------------------------------------------------
+    // --- positions of names
+    // -------------------------------------------------------------------------------------------
 
     /**
      * @param {number} element
-     * @returns {Spot | null} none: it vanishes
+     * @returns {Spot | null} null: it vanishes
      */
     vectorOf(element) {
         const {motion} = this.view;
@@ -107,7 +108,7 @@ class HeldMarks {
             const at = motion.spot(element);
             return at && view.paper(at);
         }
-        const v = this.vectorOf(element) ?? {x: 0, y: 0};  // what rests has its image in the pole
+        const v = this.vectorOf(element) ?? {x: 0, y: 0};  // a point at rest has its image at the pole
         return motion.held(name) ? view.paper({x: -v.y, y: v.x}) : null;
     }
     /** @param {string} force */
@@ -116,7 +117,7 @@ class HeldMarks {
         return at && e && along(at, dot(minus(this.view.origin, at), e), e);
     }
     /**
-     * The size of the vector that is the second name, SI.
+     * The magnitude of the vector with the second name, SI.
      * @param {string[]} on
      */
     sizeOf([, name]) {
@@ -124,7 +125,7 @@ class HeldMarks {
         return v ? Math.hypot(v.x, v.y) : 0;
     }
     /**
-     * Of a vector, or from place to place; on paper, of length one.
+     * Unit vector on paper: of a vector, or from place to place.
      * @param {string[]} names
      * @returns {Spot | null}
      */
@@ -143,7 +144,7 @@ class HeldMarks {
         return element < 0 || motion.plan < 0 ? 0 : motion.replays[motion.plan].x(element);
     }
     /**
-     * Place and direction; null where one of them is not.
+     * Place and directions; null if one of them is missing.
      * @param {string[]} on
      */
     axes([place, ...names]) {
@@ -153,7 +154,7 @@ class HeldMarks {
 
     // --- following ---------------------------------------------------------------------------------------------------
 
-    /** Before marks are put anywhere; forces keep the length of the longest where figures fill their room. */
+    /** Call before marks are placed. If figures fill their area, the longest arrow keeps its length. */
     take(/** @type {boolean} */ fits) {
         const sizes = this.forces.map((force) => this.sizeOf(['', force])), most = Math.max(0, ...sizes);
         this.scale = fits && most > 0 && this.longest > 0 ? this.drawnScale * most / this.longest : this.drawnScale;
@@ -212,7 +213,7 @@ class HeldMarks {
         });
     }
     /**
-     * An arrow to scale: it stands as far from its place as it did, before, behind or beside it.
+     * An arrow to scale: it keeps its distance from its place, before, behind or beside it.
      * @param {Element} node
      * @param {string[]} on
      */
@@ -235,7 +236,7 @@ class HeldMarks {
         view.bindArrow(node, whole, now);
     }
     /**
-     * Turned over where it turns the other way.
+     * Mirrored if its sense changes.
      * @param {Element} node
      * @param {string[]} on
      */
@@ -265,10 +266,11 @@ class HeldMarks {
         });
     }
 
-    // --- what is drawn now -------------------------------------------------------------------------------------------
+    // --- current shapes
+    // -----------------------------------------------------------------------------------------------
 
     /**
-     * How much of a line is seen.
+     * The visible part of a line.
      * @param {Spot} at
      * @param {Spot} e
      */
@@ -298,7 +300,7 @@ class HeldMarks {
         return b - a < leastLine ? '' : [a, b].map((t, i) => `${'ML'[i]}${written(along(at, t, e))}`).join('');
     }
     /**
-     * Forces that had one line where they were drawn may have several elsewhere.
+     * Forces with a common line of action as drawn may have several elsewhere.
      * @param {Hold} hold
      */
     linesNow({on, beyond}) {
@@ -373,7 +375,7 @@ class HeldMarks {
         view.bindBeside(parts, whole, ends, centre, box);
     }
     /**
-     * What a label stands beside: from where to where. Arrows are bound before.
+     * The segment beside which a label stands. Arrows must be bound before.
      * @param {Hold} hold
      * @param {Spot} centre
      * @returns {() => [Spot, Spot] | null}
@@ -399,7 +401,7 @@ class HeldMarks {
         };
     }
     /**
-     * The number that a label says as drawn gives way to the one that holds.
+     * Replaces the number in a label by the current value.
      * @param {Element} label
      * @param {Hold} hold
      */

@@ -1,11 +1,11 @@
-// What a reader lays on a figure: ends that are dragged or moved by keys, a ruler, values beside vectors. Knows
-// figures, and of the page only which are shown and what its words are.
+// Tools of the reader on a figure: ends moved by pointer or keys, a ruler, values beside vectors. Knows figures; of the
+// page only the visible figures and the words.
 
-/** What an arrow key moves an end by, and with the shift key, mm. */
+/** Step of an arrow key, and with the shift key, mm. */
 const keyStep = 0.25, longKeyStep = 5;
 
 /**
- * A new element of a drawing; the page has drawings, which know their namespace.
+ * A new element of a drawing, in the namespace of the page's drawings.
  * @param {Element} parent
  * @param {string} tag
  * @param {Record<string, string | number>} attributes
@@ -29,7 +29,7 @@ function putLine(line, from, to) {
 }
 
 /**
- * Where on the drawing the pointer is, mm.
+ * The pointer's position on the drawing, mm.
  * @param {SVGSVGElement} svg
  * @param {MouseEvent} event
  * @returns {Spot}
@@ -40,7 +40,7 @@ function spotUnder(svg, event) {
 }
 
 /**
- * Takes away what was laid on a figure.
+ * Removes what was laid on a figure.
  * @param {Element | null} group
  */
 function takeAway(group) {
@@ -48,19 +48,19 @@ function takeAway(group) {
     group?.remove();
 }
 
-/** An end that is taken by hand or moved by the arrow keys. */
+/** An end that can be dragged or moved by the arrow keys. */
 class Handle {
     /**
      * @param {Element} parent
      * @param {SVGSVGElement} svg
-     * @param {string} name for those who hear it
+     * @param {string} name for screen readers
      * @param {(at: Spot, byHand: boolean) => void} onMove
      */
     constructor(parent, svg, name, onMove) {
         this.at = {x: 0, y: 0};
         this.node = drawn(parent, 'circle', {r: 1.6, class: 'handle', tabindex: 0, role: 'button', 'aria-label': name});
         const {node} = this;
-        svg.setAttribute('role', 'group');  // what can be touched is no part of a picture
+        svg.setAttribute('role', 'group');  // an element with controls is no image
         node.addEventListener('pointerdown', (event) => {
             node.setPointerCapture(/** @type {PointerEvent} */ (event).pointerId);
             event.stopPropagation();
@@ -101,7 +101,7 @@ function measured(length, scale, unit, written) {
     return scale > 0 && unit !== '' ? `${paper} ≙ ${written(value)} ${unit === 'm' ? 'mm' : unit}` : paper;
 }
 
-/** A ruler that is laid on one figure. Its ends snap to what is there. */
+/** A ruler on one figure. Its ends snap to points of the figure. */
 class Ruler {
     /** @param {Page} page */
     constructor(page) {
@@ -167,7 +167,7 @@ class Ruler {
         this.show();
     }
     /**
-     * To the next figure, or the one before.
+     * Moves the ruler to the next or the previous figure.
      * @param {KeyboardEvent} event
      */
     carry(event) {
@@ -180,7 +180,7 @@ class Ruler {
         /** @type {HTMLElement | null} */ (this.group?.querySelector('.handle'))?.focus();
     }
     /**
-     * A new measure begins where the figure is touched.
+     * Starts a new measurement at the pointer.
      * @param {SVGSVGElement} svg
      * @param {PointerEvent} event
      */

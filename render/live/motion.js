@@ -1,5 +1,5 @@
-// Where the mechanism is and what holds there: a driver's coordinate made places, the places made givens, the givens a
-// program replayed, the program's elements the values of the columns. Knows no figure.
+// The current position and its results: computes positions of bodies from a driver's coordinate, givens from positions,
+// replays a program with the givens, and reads the values of the columns from its elements. Knows no figure.
 
 /** @typedef {{points: Spot[], guides: Spot[], normals: Spot[], tangents: Spot[]}} Read */
 
@@ -17,15 +17,15 @@ class Motion {
         this.places = new Places(data);
         this.replays = data.plans.map((plan) => new Replay(plan, data.size));
         this.helds = data.plans.map(({held}) => new Map(held.map(([name, ...elements]) => [name, elements])));
-        /** The ways with what is given now. */
+        /** The ranges of the drivers with the current givens. */
         this.courses = data.courses;
         this.course = data.courses[0];
         this.givens = new Givens(data, this.places, this.replays);
         /** As Sample.at. */
         this.at = 0;
-        /** Index of the plan that holds here; −1: none. */
+        /** Index of the plan that is valid here; −1: none. */
         this.plan = 0;
-        /** What is given now, as MovingData.settings. */
+        /** Current values of MovingData.settings. */
         this.settings = data.settings.map(({value}) => value);
         this.read = this.places.read();
         this.rates = {rate: 0, acceleration: 0};
@@ -42,7 +42,7 @@ class Motion {
         return this.data.settings.every(({value}, i) => value === this.settings[i]);
     }
     /**
-     * Exactly where the file has it, with what it gives.
+     * Exactly the position of the file, with the current givens.
      * @param {Course} course
      */
     toDrawn(course = this.course) {
@@ -66,8 +66,8 @@ class Motion {
     }
 
     /**
-     * Other values, as Motion.settings; the mechanism is where it was as far as it can be. False where the joints do
-     * not close with them: then nothing changed.
+     * Sets other values, as Motion.settings; the coordinate stays if possible. False if the joints do not close; then
+     * nothing changes.
      * @param {number[]} settings
      */
     give(settings) {
@@ -89,7 +89,7 @@ class Motion {
         return true;
     }
     /**
-     * False where the joints do not close; then nothing moved.
+     * False if the joints do not close; then nothing moves.
      * @param {Course} course
      * @param {number} at
      */
@@ -118,8 +118,8 @@ class Motion {
     }
 
     /**
-     * Where a verdict drowns in doubles the numbers are those of the exact construction, and figures are drawn a hair
-     * beside: a millionth of the way.
+     * Where doubles cannot decide a guard, the numbers are those of the exact construction, and the figures are drawn
+     * at a coordinate shifted by a millionth of the range.
      * @param {Course} course
      * @param {number[]} start
      * @param {number} coordinate
@@ -138,7 +138,7 @@ class Motion {
     }
 
     /**
-     * The plan whose guards hold, those of the neighbours first.
+     * The plan whose guards hold; the neighbours' plans are tried first.
      * @param {number[]} likely
      */
     planHere(likely) {
@@ -200,7 +200,7 @@ class Motion {
     }
 
     /**
-     * A column's value, SI; none where no construction holds, or finds it.
+     * A column's value, SI; null if no plan is valid here, or it does not give the value.
      * @param {number} index
      * @returns {number | null}
      */
@@ -236,7 +236,7 @@ class Motion {
         return column.component === 'y' ? replay.y(source) : replay.x(source);
     }
     /**
-     * X of a slide, or the common tangent of a contact or a curved slot.
+     * The x axis of a slide, or the common tangent of a contact or a curved slot.
      * @param {number} joint
      */
     slidingDirection(joint) {
@@ -245,7 +245,7 @@ class Motion {
         return unitOf(tangent.x !== 0 || tangent.y !== 0 ? tangent : quarterTurn(this.read.normals[joint]));
     }
     /**
-     * Place, vector and couple of what marks go with, by the plan that holds here; −1 what vanishes.
+     * Place, vector and couple of a mark's name in the current plan; −1: it vanishes.
      * @param {string} name
      * @returns {number[] | undefined}
      */
@@ -253,7 +253,7 @@ class Motion {
         return this.plan < 0 ? undefined : this.helds[this.plan].get(name);
     }
     /**
-     * Where an element stands that is a point; none: at infinity, or not evaluated here.
+     * The position of an element that is a point; null: at infinity, or not evaluated here.
      * @param {number} element
      * @returns {Spot | null}
      */
@@ -265,7 +265,7 @@ class Motion {
 }
 
 /**
- * What the position alone gives.
+ * Whether the position alone determines a column.
  * @param {Column} column
  */
 function isOfPlace(column) {

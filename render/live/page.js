@@ -1,16 +1,16 @@
-// The page: what a reader's hand does, and what it changes. Holds the one motion; figures follow it.
+// The page: handles the reader's input. Owns the motion, which all figures follow.
 
 class Page {
     constructor() {
         this.data = JSON.parse(/** @type {HTMLElement} */ (document.getElementById('data')).textContent ?? '');
         this.language = document.documentElement.lang;
         this.motion = this.data.moving ? new Motion(this.data.moving) : null;
-        this.step = -1;  // all
+        this.step = -1;  // all steps
         this.isPlaying = false;
         /** @type {Record<string, FigureView[]>} */
         this.views = {};
         /**
-         * What the figures may cover on the way of a driver, by language and driver.
+         * Areas that the figures may cover over the range of a driver, by language and driver.
          * @type {Map<string, Map<SVGSVGElement, number[]>>}
          */
         this.rooms = new Map();
@@ -26,7 +26,7 @@ class Page {
         this.allCells = {};
         this.completeDrawings();
     }
-    /** What is drawn alike in both languages was sent with the first. */
+    /** Drawings that are equal in both languages were sent with the first only. */
     completeDrawings() {
         const sent = document.querySelectorAll('main:first-of-type .figures svg *');
         for (const stand of document.querySelectorAll('[data-as]')) {
@@ -57,19 +57,20 @@ class Page {
     at(id) {
         return document.getElementById(id);
     }
-    /** Of the values that follow the mechanism, in the language that is shown. */
+    /** Cells of values that follow the mechanism, in the current language. */
     get cells() {
         return this.allCells[this.language] ??= [...this.sheet.querySelectorAll('td[data-column]')].map(
             (cell) => ({cell, column: Number(cell.getAttribute('data-column')), text: ''}));
     }
-    /** Figures of the language that is shown. */
+    /** Figures of the current language. */
     get figures() {
         return this.views[this.language] ?? [];
     }
 
-    // --- where it is -------------------------------------------------------------------------------------------------
+    // --- state of the page
+    // --------------------------------------------------------------------------------------------
 
-    /** What a successor of this page is told, to begin where this one stops. */
+    /** The state that the next version of this page starts from. */
     whereItIs() {
         const theme = this.at('theme');
         return {
@@ -82,7 +83,7 @@ class Page {
         };
     }
     /**
-     * As far as it still can: the file may have changed.
+     * Restores the state as far as possible: the file may have changed.
      * @param {ReturnType<Page['whereItIs']>} from
      */
     takeUp(from) {
@@ -122,14 +123,14 @@ class Page {
         document.dispatchEvent(new Event('languagechosen'));
         this.reachTables();
     }
-    /** A table that is wider than the screen can be reached, to be scrolled by keys. */
+    /** Makes a table that is wider than the screen focusable, so that keys can scroll it. */
     reachTables() {
         for (const table of this.sheet.querySelectorAll('table')) {
             if (table.scrollWidth > table.clientWidth) table.tabIndex = 0;
             else table.removeAttribute('tabindex');
         }
     }
-    /** The figures of a language are bound when they are first seen, in the drawn position. */
+    /** Binds the figures of a language when they are first shown, in the drawn position. */
     bindFigures() {
         const {motion} = this;
         if (!motion || this.views[this.language]) return;
@@ -147,7 +148,7 @@ class Page {
             svg.classList.toggle('following', follow);
             if (follow) views.forEach((view) => view.bind());
             const rows = rowsOf(views);
-            // Twice: the first does not know yet how tall the tables below the others are.
+            // Twice: the first pass does not know the heights of the tables below the others.
             for (let times = 0; follow && times < 2; ++times) views.forEach((view) => view.takeRoom(views, rows));
             return views;
         });
@@ -199,7 +200,7 @@ class Page {
         }
     }
     /**
-     * The sentences of the sheet that is shown, in order.
+     * The sentences of the visible sheet, in order.
      * @returns {HTMLElement[]}
      */
     get says() {
@@ -231,7 +232,7 @@ class Page {
         action();
     }
     /**
-     * The number of the statement that is said or drawn there.
+     * The number of the statement of a sentence or stroke.
      * @param {EventTarget | null} target
      */
     saidAt(target) {
@@ -239,7 +240,7 @@ class Page {
         return node && (node.getAttribute('data-statement') ?? node.getAttribute('data-says'));
     }
     /**
-     * Of a sentence its strokes, of a stroke its sentence.
+     * Highlights the strokes of a sentence, or the sentence of a stroke.
      * @param {string | null} number
      */
     light(number) {
@@ -281,7 +282,7 @@ class Page {
         this.announce(`${where}: ${spoken(says[this.step])}`);
     }
     /**
-     * What a statement and those after it say is hidden: strokes, sentences.
+     * Hides the strokes and sentences of a statement and of those after it.
      * @param {number} statement
      */
     hideFrom(statement) {
@@ -293,7 +294,7 @@ class Page {
         }
     }
     /**
-     * The controls of the exercise in place of those that move and tell.
+     * Shows the controls of the exercise instead of those for motion and reading.
      * @param {boolean} isOn
      */
     showTrying(isOn) {
@@ -306,7 +307,7 @@ class Page {
         if (!isOn) for (const node of document.querySelectorAll('li.later')) node.classList.remove('later');
     }
     /**
-     * Of the figure as it is shown: units of the quantity for a millimetre.
+     * The current scale of a figure: units of the quantity for a millimetre.
      * @param {SVGSVGElement} svg
      */
     scaleOf(svg) {
@@ -362,7 +363,7 @@ class Page {
         this.showWay();
         this.traces.draw();
     }
-    /** From where to where the driver goes, with what is given now. */
+    /** Shows the range of the driver with the current givens. */
     showWay() {
         const {course} = this, position = this.at('position');
         this.shownWay = course;
@@ -373,7 +374,7 @@ class Page {
         position.setAttribute('aria-label', `${this.word('position')}: ${course.name}`);
         this.showStops();
     }
-    /** Limits and change points of the way, a button each. */
+    /** A button for each limit and change point of the range. */
     showStops() {
         const {course} = this, {samples} = course, stops = this.at('stops');
         stops.textContent = '';
@@ -428,7 +429,7 @@ class Page {
         if (course.byLaw) return `${written(at, 3)} s`;
         return course.turns ? `${written(at * 180 / Math.PI, 2)}°` : `${written(at * 1000, 2)} mm`;
     }
-    /** All that hangs on the position. */
+    /** Updates all that depends on the position. */
     show() {
         const {motion} = this;
         if (!motion) return;
@@ -479,7 +480,7 @@ class Page {
         view.svg.classList.toggle('as-drawn', !motion.isDrawn && !canFollow);
         if (motion.isDrawn || !canFollow) {
             view.restore();
-            // So that a path is seen whole, and the figure stays where it is when it begins to move.
+            // So that a path is fully visible, and the figure stays in place when the motion begins.
             if (view.info.name === 'mechanism' && this.traces.isTraced)
                 view.svg.setAttribute('viewBox', this.roomOf(view).join(' '));
             view.held?.take(false);
@@ -509,8 +510,8 @@ class Page {
         }
     }
     /**
-     * The figure's own room and what it covers anywhere on the way: so nothing leaves it, and it stays as large
-     * throughout.
+     * The figure's own area, extended by what it covers over the driver's range: nothing leaves it, and its scale stays
+     * constant.
      * @param {FigureView} view
      */
     roomOf(view) {
@@ -545,7 +546,7 @@ class Page {
             }
         }
         motion.moveTo(course, here);
-        // A scale bar stands below what moves.
+        // The scale bar is below what moves.
         for (const view of this.figures) {
             const room = rooms.get(view.svg), [, y, , height] = view.viewBox;
             if (room && view.isMechanism && view.measures.length > 0 && room.bottom > y + height) room.bottom += 8;
@@ -557,7 +558,7 @@ class Page {
     // --- dragging ----------------------------------------------------------------------------------------------------
 
     /**
-     * A point that moves is taken by hand: the mechanism goes where on its way the point is nearest to the hand.
+     * Dragging a moving point: the mechanism goes to the position in which the point is nearest to the pointer.
      * @param {SVGSVGElement} svg
      * @param {Motion} motion
      */
@@ -584,7 +585,7 @@ class Page {
             svg.classList.add('holding');
             event.preventDefault();
         });
-        // Where a joint is held the finger drags it, elsewhere it scrolls the page.
+        // On a joint a touch drags it, elsewhere it scrolls the page.
         svg.addEventListener('touchstart', (event) => {
             if (held) event.preventDefault();
         }, {passive: false});
@@ -609,7 +610,7 @@ class Page {
         svg.addEventListener('pointercancel', leave);
     }
     /**
-     * Where a point comes on the driver's way, m.
+     * The path of a point over the driver's range, m.
      * @param {number} point
      * @returns {Spot[]}
      */
@@ -625,7 +626,7 @@ class Page {
 }
 
 /**
- * The point under the hand that moves; −1: none.
+ * The moving point under the pointer; −1: none.
  * @param {FigureView} figure
  * @param {Motion} motion
  * @param {Spot} at
@@ -640,7 +641,8 @@ function nearestMoving(figure, motion, at) {
 }
 
 /**
- * The place of a path that is nearest to the hand, not far from where it was: a path that crosses itself is gone along.
+ * The place of a path nearest to the pointer and near the previous one, so that a path that crosses itself is followed
+ * in order.
  * @param {Spot[]} path
  * @param {Spot} at
  * @param {number} before
@@ -661,7 +663,7 @@ function nearestOnPath(path, at, before, closes) {
 }
 
 /**
- * A sentence as it is heard, with its equation's table left out.
+ * A sentence as a screen reader reads it, without its equation's table.
  * @param {Element} sentence
  */
 function spoken(sentence) {

@@ -1,5 +1,5 @@
-// The panel of what is given: speeds of drivers, sizes of loads, lengths, parameters of the file, which a reader may
-// change. The joints are closed and the record is replayed with them.
+// The panel of givens that a reader may change: speeds of drivers, sizes of loads, lengths, parameters of the file. A
+// change closes the joints and replays the program again.
 
 class Panel {
     /** @param {Page} page */
@@ -40,7 +40,7 @@ class Panel {
      * @param {Motion} motion
      * @param {number} setting
      * @param {HTMLInputElement} input
-     * @param {number} value SI, of a parameter in its unit
+     * @param {number} value SI; of a parameter in its unit
      */
     give(motion, setting, input, value) {
         const {page} = this, isLength = motion.data.settings[setting].ends !== undefined;
@@ -54,7 +54,7 @@ class Panel {
         page.traces.draw();
     }
     /**
-     * What is given now; an input that is being written in is left alone.
+     * Shows the current values; does not change an input that has the focus.
      * @param {Motion} motion
      */
     show(motion) {

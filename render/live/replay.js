@@ -1,5 +1,5 @@
-// A program replayed in the browser, stroke by stroke, with every guard asked: the text of engine/board/program.hpp and
-// engine/board/replay.cpp in JavaScript, in the same order of operations. Knows no position and no figure.
+// Replays a program in the browser, operation by operation, and evaluates every guard: engine/board/program.hpp and
+// engine/board/replay.cpp in JavaScript, with the same order of operations. Knows no position and no figure.
 
 /** In the order of Verb. */
 const verbs = [
@@ -106,7 +106,7 @@ class Replay {
         return lineVerbs.has(this.verb[i]);
     }
 
-    /** Whether every guard holds; where one does not, nothing after it was evaluated. */
+    /** Whether every guard holds; evaluation stops at the first that does not. */
     run() {
         const {strokes, guards} = this.plan;
         this.largestVector = [this.size, 0, 0, 0];
@@ -129,7 +129,7 @@ class Replay {
     }
 
     /**
-     * What others in its plane are small beside.
+     * Updates the largest magnitude in the element's plane, for comparisons.
      * @param {number} i
      */
     note(i) {
@@ -277,7 +277,7 @@ class Replay {
     // --- guards ------------------------------------------------------------------------------------------------------
 
     /**
-     * A direction of a vector or a line.
+     * The direction of a vector or a line.
      * @param {number} i
      * @returns {Spot}
      */
@@ -285,7 +285,7 @@ class Replay {
         return this.isLine(i) ? {x: -this.y(i), y: this.x(i)} : {x: this.x(i), y: this.y(i)};
     }
     /**
-     * What was zero may show the rounding of what it is the difference of; what was not must not vanish.
+     * A difference that was zero may show the rounding of its terms; one that was not must not vanish.
      * @param {number} question
      * @param {number} how
      * @param {number} a
@@ -357,7 +357,7 @@ class Replay {
         return Math.max(this.largestScalar[plane], plane === forcePlane ? vector * size : vector / size);
     }
     /**
-     * How large the vectors are of which a direction is the difference.
+     * The magnitude of the vectors whose difference a direction is.
      * @param {number} i
      * @returns {number}
      */

@@ -1,12 +1,12 @@
-// Where arrows, labels and polygons stand while the mechanism is elsewhere than drawn, so that none hides another: what
-// the sheet decides once (render/figures/polygon_parts.cpp, render/page/labels.cpp), here for each position. Owns no
-// mark; answers with places.
+// Places arrows, labels and polygons without overlaps while the mechanism is away from the drawn position. The sheet
+// does this once (render/figures/polygon_parts.cpp, render/page/labels.cpp); here it is done for each position. Returns
+// places; owns no marks.
 
-/** As polygon_parts.cpp has them, mm. */
+/** As in polygon_parts.cpp, mm. */
 const lanePitch = 2.2, sameLane = 0.4, sharedLength = 1, oneVector = 0.05;
 
 /**
- * Where a place is along a vector, and beside it.
+ * The coordinates of a place along a vector and perpendicular to it.
  * @param {Spot} tail
  * @param {Spot} tip
  * @returns {(at: Spot) => {t: number, n: number}}
@@ -17,7 +17,7 @@ function localOf(tail, tip) {
 }
 
 /**
- * So far along one line that one would hide the other.
+ * Whether two vectors overlap on one line so far that one would hide the other.
  * @param {[Spot, Spot]} a
  * @param {[Spot, Spot]} b
  */
@@ -30,7 +30,7 @@ function hideEachOther(a, b) {
 }
 
 /**
- * Vectors that would lie upon each other stand side by side, and in their places where they do not.
+ * Vectors that would cover each other are drawn side by side, all others in their places.
  * @param {FigureView} view
  */
 function setSideBySide(view) {
@@ -45,7 +45,7 @@ function setSideBySide(view) {
         let number = same?.number ?? 0;
         for (let n = 1; !same && near.some((lane) => lane.number === number); ++n)
             number = n % 2 === 1 ? (n + 1) / 2 : -n / 2;
-        // At first away from the rest of the polygon.
+        // The first offset is away from the rest of the polygon.
         const beside = total(all.flatMap((each) => each.ends ?? []).map((at) => localOf(...ends)(at).n));
         const normal = near[0]?.normal ?? scaledBy(beside > 0 ? -1 : 1, quarterTurn(unitOf(minus(ends[1], ends[0]))));
         lanes.push({ends, number, normal});
@@ -57,7 +57,7 @@ function total(all) {
     return all.reduce((sum, each) => sum + each, 0);
 }
 
-/** Labels that have their place, and the strokes that they keep off. */
+/** The boxes of placed labels, and the strokes that labels avoid. */
 class Crowd {
     constructor() {
         /** @type {{left: number, right: number, top: number, bottom: number}[]} */
@@ -71,7 +71,7 @@ class Crowd {
         this.strokes = strokes.filter((ends) => ends.length === 2);
     }
     /**
-     * Of places for the middle of a label the first that is free, or the one that hides least; it is taken.
+     * The first free place for the middle of a label, or else the one that hides least. The place is then occupied.
      * @param {Spot[]} places in order of preference
      * @param {{width: number, height: number}} size
      */
@@ -88,8 +88,8 @@ class Crowd {
         return places[best];
     }
     /**
-     * @param {{left: number, right: number, top: number, bottom: number}} box mm² of other labels hidden, mm of
-     * strokes, twice
+     * @param {{left: number, right: number, top: number, bottom: number}} box the cost is the area of other labels
+     * hidden, mm², plus twice the length of strokes hidden, mm
      */
     price(box) {
         const both = (/** @type {number[]} */ [from, to], /** @type {number[]} */ [low, high]) =>
@@ -101,7 +101,7 @@ class Crowd {
     }
 }
 /**
- * How much of a stroke lies in a box, mm.
+ * The length of a stroke within a box, mm.
  * @param {Spot} a
  * @param {Spot} b
  * @param {{left: number, right: number, top: number, bottom: number}} box
@@ -118,8 +118,8 @@ function lengthWithin(a, b, {left, right, top, bottom}) {
 }
 
 /**
- * As tall as three fifths of its width, as wide as it is tall at least: a polygon that is flat where it is drawn is not
- * elsewhere.
+ * At least three fifths as tall as wide, and at least as wide as tall: a polygon may be flat only in the drawn
+ * position.
  * @param {number[]} room
  */
 function wellShaped([x, y, width, height]) {
@@ -128,7 +128,7 @@ function wellShaped([x, y, width, height]) {
 }
 
 /**
- * Rows of polygons of one drawing, as they are drawn, from left to right.
+ * Rows of the polygons of one drawing, each from left to right.
  * @param {FigureView[]} views in the drawn position
  */
 function rowsOf(views) {
@@ -138,7 +138,7 @@ function rowsOf(views) {
     const rows = [];
     for (const each of all.sort((a, b) => middle(a) - middle(b))) {
         const last = rows[rows.length - 1];
-        // Beside each other they may stand at different heights, but never above each other.
+        // In a row they may have different heights, but none is above another.
         const isBeside = last?.every(
             ({box}) => box && each.box && (box.right < each.box.left || box.left > each.box.right),
         );
@@ -149,7 +149,7 @@ function rowsOf(views) {
 }
 /** @typedef {{nodes: SVGGraphicsElement[], left: number, top: number, width: number, height: number}} Companion */
 /**
- * What stands above a polygon of several in a drawing, its title, and below it, what is known of its forces. In the
+ * The companions of a polygon in a drawing with several: its title above it, and the table of its forces below. In the
  * drawn position.
  * @param {FigureView} view
  * @param {FigureView[]} views
@@ -176,8 +176,7 @@ function companionsOf(view, views) {
     });
 }
 /**
- * How much smaller than on the sheet polygons of one drawing are all drawn, each in a room of its own that this gives
- * it.
+ * The common factor by which the polygons of a drawing are smaller than on the sheet. Gives each polygon its own area.
  * @param {FigureView[][]} rows
  */
 function shareRoom(rows) {
@@ -187,7 +186,7 @@ function shareRoom(rows) {
     const tall = sizes.map((row) => Math.max(...row.map((size) => size.y)));
     const feet = rows.map((row) => Math.max(...row.map(({foot}) => foot ? foot.height + apartFromFoot : 0)));
     const freeHeight = Math.max(height - 2 * rim - between * (rows.length - 1) - total(feet), rim);
-    // What a table below takes of the width first, the rest as the polygons are wide.
+    // The width of the tables first, the rest in proportion to the widths of the polygons.
     const widths = rows.map((row, i) => {
         const least = row.map(({foot}) => foot?.width ?? 0),
             free = width - 2 * rim - between * (row.length - 1) - total(least);

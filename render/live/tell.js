@@ -1,5 +1,5 @@
-// What belongs to a vector: its body on the mechanism, its rows in the table of values, and what it is worth where the
-// mechanism is, which is written beside its name as long as the pointer rests on it.
+// Highlights what belongs to the vector under the pointer: its body on the mechanism, its rows in the table of values,
+// and its current value beside its name.
 
 class Teller {
     /** @param {Page} page */
@@ -12,7 +12,7 @@ class Teller {
     get names() {
         return this.page.data.names;
     }
-    /** @param {EventTarget | null} target what the pointer is on */
+    /** @param {EventTarget | null} target the node under the pointer */
     tell(target) {
         const {page} = this, {motion} = page;
         this.written?.remove();
@@ -40,7 +40,7 @@ class Teller {
         this.write(node, view, name);
     }
     /**
-     * "v_B", "a_B^n": B; of C relative to B none.
+     * "v_B", "a_B^n": B; none for a vector of C relative to B.
      * @param {string} name
      * @returns {number[]}
      */
@@ -51,7 +51,7 @@ class Teller {
         return rest !== '' && whole >= 0 ? [whole] : [];
     }
     /**
-     * "F_32": of 3 on 2.
+     * "F_32": bodies 3 and 2 (of 3 on 2).
      * @param {string} name
      * @returns {string[]}
      */
@@ -73,7 +73,7 @@ class Teller {
         const size = held && on ? held.sizeOf(on) / held.inUnit : view.sizeOf(name);
         if (size === null || !(size >= 0)) return;
         const said = `= ${page.numberText(Number(size.toPrecision(4)))} ${held ? held.unit : view.unit}`;
-        const title = node.querySelector(':scope > title');  // what the browser shows by itself
+        const title = node.querySelector(':scope > title');  // the browser's tooltip
         if (title) title.textContent = `${name} ${said}`;
         const label = [...view.group.querySelectorAll('g.label')].find(
             (each) => each.getAttribute('data-label') === name,

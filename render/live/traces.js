@@ -1,8 +1,8 @@
-// The path of a point on the mechanism, and a value over the driver's way: both drawn once for a way, with a mark that
-// runs along.
+// The path of a point on the mechanism, and the plot of a value over the driver's range. Both are drawn once for a
+// range, with a mark at the current position.
 
 /**
- * As the sheet calls it.
+ * The name as on the sheet.
  * @param {Column} column
  */
 function nameOf({name, symbol}) {
@@ -29,7 +29,7 @@ class Traces {
         fill(plot, [none, ...motion.data.columns.map((column, i) =>
             [String(i), column.unit === '' ? nameOf(column) : `${nameOf(column)} [${column.unit}]`])], plot.value);
     }
-    /** For the language and the driver that are chosen. */
+    /** Draws for the current language and driver. */
     draw() {
         const {page} = this, {motion} = page;
         for (const node of document.querySelectorAll('g.trace, figure.plot')) node.remove();

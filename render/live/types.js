@@ -1,4 +1,4 @@
-// What the page is given: the shapes of its data, written by render/live/live_data.cpp. No code.
+// Types of the page's data, which render/live/live_data.cpp writes. No code.
 
 /**
  * @typedef {{x: number, y: number}} Spot
@@ -16,30 +16,30 @@
  *   sources: number[], vectors: [string, string, number, number, number][], spots: [string, string, number][],
  *   lines: [string, string, number, number, ...number[]][], held: [string, number, number, number][]}} Plan
  *   strokes: verb, plane, two inputs, given of each; guards: question, how, two inputs, verdict,
- *   stroke before which it is asked;
- *   sources: an element by column, −1 what vanishes, −2 what is not known
+ *   stroke before which it is evaluated;
+ *   sources: an element by column, −1: it vanishes, −2: unknown
  * @typedef {{name: string, symbol?: string, kind: string, unit: string, size: number, body: number, point: number,
  *   joint: number,
  *   component: string}} Column
- *   symbol: of an effort, as the sheet calls it
+ *   symbol: of an input force or couple, as on the sheet
  * @typedef {{at: number, coordinate: number, plan: number, rate: number, acceleration: number, q: number[],
  *   values?: (number | null)[]}} Sample
- *   coordinate, rate and acceleration are written of a driver with a law alone; else Motion fills them in
+ *   coordinate, rate and acceleration are written only for a driver with a law; otherwise Motion sets them
  * @typedef {{driver: number, name: string, turns: boolean, rate: number, from: number, to: number,
  *   startsAtLimit: boolean,
  *   endsAtLimit: boolean, changePoints: number[], byLaw: boolean, shares: number[], samples: Sample[]}} Course
  * @typedef {{name: string, unit: string, size: number, value: number,
  *   ends?: [number, number], bar?: number, parameter?: boolean, radians?: number}} Changeable
- *   radians: of a parameter that is an angle; ends: points, of a length; bar: the body whose length it is,
- *   else the frame's
+ *   radians: of a parameter that is an angle; ends: points, of a length; bar: the body of the length,
+ *   otherwise the frame
  * @typedef {{size: number, unit: number, rows: Row[], bodies: [number, number, number, number][], frozen: boolean[],
  *   points: [number, number, number, number][], joints: JointRule[], directions: number[],
  *   settings: Changeable[], effects: [(string | number)[], ...number[]][], fixed: [string, string][],
  *   columns: Column[], plans: Plan[],
  *   courses: Course[]}} MovingData
- *   effects: the way to a number through this data;
+ *   effects: the path to a number in this data;
  *   then for each term one or two of Givens.deltas (the second −1) and its factor
- *   fixed: why a parameter can be changed in the file alone, and which
+ *   fixed: parameters that can be changed only in the file, and the reason
  *   bodies: reference x and y, columns of place (−1: a hinge on the frame) and turn; points: carrier, local x and y,
  *   contact
  */

@@ -1,6 +1,5 @@
-// A page that is served while its file is watched: it asks for what is new, shows what is wrong with the file as long
-// as that lasts, and gives way to its successor, which begins where it stopped. Knows the page only by what it
-// remembers of it.
+// A page that is served while its file is watched: polls for changes, shows the faults of the file, and is replaced by
+// its next version, which starts from the same state. Uses only the public state of the page.
 
 /** @typedef {{line?: number, column?: number, where: string, en: string, it: string}} FileFault */
 

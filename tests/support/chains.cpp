@@ -23,19 +23,18 @@ std::vector<int> Chain::neighbours(int link) const {
     return found;
 }
 
-// --- enumeration
-// -------------------------------------------------------------------------------------------------------------
+// --- enumeration ---
 
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// For each link the set of those it is hinged to, as bits.
+/// For each link: the links it is hinged to, as a bit set.
 using Adjacency = std::vector<unsigned>;
 
 int degree(const Adjacency& links, int link) { return std::popcount(links[at(link)]); }
 
-/// Some set of links, the frame among them or not, has no freedom left within itself.
+/// True if some set of links has no freedom within itself.
 bool holds_a_rigid_part(const Adjacency& links) {
     for (unsigned part = 1; part < 1U << links.size(); ++part) {
         const int size = std::popcount(part);
@@ -48,7 +47,7 @@ bool holds_a_rigid_part(const Adjacency& links) {
     return false;
 }
 
-/// Calls `found` with every graph whose links have degrees that do not increase, none below two, and so many joints.
+/// Calls `found` for every graph with this number of joints whose links have non-increasing degrees of two or more.
 void each_graph(Adjacency& links, int link, int joints, const std::function<void(const Adjacency&)>& found) {
     const int count = static_cast<int>(links.size());
     if (link == count) {
@@ -69,7 +68,7 @@ void each_graph(Adjacency& links, int link, int joints, const std::function<void
     }
 }
 
-/// All namings of a graph's links that leave each link its degree.
+/// Adds all relabellings of a graph that keep the degree of each link.
 void add_namings(const Adjacency& links, std::vector<int>& names, std::set<Adjacency>& all) {
     const std::size_t link = names.size();
     if (link == links.size()) {
@@ -134,12 +133,11 @@ const std::vector<Inversion>& all_inversions() {
     return inversions;
 }
 
-// --- mechanisms
-// --------------------------------------------------------------------------------------------------------------
+// --- mechanisms ---
 
 namespace {
 
-/// Draws one inversion. Each step gives false where its draw has no place left.
+/// Draws one inversion. Each step returns false if it finds no place.
 class ChainBuilder {
 public:
     ChainBuilder(std::uint64_t seed, const Inversion& inversion)
@@ -163,9 +161,9 @@ public:
     }
 
 private:
-    /// Links whose joints are drawn as gears.
+    /// Links whose joints are replaced by gears.
     struct Mesh {
-        int dissolved = -1;  ///< whose place the gears take
+        int dissolved = -1;  ///< the link that the gears replace
         int arm = -1, wheel = -1, mate = -1;
     };
 
@@ -174,8 +172,8 @@ private:
     static std::string between(int a, int b) { return std::to_string(a) + "-" + std::to_string(b); }
     bool dissolved(int link) const { return std::find(dissolved_.begin(), dissolved_.end(), link) != dissolved_.end(); }
 
-    /// A link with two joints only may give way to one pair of two freedoms between its neighbours: six freedoms of two
-    /// pairs with a body less come to the same count.
+    /// A link with two joints may be replaced by one pair of two freedoms between its neighbours: that removes a body
+    /// and two pairs of one freedom, so the mobility stays the same.
     void choose_dissolved() {
         dissolved_.clear();
         for (int link = 0; link < chain_.links; ++link) {
@@ -188,7 +186,7 @@ private:
         }
     }
 
-    /// Where the neighbours of a link that gives way have one more in common, that may be the arm of two gears.
+    /// If the neighbours of a replaced link have another common neighbour, it may be the arm of two gears.
     void choose_meshes() {
         meshes_.clear();
         for (const int link : dissolved_) {
@@ -206,7 +204,7 @@ private:
     bool is_geared(int link) const {
         return std::any_of(meshes_.begin(), meshes_.end(), [&](const Mesh& mesh) { return mesh.dissolved == link; });
     }
-    /// Whether the joint of two links is drawn with gears.
+    /// True if the joint of two links is part of a gear pair.
     bool joins(int a, int b) const {
         return std::any_of(meshes_.begin(), meshes_.end(), [&](const Mesh& mesh) {
             const int other = a == mesh.arm ? b : b == mesh.arm ? a : -1;
@@ -214,13 +212,13 @@ private:
         });
     }
 
-    /// The body of a link, made when it is first needed: the frame is there already.
+    /// The body of a link, created on first use; the frame exists already.
     int body(int link) {
         int& made = bodies_[at(link)];
         if (made < 0) made = link == inversion_.frame ? 0 : draw().add_body({});
         return made;
     }
-    /// Puts a point on a link.
+    /// Adds a point to a link.
     void carry(int link, int point) {
         std::vector<int>& points = draw().points_of(body(link));
         if (std::find(points.begin(), points.end(), point) == points.end()) points.push_back(point);
@@ -261,14 +259,14 @@ private:
         return true;
     }
 
-    /// Now and then at the place where another hinge of a link with three or more is already: a hinge of three bodies.
+    /// Sometimes at the place of another hinge of a link with three or more joints: a hinge of three bodies.
     bool hinge(int a, int b, std::vector<std::optional<int>>& shared) {
         std::optional<int> point;
         int holder = a;
         for (const int link : {a, b}) {
             if (!point && shared[at(link)] && random_.chance(50)) {
                 point = shared[at(link)];
-                shared[at(link)].reset();  // no fourth body
+                shared[at(link)].reset();  // at most three bodies
                 holder = link;
                 note("triple hinge of " + std::to_string(link));
             }
@@ -315,14 +313,14 @@ private:
         return true;
     }
 
-    /// A circle of `a` on a circle or on a straight side of `b`, rolling without slip or sliding.
+    /// A circle of `a` on a circle or a straight side of `b`, rolling without slip or sliding.
     bool touch(int a, int b, bool rolls) {
         const auto point = draw().given_anywhere(), centre = draw().given_anywhere();
         if (!point || !centre) return false;
         carry(a, *centre);
         std::optional<int> other;
         if (random_.chance(60)) {
-            // Beyond the point the circles touch from outside, before it one lies in the other.
+            // Beyond the point the circles touch externally, before it one lies inside the other.
             constexpr std::array ratios{-0.6, 0.4, 1.4, 1.7, 2.1};
             other = draw().on_line(*centre, *point, ratios[at(random_.whole(0, 4))]);
             if (!other) return false;
@@ -337,7 +335,7 @@ private:
         return true;
     }
 
-    /// Two links that the arm carries, geared: a wheel with a wheel, one maybe in the other, or with a rack.
+    /// A gear pair of two links on the arm: two wheels, possibly one internal, or a wheel and a rack.
     bool gear(const Mesh& mesh) {
         const auto centre = draw().given_anywhere(), other = draw().given_anywhere();
         if (!centre || !other) return false;
@@ -353,7 +351,7 @@ private:
             note(between(mesh.wheel, mesh.mate) + " rack and pinion");
             return true;
         }
-        // Between the centres the wheels touch from outside, beyond them one lies in the other.
+        // Between the centres the wheels touch externally, beyond them one is internal.
         constexpr std::array ratios{-0.8, 0.3, 0.4, 0.5, 0.7, 1.6};
         const auto pitch = draw().on_line(*centre, *other, ratios[at(gears_.whole(0, 5))]);
         if (!pitch) return false;
@@ -368,7 +366,8 @@ private:
         draw().revolute(point, body(arm), body(link));
     }
 
-    /// One driver and, mostly where it acts, one effort: equilibrium is then determined where the motion is.
+    /// One driver and one input force or couple, mostly at the same joint: equilibrium is then determined if the motion
+    /// is.
     void drive() {
         const int driven = body(inversion_.driven);
         const bool elsewhere = random_.chance(15);
@@ -406,13 +405,13 @@ private:
     };
     static constexpr std::uint64_t gears_apart = 1'000'003;
     Random random_;
-    Random gears_;  ///< of its own, so that what has no gears is drawn as if there were none
+    Random gears_;  ///< a separate generator, so that mechanisms without gears are drawn as before
     Inversion inversion_;
     const Chain& chain_;
     Drawing* drawing_ = nullptr;
     std::vector<int> dissolved_;  ///< links
     std::vector<Mesh> meshes_;
-    std::vector<int> bodies_;  ///< of each link: its body in the drawing
+    std::vector<int> bodies_;  ///< by link: its body in the drawing
     std::vector<Slide> slides_;
     std::string recipe_;
 };

@@ -1,4 +1,4 @@
-// The built program as a user meets it: a folder of its own for each test, and what a run said and left there.
+// Runs the built program like a user: a separate folder for each test, and the output and files of a run.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -24,21 +24,21 @@ struct Outcome {
     std::string out, err;
 };
 
-/// A folder of its own for each test, with some of the examples and some spoilt files in it.
+/// A separate folder for each test, with some of the examples and some invalid files.
 class CommandLine : public ::testing::Test {
 protected:
     void SetUp() override;
     void TearDown() override;
 
     void write(const std::string& name, const std::string& text) const;
-    /// four_bar.json with one piece of text replaced.
+    /// Writes four_bar.json with one piece of text replaced.
     std::string spoilt(const std::string& piece, const std::string& by) const;
-    /// Runs the program in the folder; `arguments` is a shell's text.
+    /// Runs the program in the folder; `arguments` is shell text.
     Outcome run(const std::string& arguments, const std::string& before = "") const;
-    /// Every name in the folder with what it holds.
+    /// The content of every file in the folder, by name.
     using Snapshot = std::map<std::string, std::string>;
     Snapshot snapshot() const;
-    /// The names that came, went or hold something else.
+    /// The names of files that were added, removed or changed.
     std::string changed_since(const Snapshot& before) const;
     bool is_there(const std::string& name) const { return fs::exists(folder_ / name); }
 
@@ -47,7 +47,7 @@ protected:
     std::string program_ = KINEGRAPH_PROGRAM;
 };
 
-/// All lines match `pattern`, and there is one at least.
+/// All lines match `pattern`, and there is at least one.
 ::testing::AssertionResult lines_are(const std::string& text, const std::string& pattern);
 
 }  // namespace kinegraph::tests

@@ -1,4 +1,4 @@
-// The examples and what is in a file.
+// Paths of the examples and contents of files.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ inline std::filesystem::path example_file(const std::string& name) {
     return std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / (name + ".json");
 }
 
-/// The JSON files of a folder, in order. None is an error: what is tested on each of them would be tested on nothing.
+/// The JSON files of a folder, sorted. An empty folder is an error: a loop over it would test nothing.
 inline std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -31,7 +31,7 @@ inline std::vector<std::filesystem::path> json_files(const std::filesystem::path
     return files;
 }
 
-/// The names of those in a folder of the examples, without extension, in order.
+/// The names of the examples in a folder, without extension, sorted.
 inline std::vector<std::string> example_names(const std::string& folder = "") {
     std::vector<std::string> names;
     for (const auto& file : json_files(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / folder))

@@ -14,12 +14,12 @@ namespace {
 
 std::size_t at(auto index) { return at_index(index); }
 
-/// Of the largest force. The construction is exact, the check a system in doubles: a mechanism that a draw brings near
-/// a dead point loses what its condition number takes (generation keeps dyads 5° away), and 1e-9 leaves three orders
-/// for several in a row; a wrong term is of the order of the largest force.
+/// Relative to the largest force. The construction is exact; the check solves a system in doubles and loses its
+/// condition number in a mechanism near a dead point (generation keeps dyads 5° away). 1e-9 allows three orders for
+/// several such dyads in a row; a wrong term is of the order of the largest force.
 constexpr double tolerance = 1e-9;
 
-/// A pose with a leftover misses by 2⁻¹⁰⁰ (1e-30) of its size; a meet of lines at 5° enlarges that sixteenfold.
+/// A pose by compass is exact to 2⁻¹⁰⁰ (1e-30) of its size; an intersection of lines at 5° enlarges that sixteenfold.
 constexpr double leftover = 1e-25;
 
 class HeldForces {
@@ -46,16 +46,16 @@ public:
         no_power_is_lost();
     }
 
-    /// Of a mechanism that is not wholly determined.
+    /// For a mechanism that is not wholly determined.
     void gives_only_what_is_determined() const {
-        double scale = 1;  // N: the loads are some newtons
+        double scale = 1;  // N: the order of the loads
         for (const NumericForces::Action& action : numeric_.actions)
             if (action.known) scale = std::max({scale, std::abs(action.force[0]), std::abs(action.force[1])});
         for (const NumericForces::Action& action : numeric_.actions) {
             const JointForce* force = found(action.joint, action.on, action.from);
             if (force == nullptr || !force->force) continue;
             const std::string what = "at " + mechanism_.joints[at(action.joint)].name + " on " + name(action.on);
-            // Beside what is not balanced the check leaves out more than it must.
+            // If the system is not balanced, the check omits more forces than necessary.
             EXPECT_TRUE(action.force_known || !numeric_.balanced) << "a force " << what;
             if (!action.force_known) continue;
             EXPECT_NEAR(force->force->x.to_double(), action.force[0], tolerance * scale) << what;
@@ -71,7 +71,7 @@ public:
 private:
     const std::string& name(BodyIndex body) const { return mechanism_.bodies[at(body)].name; }
 
-    /// Exactly nothing; on a pose with a leftover nothing beside `beside`.
+    /// Exactly zero; in a pose by compass, negligible relative to `beside`.
     void expect_nothing(const Exact& value, double beside, const std::string& what) const {
         if (solution_.pose.exact) {
             EXPECT_EQ(value, Exact(0)) << what;
@@ -95,8 +95,7 @@ private:
         for (const NumericForces::Action& action : numeric_.actions)
             largest = std::max(
                 {largest, std::abs(action.force[0]), std::abs(action.force[1]), std::abs(action.couple) / size_});
-        // Loads that balance one another leave no forces, and the check what is left of them in doubles: their own size
-        // counts.
+        // Loads that balance one another cause no forces, but rounding in the check, which is relative to the loads.
         const double scale = largest < tolerance * largest_load_ ? largest_load_ : largest;
         for (const NumericForces::Action& action : numeric_.actions) {
             const std::string what = "at " + mechanism_.joints[at(action.joint)].name + " on " + name(action.on);
@@ -141,7 +140,7 @@ private:
         }
     }
 
-    /// The pin of three bodies or more has no weight.
+    /// A pin of three bodies or more has no mass.
     void pins_are_in_equilibrium() const {
         for (std::size_t j = 0; j < mechanism_.joints.size(); ++j) {
             Vector sum;
@@ -154,7 +153,7 @@ private:
         }
     }
 
-    /// Forces and moments of a free body, and its polygon side by side.
+    /// Forces and moments of a free body add up to zero; its polygon closes and draws the same forces.
     void closes(const FreeBody& body) const {
         const std::string who = body.body == none ? "pin" : "body " + name(body.body);
         Vector sum;
@@ -194,7 +193,7 @@ private:
         EXPECT_EQ(applied_names, drawn_names) << who;
     }
 
-    /// In the triangles laid side by side the forces between bodies are common sides: those from outside close alone.
+    /// In the joined polygons the forces between bodies cancel, so the external forces close among themselves.
     void external_forces_close() const {
         std::size_t in_bodies = 0, joined = 0;
         for (const FreeBody& body : solution_.free_bodies)
@@ -221,9 +220,8 @@ private:
         }));
     }
 
-    // --- the file's own loads
-    // ----------------------------------------------------------------------------------------------
-    /// A body on which every action is given is in equilibrium with them.
+    // --- the loads of the file ---
+    /// A body on which every force is known is in equilibrium.
     void balances_if_known(BodyIndex body, double scale) const {
         Vector sum;
         Exact moment;
@@ -292,7 +290,7 @@ private:
         if (load.value) return *load.value;
         return load.magnitude->first * unit(direction_of(load.magnitude->second, solution_.pose));
     }
-    /// By Simpson's rule, exact for moments of what runs straight.
+    /// Simpson's rule, exact for the moments of a linear distribution.
     std::vector<std::pair<Vector, Vector>> parts_of(const DistributedLoad& load) const {
         const Vector &p = solution_.pose.at(load.from), &q = solution_.pose.at(load.to);
         const Vector per_intensity = (dot(q - p, unit(q - p)) / 6) * unit(direction_of(load.along, solution_.pose));
@@ -301,7 +299,7 @@ private:
                 {Exact(1) / Exact(2) * (p + q), 2 * (first + last) * per_intensity},
                 {q, last * per_intensity}};
     }
-    /// On the spring's first body.
+    /// On the first body of the spring.
     Vector pull(const SpringLoad& spring) const {
         if (spring.elastic) {
             const Vector join = solution_.pose.at(spring.between[1]) - solution_.pose.at(spring.between[0]);
@@ -318,8 +316,7 @@ private:
         return {};
     }
 
-    // --- power
-    // -----------------------------------------------------------------------------------------------------------------
+    // --- power ---
     Exact omega(BodyIndex body) const { return body == frame ? Exact() : solution_.bodies[at(body)].omega.value(); }
     Vector velocity(BodyIndex body, const Vector& place) const {
         if (body == frame) return {};
@@ -332,7 +329,7 @@ private:
     }
     Vector unit(const Vector& direction) const { return unit_along(direction, solution_.pose.bits); }
 
-    /// From the file's loads, masses and efforts alone, not from the free bodies.
+    /// Computed from the loads, masses and input forces of the file, not from the free bodies.
     void no_power_is_lost() const {
         Exact total;
         double sizes = 0;

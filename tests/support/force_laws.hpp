@@ -1,5 +1,5 @@
-// The laws of statics, asked of a solved mechanism under loads: agreement with the numeric equilibrium, every body and
-// pin closes in force and moment, the polygons side by side, action is reaction, no power is lost.
+// The laws of statics for a solved mechanism under loads: agreement with the numeric equilibrium, equilibrium of every
+// body and pin, joined polygons, action equals reaction, power balance.
 #pragma once
 
 #include "engine/check/check_forces.hpp"
@@ -7,14 +7,14 @@
 
 namespace kinegraph {
 
-/// Equilibrium determines every reaction and effort.
+/// True if equilibrium determines every reaction and every input force or couple.
 bool wholly_known(const NumericForces& forces);
 
-/// Fails the running test where a law is broken or a force is missing.
+/// Fails the running test if a law is violated or a force is missing.
 void expect_laws_of_forces(const Solution& solution, const NumericForces& numeric);
 
-/// Of a mechanism that is not wholly determined: no force that equilibrium does not determine, and those given are
-/// right.
+/// For a mechanism that is not wholly determined: no force is given that equilibrium does not determine, and the others
+/// are right.
 void expect_determined_forces_only(const Solution& solution, const NumericForces& numeric);
 
 }  // namespace kinegraph

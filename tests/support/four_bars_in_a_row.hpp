@@ -1,16 +1,16 @@
-// Four-bars in a row, as long as one likes: crowded sheets and large files for tests and benchmarks.
+// Any number of four-bars in a row: crowded sheets and large files for tests and benchmarks.
 #pragma once
 
 #include <string>
 
 namespace kinegraph::tests {
 
-/// Small numbers that repeat no pattern, the same everywhere.
+/// Small pseudo-random numbers, the same on every machine.
 inline int jitter(int i, int most) { return i * 7919 % 104729 % (2 * most + 1) - most; }
 inline std::string at(int x, int y) { return "[" + std::to_string(x) + ", " + std::to_string(y) + "]"; }
 
-/// A crank, then link and rocker `dyads` times, each rocker's far pin carrying the next link: 2 + 2·dyads bodies, every
-/// place a decimal of few digits, or the pins found by compass (irrational, so drawn to 2⁻¹⁰⁰).
+/// A crank, then link and rocker `dyads` times, each rocker's far pin carrying the next link: 2 + 2·dyads bodies. Every
+/// point is a decimal of few digits; `by_compass`: the pins are found by compass (irrational, exact to 2⁻¹⁰⁰).
 inline std::string four_bars_in_a_row(int dyads, const std::string& find = {}, bool by_compass = false) {
     const auto quoted = [](const std::string& text) { return "\"" + text + "\""; };
     const auto number = [](int value) { return std::to_string(value); };

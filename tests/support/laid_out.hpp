@@ -1,4 +1,4 @@
-// The sheets of the examples, each laid out once in a process for all suites that look at it.
+// The sheets of the examples, each laid out once in a process for all suites that use it.
 #pragma once
 
 #include <compare>
@@ -11,7 +11,7 @@
 
 namespace kinegraph::tests {
 
-/// Those options of a sheet that the tests of all examples vary.
+/// The options of a sheet that the tests of all examples vary.
 struct Look {
     render::Language language = render::Language::en;
     render::Paper paper = render::Paper::a4;
@@ -24,7 +24,7 @@ struct Look {
 
 render::SheetOptions options_of(const Look& look);
 
-/// The pages of an example's solution. They stay in memory: for looks that several suites share.
+/// The pages of an example's solution. They are cached, so use it for looks that several suites share.
 const std::vector<render::Page>& laid_out(const std::string& example, const Look& look = {});
 
 }  // namespace kinegraph::tests

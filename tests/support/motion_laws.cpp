@@ -20,18 +20,18 @@ namespace {
 std::size_t at(auto index) { return at_index(index); }
 
 /// The construction is exact and the check works in doubles. Each dyad's angle is at least 5°, so its 2×2 system loses
-/// at most a factor 1/sin² 5° ≈ 130 of the 2⁻⁵² of a double in its own quantity, and the refinement of the check takes
-/// most of that back; chains add up, do not multiply, in units of the largest quantity of the kind, which they carry
-/// along. 1e-9 leaves three orders above what is seen (5e-12 in 3,000 mechanisms) and five below a wrong term, which is
-/// of the order of the largest.
+/// at most a factor 1/sin² 5° ≈ 130 of the 2⁻⁵² of a double, relative to its own quantity, and the check's refinement
+/// recovers most of that. In a chain the errors add and do not multiply, relative to the largest quantity of the kind.
+/// 1e-9 is three orders above the largest error found (5e-12 in 3,000 mechanisms) and five below a wrong term, which is
+/// of the order of the largest quantity.
 constexpr double tolerance = 1e-9;
 
-/// A pose with a leftover misses by 2⁻¹⁰⁰ of its size. A meet of two lines at 5° enlarges that by about 2⁴, a centre by
-/// Kennedy stands behind a handful of them: 2⁻⁶⁰ leaves ten such meets in a row, and is far below anything wrong by a
-/// digit.
+/// A pose by compass is exact to 2⁻¹⁰⁰ of its size. An intersection of two lines at 5° enlarges the error by about 2⁴,
+/// and a centre by Kennedy depends on several of them: 2⁻⁶⁰ allows ten such intersections in a row, and is far below an
+/// error in any printed digit.
 const Exact least_share = Exact::power_of_two(-60);
 
-/// One solved mechanism and its motion as fields: what the laws are asked of.
+/// A solved mechanism and its motion as fields, on which the laws are tested.
 class Held {
 public:
     explicit Held(const Solution& solution) : solution_(solution), carried_(solution.mechanism.bodies.size()) {
@@ -61,8 +61,7 @@ private:
     Exact omega(BodyIndex body) const { return body == frame ? Exact() : solution_.bodies[at(body)].omega.value(); }
     Exact alpha(BodyIndex body) const { return body == frame ? Exact() : solution_.bodies[at(body)].alpha.value(); }
 
-    // --- the numeric check
-    // -------------------------------------------------------------------------------------------------
+    // --- the numeric check ---
     using Kind = Quantity::Kind;
 
     static Kind kind_of(const Quantity& quantity) {
@@ -74,7 +73,7 @@ private:
         }
     }
 
-    /// Rows that are the laws of statics' to hold.
+    /// Rows that the laws of statics test.
     static bool of_forces(Kind kind) {
         return kind == Kind::force || kind == Kind::couple || kind == Kind::effort || kind == Kind::virtual_power;
     }
@@ -87,7 +86,8 @@ private:
             largest[kind] = std::max(largest[kind], std::abs(row.numeric));
             ++rows[kind];
         }
-        // Where nothing turns, a spin is measured by the speeds at the size of the drawing; and a speed by the spins.
+        // If nothing turns, an angular velocity is compared with the speeds divided by the size of the drawing, and
+        // vice versa.
         const double size = solution_.pose.size.to_double();
         for (const auto& [spin, speed] :
              {std::pair(Kind::omega, Kind::velocity), std::pair(Kind::alpha, Kind::acceleration)}) {
@@ -110,8 +110,8 @@ private:
         EXPECT_EQ(solution_.sliding.size(), sliding_joints());
     }
 
-    /// A centre's coordinates are measured by its distance from the mechanism: the check divides by ω_rel, and where
-    /// that is a small difference of large spins the centre is far off.
+    /// The error of a centre is relative to its distance from the mechanism: the check divides by ω_rel, and if that is
+    /// a small difference of large angular velocities, the centre is far away.
     double reach_of_centre(const CheckRow& row) const {
         const Quantity centre = row.quantity.along(Quantity::Component::whole);
         double reach = solution_.pose.size.to_double();
@@ -136,9 +136,8 @@ private:
                                     << " by centres: " << way.omega->to_double();
     }
 
-    // --- laws of a rigid body
-    // ----------------------------------------------------------------------------------------------
-    /// Rivals' theorem between every two points of a body, and in it the law of projections.
+    // --- laws of a rigid body ---
+    /// Rivals' theorem between every two points of a body, which includes the theorem of projections.
     void bodies_are_rigid() {
         for (std::size_t b = 1; b < carried_.size(); ++b) {
             const BodyIndex body(b);
@@ -158,7 +157,7 @@ private:
         }
     }
 
-    /// The velocity (acceleration) of the place that a body carries there.
+    /// The velocity (acceleration) of the point of a body at that place.
     std::optional<Vector> velocity_on(BodyIndex body, const Vector& place) const {
         if (body == frame) return Vector{};
         if (carried_[at(body)].empty()) return std::nullopt;
@@ -204,7 +203,7 @@ private:
         }
     }
 
-    /// The points in contact have one velocity, and part along the normal only.
+    /// The points in contact have equal velocities, and their relative acceleration is normal.
     void rolling_does_not_slip() {
         for (std::size_t j = 0; j < solution_.mechanism.joints.size(); ++j) {
             const Joint& joint = solution_.mechanism.joints[j];
@@ -218,9 +217,8 @@ private:
         }
     }
 
-    // --- polygons
-    // ----------------------------------------------------------------------------------------------------------
-    /// A term's vector as drawn by this statement, else as drawn before in the same figure.
+    // --- polygons ---
+    /// The vector of a term as this statement draws it, else as an earlier one drew it in the same figure.
     std::optional<Vector> drawn(const Symbol& symbol, StatementIndex statement) const {
         const Protocol& protocol = solution_.protocol;
         const Plane plane =
@@ -244,7 +242,7 @@ private:
         return std::nullopt;
     }
 
-    /// Each equation closes with the vectors of its polygon: no side differs from another by anything.
+    /// Each equation closes exactly with the vectors of its polygon.
     void equations_close() {
         for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
             const Statement& statement = solution_.protocol.statements[i];
@@ -284,9 +282,8 @@ private:
         }
     }
 
-    // --- centres
-    // -----------------------------------------------------------------------------------------------------------
-    /// Zero exactly, or on a pose with a leftover a share of `beside` that only the leftover can explain.
+    // --- centres ---
+    /// Exactly zero; in a pose by compass, a share of `beside` that its inexact points can explain.
     void expect_nothing(const Exact& value, const Exact& beside, const std::string& what) const {
         if (solution_.pose.exact) {
             EXPECT_TRUE(value.is_zero()) << what << ": off by " << value.to_double();
@@ -322,9 +319,9 @@ private:
         }
     }
 
-    /// Aronhold and Kennedy, for all three bodies of which every two have a centre of their own. Those at relative rest
-    /// have it everywhere, and those of translations relative to each other lie on the line at infinity, like any
-    /// other.
+    /// The Aronhold–Kennedy theorem, for all triples of bodies in which every pair has its own centre. Bodies at
+    /// relative rest have none; bodies in relative translation have theirs on the line at infinity, where the theorem
+    /// holds as well.
     void three_centres_lie_on_a_line() {
         const Mechanism& mechanism = solution_.mechanism;
         std::map<std::pair<BodyIndex, BodyIndex>, const InstantCentre*> centres;

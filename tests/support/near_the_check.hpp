@@ -1,4 +1,4 @@
-// How near a solution lies to the numeric check: each row against what is large of its kind.
+// The difference between a solution and the numeric check, each row relative to the largest magnitude of its kind.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace kinegraph::tests {
 
 using Kind = Quantity::Kind;
 
-/// What lies in one polygon and is small against one magnitude: slidings of all orders, forces with their couples.
+/// Quantities of one polygon that are compared with one magnitude: sliding quantities of all orders, forces and
+/// couples.
 inline Kind kind_of(const Quantity& quantity) {
     switch (quantity.kind) {
         case Kind::sliding_acceleration:
@@ -25,8 +26,7 @@ inline Kind kind_of(const Quantity& quantity) {
     }
 }
 
-/// By kind, what a difference must be small against: the largest value met of it, and what it comes from where that is
-/// nothing.
+/// The magnitude of each kind: the largest value, or an estimate from related quantities if all values are zero.
 inline std::map<Kind, double> magnitudes(const Solution& solution) {
     std::map<Kind, double> largest;
     double fastest = 0;
@@ -35,16 +35,16 @@ inline std::map<Kind, double> magnitudes(const Solution& solution) {
         of_kind = std::max({of_kind, std::abs(row.numeric), std::abs(row.graphical)});
         if (kind_of(row.quantity) == Kind::omega) fastest = std::max(fastest, std::abs(row.graphical));
     }
-    // A turn is small against the one that would move the drawing's far end as fast as its fastest point.
+    // An angular velocity is compared with the one that gives the drawing's far end the speed of the fastest point.
     largest[Kind::omega] = std::max(largest[Kind::omega], largest[Kind::velocity] / solution.pose.size.to_double());
-    // Where nothing slides, the motion of the bodies is what a sliding is small against.
+    // If nothing slides, a sliding velocity is compared with the motion of the bodies.
     largest[Kind::sliding_velocity] =
         std::max({largest[Kind::sliding_velocity], largest[Kind::velocity], largest[Kind::acceleration]});
-    // A centre at the origin is small against the drawing.
+    // A centre at the origin is compared with the size of the drawing.
     largest[Kind::centre] = std::max(largest[Kind::centre], solution.pose.size.to_double());
-    // Where nothing turns faster and faster, ω² is what an α is small against.
+    // If all angular accelerations vanish, α is compared with ω².
     largest[Kind::alpha] = std::max(largest[Kind::alpha], fastest * fastest);
-    // Powers add up to nothing: each alone is what their sum is small against.
+    // The sum of the powers is zero: it is compared with the single powers.
     if (solution.virtual_work) {
         for (const VirtualWork::Entry& entry : solution.virtual_work->entries)
             largest[Kind::virtual_power] = std::max(largest[Kind::virtual_power], std::abs(entry.power.to_double()));
@@ -52,8 +52,8 @@ inline std::map<Kind, double> magnitudes(const Solution& solution) {
     return largest;
 }
 
-/// The worst difference from the check, each over its kind's magnitude (1 where that is nothing). Whole mechanisms keep
-/// it within 1e-9: the check counts in doubles, and loses some six of their sixteen digits in its systems of equations.
+/// The worst difference from the check, relative to its kind's magnitude (absolute if that is zero). It is below 1e-9
+/// for whole mechanisms: the check loses some six of the sixteen digits of a double in its systems of equations.
 inline double worst_difference(const Solution& solution) {
     const std::map<Kind, double> largest = magnitudes(solution);
     double worst = 0;

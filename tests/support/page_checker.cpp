@@ -1,5 +1,4 @@
-// How the faults are found: the page is taken apart into labels, other text and segments of stroke; or into two
-// pictures.
+// Splits the page into labels, other text and segments of stroke, or into two pictures.
 #include "tests/support/page_checker.hpp"
 
 #include <algorithm>
@@ -20,8 +19,7 @@ struct TurnedBox {
 struct Label {
     std::string words;
     TurnedBox ink;
-    double ring = 0;  // radius of the circle round a number, its pen included: what is clear of it may come into the
-                      // box's corners
+    double ring = 0;  // radius of the circle round a number, with its pen; what is outside the circle may enter the box
 };
 struct Stroke {
     Spot from, to;
@@ -33,12 +31,12 @@ struct FigureParts {
     std::string id;
     std::vector<Label> labels;
     std::vector<Stroke> strokes;
-    std::vector<std::pair<std::size_t, Stroke>> leaders;  // of the label with this number
-    std::vector<Label> texts;  // that stand in the figure and are no labels: tables, scale bars
+    std::vector<std::pair<std::size_t, Stroke>> leaders;  // with the index of the label
+    std::vector<Label> texts;  // texts within the figure that are no labels: tables, scale bars
 };
 struct PageParts {
     std::vector<FigureParts> figures;
-    std::vector<Label> texts;  // outside of all figures
+    std::vector<Label> texts;  // outside all figures
 };
 
 void widen(Box& box, Spot by) {
@@ -47,7 +45,7 @@ void widen(Box& box, Spot by) {
 }
 constexpr Box blank{{1e300, 1e300}, {-1e300, -1e300}};
 
-/// The box of the ink as if the text were not turned.
+/// The box of the ink before the text is turned.
 Box unturned_ink(const TextMark& text, const Fonts& fonts) {
     Box box = blank;
     for (const Glyph& glyph : text.glyphs)
@@ -105,13 +103,13 @@ double distance_to_segment(Spot spot, Spot from, Spot to) {
     return length(there - t * d);
 }
 
-/// Whether a stroke, its ends round, has ink within a box.
+/// True if a stroke with its round ends covers part of a box.
 bool meets(const TurnedBox& box, const Stroke& stroke) {
     const auto local = [&](Spot spot) {
         return Spot{dot(spot - box.centre, box.axis), cross(box.axis, spot - box.centre)};
     };
     const Spot from = local(stroke.from), to = local(stroke.to), d = to - from;
-    // What misses the box by more than the pen on one side is most of all strokes.
+    // A quick test, which most strokes fail: distance beyond the pen on one side.
     const Spot far = box.half + Spot{stroke.half, stroke.half};
     if (std::min(from.x, to.x) >= far.x || std::max(from.x, to.x) <= -far.x || std::min(from.y, to.y) >= far.y ||
         std::max(from.y, to.y) <= -far.y)
@@ -149,7 +147,7 @@ bool overlap(const TurnedBox& a, const TurnedBox& b) {
     });
 }
 
-/// Italic letters of one line lean over into the next word's box.
+/// A small overlap is allowed: slanted italic letters reach into the box of the next word.
 bool deeply_overlap(TurnedBox a, TurnedBox b) {
     constexpr double lean = 0.1;
     for (TurnedBox* box : {&a, &b}) box->half = box->half - Spot{lean / 2, lean / 2};
@@ -158,7 +156,7 @@ bool deeply_overlap(TurnedBox a, TurnedBox b) {
 
 std::string figure_of(const GroupBegin& group) { return group.attribute("data-figure") ? group.id : ""; }
 
-/// Whether a path is a thin straight line or an empty circle with nothing but a ring between it and a label.
+/// True if a path is a thin straight line or an empty circle, and only a circle may lie between it and a label.
 bool is_part_of_label(const std::vector<Mark>& marks, std::size_t k) {
     const auto& path = std::get<Path>(marks[k]);
     if (path.filled || !path.pen.dashes.empty() || path.segments.size() < 2 || k + 1 == marks.size()) return false;
@@ -171,7 +169,7 @@ bool is_part_of_label(const std::vector<Mark>& marks, std::size_t k) {
     return std::holds_alternative<ArcTo>(std::get<Path>(marks[k + 1]).segments[1]);
 }
 
-/// A light area on light paper, a dark one on dark: it may carry a label.
+/// A light area on light paper or a dark one on dark paper: it may lie under a label.
 bool is_tint(const Path& path, Colour paper) {
     const auto apart = [](std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); };
     return !path.stroked && path.filled &&
@@ -179,7 +177,7 @@ bool is_tint(const Path& path, Colour paper) {
                      apart(path.fill.blue, paper.blue)}) < 0x40;
 }
 
-/// What a path of a figure is, and what it belongs to, by the groups it stands in.
+/// The kind and the owner of a path in a figure, from the groups that contain it.
 std::pair<Fault::Kind, std::string> role_of(const std::vector<const GroupBegin*>& groups, const Path& path) {
     constexpr std::array vectors{"vector", "force", "velocity", "arrows"};
     constexpr std::array mechanism{"link", "joint", "spring", "links", "joints", "ground"};
@@ -194,7 +192,7 @@ std::pair<Fault::Kind, std::string> role_of(const std::vector<const GroupBegin*>
     return {Fault::Kind::label_on_construction, "a thin line"};
 }
 
-/// Goes through the marks of a page; knows in which groups each stands and whether in a figure.
+/// Calls `look` for the marks of a page, with the enclosing groups and whether they are in a figure.
 template <class Look>
 void each_mark(const Page& page, Look look) {
     std::vector<const GroupBegin*> groups;
@@ -207,12 +205,12 @@ void each_mark(const Page& page, Look look) {
     }
 }
 
-/// Takes the page apart, figure by figure.
+/// Splits the page, figure by figure.
 PageParts parts_of(const Page& page, const Fonts& fonts) {
     PageParts parts;
     std::vector<Box> rings;
     std::vector<Stroke> leader;
-    bool in_label = false;  // further colours of the label before
+    bool in_label = false;  // the text continues the label before in another colour
     const auto add_text = [&](const TextMark& text, FigureParts* figure) {
         Box box = unturned_ink(text, fonts);
         if (box.min.x > box.max.x) return;
@@ -243,7 +241,7 @@ PageParts parts_of(const Page& page, const Fonts& fonts) {
         if (!path || !figure) return;
         in_label = false;
         std::vector<Stroke> strokes = strokes_of(*path);
-        // A leader and the ring round a number stand directly before their label.
+        // A leader and the circle round a number come directly before their label.
         if (is_part_of_label(page.marks, k)) {
             if (std::holds_alternative<LineTo>(path->segments[1]))
                 leader = strokes;
@@ -251,7 +249,7 @@ PageParts parts_of(const Page& page, const Fonts& fonts) {
                 rings.assign(1, box_of(std::span(&mark, 1)));
             return;
         }
-        // Where links cross, a stroke of paper keeps them apart.
+        // A stroke in the colour of the paper separates links that cross.
         const bool blank_stroke = path->stroked && !path->filled && path->pen.colour == page.paper;
         if (is_tint(*path, page.paper) || blank_stroke) return;
         const auto [role, of] = role_of(groups, *path);
@@ -264,7 +262,7 @@ PageParts parts_of(const Page& page, const Fonts& fonts) {
     return parts;
 }
 
-/// The sheet's frame: the first path of a page.
+/// The sheet's frame is the first path of a page.
 Box frame_of(const Page& page) {
     for (const Mark& mark : page.marks)
         if (std::holds_alternative<Path>(mark)) return box_of(std::span(&mark, 1));
@@ -277,7 +275,7 @@ bool leaves(const Box& frame, const Box& box) {
            box.max.y > frame.max.y + grace;
 }
 
-/// A page for one colour of ink.
+/// An empty page for ink of one colour.
 Page blank_like(const Page& page) {
     Page empty;
     empty.width = page.width;
@@ -299,8 +297,8 @@ Page letters_of(const Page& page) {
     return letters;
 }
 
-/// The mechanisms and the vectors of the page, black on white. The white within a symbol hides what it stands on, as it
-/// does on the page; white anywhere else hides nothing, so that a halo under a letter would not excuse it.
+/// The mechanisms and the vectors of the page, black on white. White within a symbol hides what lies below it, as on
+/// the page. Other white is ignored, so that a halo under a letter does not hide an overlap.
 Page strokes_of(const Page& page) {
     Page strokes = blank_like(page);
     each_mark(page, [&](std::size_t k, const Mark& mark, const std::vector<const GroupBegin*>& groups, bool within) {
@@ -339,7 +337,7 @@ void add_faults_within(const FigureParts& figure, std::vector<Fault>& faults) {
                     {Fault::Kind::leader_on_label, figure.id, figure.labels[own].words, figure.labels[i].words});
 }
 
-/// A figure on what is not its own: each of the others' letters is named once.
+/// Overlaps of a figure with other figures' text; each letter is reported once.
 void add_faults_beyond(const FigureParts& figure, const std::vector<Label>& letters, std::vector<Fault>& faults) {
     for (const Label& text : letters) {
         const auto covered = [&](const auto& labels) {

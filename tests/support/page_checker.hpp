@@ -1,5 +1,5 @@
-// What a finished page shows wrongly: labels on strokes and on each other, figures on text and on figures, marks beyond
-// the frame. Reads only the page's display list, or the pixels it gives; never the opinion of who placed the labels.
+// Finds faults of a finished page: labels on strokes and on each other, figures on text and on figures, marks beyond
+// the frame. Reads only the display list of the page or its pixels, independently of the code that places labels.
 #pragma once
 
 #include <cstddef>
@@ -18,21 +18,21 @@ struct Fault {
         label_on_vector,
         label_on_construction,  ///< any other stroke of a figure
         leader_on_label,
-        figure_on_text,  ///< a stroke or a label on a caption, an equation, a table, the title block, another figure's
-                         ///< label
-        text_on_text,    ///< none of them in a figure
-        outside,         ///< of the sheet's frame
+        figure_on_text,  ///< a stroke or a label on a caption, an equation, a table, the title block or another
+                         ///< figure's label
+        text_on_text,    ///< neither of them in a figure
+        outside,         ///< beyond the sheet's frame
     } kind;
     std::string figure, label, other;
 };
 
-/// Every fault of the page, in drawing order. A label is the box of its glyphs' ink, turned with it (and the ring round
-/// a number); a stroke is as wide as its pen.
+/// Every fault of the page, in drawing order. A label is the box of its glyphs' ink, turned with it (and the circle
+/// round a number); a stroke has the width of its pen.
 std::vector<Fault> faults_of(const Page& page, const Fonts& fonts);
 
-/// Pixels that are inked by letters (labels, captions, tables) and by the strokes of a mechanism or a vector, each
-/// drawn without the other at `dpi`; inked: covered more than half. A pixel counted is an overlap whatever the
-/// antialiasing: two shares of one pixel that are each more than half of it have a part in common.
+/// The number of pixels inked both by letters (labels, captions, tables) and by strokes of a mechanism or a vector,
+/// each drawn without the other at `dpi`. Inked means covered by more than half, so such a pixel is an overlap whatever
+/// the antialiasing.
 std::size_t pixels_in_common(const Page& page, const Fonts& fonts, double dpi);
 
 /// "velocity: a_B on label c", for messages.

@@ -1,4 +1,4 @@
-// What tests of sheets share: the examples solved, what a page says, and that nothing on it is cut or covered.
+// Shared by the tests of sheets: solved examples, the text of a page, and a check that nothing is cut off or covered.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ inline std::vector<const TextMark*> texts_of(const Page& page) {
         if (const auto* text = std::get_if<TextMark>(&mark)) texts.push_back(text);
     return texts;
 }
-/// All words of the pages, a line each.
+/// All text of the pages, one mark on each line.
 inline std::string words_of(const std::vector<Page>& pages) {
     std::string words;
     for (const Page& page : pages)
@@ -49,7 +49,7 @@ inline bool says(const std::vector<Page>& pages, const std::string& words) {
     return std::any_of(pages.begin(), pages.end(), [&](const Page& page) { return says(page, words); });
 }
 
-/// True ink of a text that is not turned.
+/// The exact ink of a text that is not turned.
 inline Box ink_of(const TextMark& text) {
     Box box{{1e300, 1e300}, {-1e300, -1e300}};
     for (const Glyph& glyph : text.glyphs)
@@ -88,7 +88,7 @@ inline void expect_clean(const std::vector<Page>& pages) {
             }
             inks.emplace_back(ink, text->words);
         }
-        // No prose, caption or table on an arrow.
+        // No prose, caption or table lies on an arrow.
         for (const Mark& mark : page.marks) {
             const auto* axis = std::get_if<Axis>(&mark);
             if (!axis) continue;
@@ -103,7 +103,7 @@ inline void expect_clean(const std::vector<Page>& pages) {
     }
 }
 
-/// Groups open and close in pairs, and an id is met once.
+/// Groups open and close in pairs, and ids are unique.
 inline void expect_sound_groups(const Page& page) {
     std::set<std::string> ids;
     int depth = 0;

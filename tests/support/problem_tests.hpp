@@ -1,4 +1,4 @@
-// What the tests of contact, wear and impact have in common: their solutions by kind, and the results held against the
+// Shared by the tests of contact, wear and impact: their solutions by kind, and the comparison of the results with the
 // checks.
 #pragma once
 
@@ -13,16 +13,16 @@
 
 namespace kinegraph::tests {
 
-/// What was found, of the kind that the file states.
+/// The result of the kind that the file states.
 template <class Found>
 const Found& found_in(const Solution& solution) {
     return std::get<Found>(solution.problem->of);
 }
-/// A file that states a problem, lengths in mm; `members` are those of its section.
+/// A file that states a problem, lengths in mm; `members` are the members of its section.
 inline Solution stated(const std::string& section, const std::string& members) {
     return solved(R"({"kinegraph": 1, "units": {"length": "mm"}, ")" + section + R"(": {)" + members + "}}");
 }
-/// Each value within a share of the check's, of itself or of the largest.
+/// Each value agrees with the check within a share of itself or of the largest value.
 enum class Against { itself, largest };
 inline void expect_near_check(const ProblemSolution& found, double share, Against against) {
     ASSERT_FALSE(found.values.empty());

@@ -41,8 +41,7 @@ Drawing::Drawing(Random& random, bool by_compass) : random_(random), by_compass_
 }
 
 Spot Drawing::anywhere() {
-    // One after the other: the order in which arguments are drawn is the compiler's to choose, that of an initialiser
-    // list is not.
+    // An initialiser list fixes the order of evaluation; the order of function arguments depends on the compiler.
     return {to_tenths(random_.real(-reach, reach)), to_tenths(random_.real(-reach, reach))};
 }
 int Drawing::given(Spot spot) { return add(spot, pair(tenths(spot.x), tenths(spot.y))); }

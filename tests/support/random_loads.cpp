@@ -13,7 +13,7 @@ namespace {
 
 std::size_t at(auto index) { return at_index(index); }
 
-/// Adds loads, weights, springs and efforts of every kind to the file of a random mechanism.
+/// Adds loads, weights, springs and input forces of every kind to the file of a random mechanism.
 class Loading {
 public:
     Loading(const Mechanism& mechanism, const Pose& pose, std::uint64_t seed, int efforts, bool all_kinds)
@@ -24,7 +24,7 @@ public:
         for (int i = 0; i < efforts; ++i) effort("E" + std::to_string(i));
     }
 
-    /// The file with all of it.
+    /// The file with all additions.
     std::string entered_in(std::string text) const {
         const auto list = [](const std::vector<std::string>& all) {
             std::string joined;
@@ -67,7 +67,7 @@ private:
         return (hundredths < 0 ? "-" : "") + std::to_string(std::labs(hundredths) / 100) +
                (digits.size() < 2 ? ".0" : ".") + digits;
     }
-    /// Two components that are not both zero.
+    /// Two components, not both zero.
     std::string components(double most) {
         for (;;) {
             const std::string x = decimal(-most, most), y = decimal(-most, most);
@@ -108,7 +108,7 @@ private:
         const BodyIndex other = random_.chance(20) ? frame : body_with_points();
         if (other == body || mechanism_.bodies[at(other)].points.empty()) return;
         const PointIndex end = point_of(other);
-        // Ends that coincide have no direction to pull in: a refusal, tested elsewhere.
+        // A spring with coincident ends has no direction and is refused; another test covers that.
         const Vector join = pose_.at(end) - pose_.at(point);
         if (squared_length(join) <= Exact::power_of_two(-40) * square(pose_.size)) return;
         loads_.push_back("{\"force\": \"S" + number + "\", \"bodies\": [" + quoted(name(body)) + ", " +
@@ -138,7 +138,7 @@ private:
         const PointIndex end = point_of(body);
         if (pose_.at(end) == pose_.at(point)) return;
         const std::string first = decimal(-60, 60);
-        // Now and then a couple: equal and opposite at both ends.
+        // Sometimes a couple: opposite forces at both ends.
         const std::string last =
             random_.chance(15) ? (first[0] == '-' ? first.substr(1) : "-" + first) : decimal(-60, 60);
         loads_.push_back("{\"distributed\": \"q" + number + "\", \"body\": " + quoted(name(body)) +

@@ -13,7 +13,7 @@ namespace kinegraph {
 
 int Random::whole(int least, int most) {
     const auto range = static_cast<std::uint64_t>(most - least) + 1;
-    // The bias of a remainder of 64 bits is far below anything a test could see.
+    // The bias of the remainder of 64 bits is negligible.
     return least + static_cast<int>(engine_() % range);
 }
 
@@ -25,8 +25,8 @@ namespace {
 
 constexpr int most_bodies = 12;
 
-/// Adds driven bodies and dyads to a drawing. Each method gives false where its draw was degenerate; the drawing is
-/// then thrown away by the caller, which costs nothing and keeps the methods straight.
+/// Adds driven bodies and dyads to a drawing. A method returns false if its random values are degenerate; the caller
+/// then discards the whole drawing, which costs little and keeps the methods simple.
 class Builder {
 public:
     explicit Builder(std::uint64_t seed) : random_(seed) {}
@@ -53,7 +53,7 @@ private:
     Drawing& draw() { return *drawing_; }
     void note(const std::string& what) { recipe_ += (recipe_.empty() ? "" : " ") + what; }
     int any_body(int least = 0) { return random_.whole(least, draw().body_count() - 1); }
-    /// i on j, or j on i: either may carry the guide.
+    /// i on j, or j on i: either body may have the guide.
     std::string sleeve(int point, int i, int j, const Guide& guide) {
         return random_.chance(50) ? draw().prismatic(point, i, j, guide) : draw().prismatic(point, j, i, guide);
     }
@@ -81,7 +81,7 @@ private:
         if (on == 0 && random_.chance(10)) {
             const Guide along = draw().any_guide();
             const Spot arm = draw().at(*tip) - draw().at(pivot);
-            // The point moves ⟂ to its arm: the component given must not be that along the arm.
+            // The point moves ⟂ to its arm, so the given component must not be along the arm.
             if (sine(arm, along.along) < least_sine) return false;
             draw().drive_point(body, *tip, along);
             note("crank-by-point");
@@ -109,7 +109,7 @@ private:
     bool dyad() {
         const int x = any_body(1);
         int y = any_body();
-        // A dyad on two points of one body is at rest on it: rare, and allowed.
+        // A dyad on two points of one body is at rest relative to it: allowed, but rare.
         if (y == x && !random_.chance(15)) y = 0;
         switch (random_.whole(0, 7)) {
             case 0:
@@ -123,7 +123,7 @@ private:
         }
     }
 
-    /// The points that a dyad hangs on: of different bodies, at different places.
+    /// The end points of a dyad: on different bodies, at different places.
     std::optional<std::pair<int, int>> ends(int x, int y) {
         const auto a = draw().point_on(x), c = draw().point_on(y);
         if (!a || !c || length(draw().at(*a) - draw().at(*c)) < least_distance) return std::nullopt;
@@ -150,7 +150,7 @@ private:
         const auto a = draw().point_on(x), b = draw().place();
         if (!a || !b) return false;
         const Guide guide = draw().any_guide();
-        // v_B ⟂ AB as seen from A, ∥ guide as seen from y: the two must not be parallel.
+        // v_B ⟂ AB as seen from A, ∥ guide as seen from y: these must not be parallel.
         const Spot arm = draw().at(*b) - draw().at(*a);
         if (std::abs(dot(arm, guide.along)) < least_sine * length(arm) * length(guide.along)) return false;
         const int p = draw().add_body({*a, *b}), q = draw().add_body({*b});
@@ -169,7 +169,7 @@ private:
         return true;
     }
 
-    /// ω common to both links, the slide unknown: the guide must not be ⟂ to the join of the pins.
+    /// Both links have the same ω and the sliding is unknown: the guide must not be ⟂ to the line of the pins.
     bool guides_well(const Guide& guide, int a, int c) {
         const Spot join = draw().at(c) - draw().at(a);
         return std::abs(dot(join, guide.along)) >= least_sine * length(join) * length(guide.along);
@@ -193,7 +193,7 @@ private:
         return true;
     }
 
-    /// The pin of x in a slot of a link that turns about c of y.
+    /// A pin of x in a slot of a link hinged to y at c.
     bool pin_in_slot(int x, int y) {
         const auto hung = ends(x, y);
         if (!hung) return false;
@@ -202,7 +202,7 @@ private:
         draw().further_point(q);
         draw().revolute(c, q, y);
         if (random_.chance(30)) {
-            // Curved about k: the pin turns about k as seen from the link, so a, k, c are a dyad's pins.
+            // A curved slot with centre k: seen from the link the pin turns about k, so a, k, c are the pins of a dyad.
             const auto k = draw().pin_between(a, c);
             if (!k) return false;
             draw().points_of(q).push_back(*k);
@@ -217,7 +217,7 @@ private:
         return true;
     }
 
-    /// A link pinned to x whose pin b runs in a slot of y.
+    /// A link hinged to x whose pin b moves in a slot of y.
     bool arm_in_slot(int x, int y) {
         const auto a = draw().point_on(x), b = draw().place();
         if (!a || !b) return false;
@@ -294,8 +294,7 @@ RandomMechanism random_mechanism(std::uint64_t seed) { return Builder(seed).run(
 RandomMechanism chain_of_dyads(int dyads, std::uint64_t seed) {
     Random random(seed);
     Drawing drawing(random, false);
-    // Crank, then link and rocker again and again: the rocker's far pin carries the next link. Every number has few
-    // digits.
+    // Crank, then link and rocker repeatedly; the rocker's far pin carries the next link. Every number has few digits.
     const int pivot = drawing.given({0, 0});
     int carried = drawing.given({30, 40});
     int carrier = drawing.add_body({pivot, carried});
@@ -328,7 +327,7 @@ bool hold_quarter(int quarter, int count, const std::function<bool(std::uint64_t
     if (const char* asked = std::getenv("KINEGRAPH_RANDOM_MECHANISMS")) count = std::atoi(asked);
     int held = 0;
     for (int seed = quarter; held < count / 4 && !failed(); seed += 4) {
-        // Most draws count; four times as many are plenty.
+        // Most draws are valid; four times as many attempts are enough.
         if (seed >= 4 * count + 400) return false;
         held += hold(static_cast<std::uint64_t>(seed)) ? 1 : 0;
     }

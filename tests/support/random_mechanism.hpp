@@ -1,6 +1,5 @@
-// Random mechanisms as file text: a driven body or two and a chain of dyads, up to twelve bodies, the same on every
-// machine. Refuses degenerate draws by measures of its own (doubles over its own places); knows nothing of what the
-// program makes of them.
+// Random mechanisms as file text: one or two driven bodies and a chain of dyads, at most twelve bodies, the same on
+// every machine. Rejects degenerate draws by its own tests in doubles, independently of the program.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +12,7 @@
 
 namespace kinegraph {
 
-/// std::mt19937_64 is the same everywhere, the distributions of <random> are not: so these are our own.
+/// std::mt19937_64 is the same on every machine, but the distributions of <random> are not; hence our own.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -28,16 +27,16 @@ private:
 
 struct RandomMechanism {
     std::string text;         ///< a mechanism file (JSON)
-    int bodies = 0;           ///< the frame counted
-    int freedoms = 0;         ///< as many as there are drivers
-    bool by_compass = false;  ///< some of its points are placed by polar, ratio or compass constructions
-    std::string recipe;       ///< "crank RRR pin-in-slot …": what was drawn, for messages
+    int bodies = 0;           ///< with the frame
+    int freedoms = 0;         ///< equal to the number of drivers
+    bool by_compass = false;  ///< some points are given by polar, ratio or compass constructions
+    std::string recipe;       ///< "crank RRR pin-in-slot …": for messages
 };
 
 /// The mechanism of a seed.
 RandomMechanism random_mechanism(std::uint64_t seed);
 
-/// As many as that; under sanitizers, where everything takes several times as long, fewer.
+/// `count`; under sanitizers, which slow everything several times, `sanitized`.
 constexpr int unless_sanitized([[maybe_unused]] int count, [[maybe_unused]] int sanitized) {
 #if defined(KINEGRAPH_SANITIZED)
     return sanitized;
@@ -47,14 +46,14 @@ constexpr int unless_sanitized([[maybe_unused]] int count, [[maybe_unused]] int 
 }
 constexpr int default_random_count = unless_sanitized(1000, 200);
 
-/// Calls `hold` with every fourth seed from `quarter` on, until it has said a quarter of `count` times (of
-/// KINEGRAPH_RANDOM_MECHANISMS, where that is set) that the draw counted; four entries for ctest to run side by side.
-/// Stops when `failed` says so: one mechanism with all the laws it breaks reads better than many. KINEGRAPH_SEED=n runs
-/// that one alone. False: too few draws counted.
+/// Calls `hold` with every fourth seed from `quarter` on, until a quarter of `count` draws (of
+/// KINEGRAPH_RANDOM_MECHANISMS, if set) were valid, that is `hold` returned true. The four quarters are four ctest
+/// entries that run in parallel. Stops when `failed` returns true: the violations of one mechanism are easier to read
+/// than those of many. KINEGRAPH_SEED=n runs that seed only. Returns false if too few draws were valid.
 bool hold_quarter(int quarter, int count, const std::function<bool(std::uint64_t)>& hold,
                   const std::function<bool()>& failed);
 
-/// Frame, crank, and `dyads` RRR dyads one after the other, every point a decimal: 2 + 2·dyads bodies. For benchmarks.
+/// Frame, crank, and `dyads` RRR dyads in a chain, every point a decimal: 2 + 2·dyads bodies. For benchmarks.
 RandomMechanism chain_of_dyads(int dyads, std::uint64_t seed);
 
 }  // namespace kinegraph

@@ -25,8 +25,8 @@ std::vector<ElementIndex> results_of(Solution solution) {
     return elements;
 }
 
-/// A value as numbers: three for a point, two for a vector, one for a scalar. A point at infinity has a direction and
-/// no length.
+/// A value as numbers: three for a point, two for a vector, one for a scalar. A point at infinity has a direction
+/// without a length.
 std::vector<double> numbers(const ValueOf<double>& value) {
     if (const auto* p = std::get_if<PointOf<double>>(&value)) {
         const double length = p->at_infinity() ? std::hypot(p->x, p->y) : 1;
@@ -43,7 +43,7 @@ std::vector<double> replayed(const Replay& replay, ElementIndex element, const V
     return numbers(replay.scalar(element));
 }
 
-/// By plane and by whether it is a scalar: the largest number among all elements.
+/// The largest number among all elements of a plane, separately for scalars.
 class LargestOfKind {
 public:
     explicit LargestOfKind(const Protocol& protocol) : protocol_(protocol) {
@@ -72,9 +72,8 @@ std::string told(const Guard& guard) {
            std::to_string(guard.verdict);
 }
 
-/// Bodies in the file's order and forces by name: in which order they were resolved, and by which points of
-/// concurrency, is a choice of the planner's; whether a resultant comes by a funicular polygon depends on where lines
-/// meet on the sheet.
+/// Sorts bodies by the order of the file and forces by name. The order of the solution and its points of concurrency
+/// depend on the planner; whether a resultant needs a funicular polygon depends on where lines intersect on the sheet.
 void put_in_order(Solution& solution) {
     const auto by_name = [](const auto& a, const auto& b) { return name_of(a.symbol) < name_of(b.symbol); };
     const auto put_bodies_in_order = [&](std::vector<FreeBody>& bodies) {
@@ -145,7 +144,7 @@ double difference_in_doubles(const Solution& solution) {
 
 Mechanism with_other_givens(Mechanism mechanism) {
     int n = 0;
-    // Another factor for each, none of which makes two of them cancel.
+    // Different factors, none of which makes two values cancel.
     const auto changed = [&](const Exact& value) { return value * Exact::ratio(7 + 4 * (++n), 5); };
     for (Driver& driver : mechanism.drivers) {
         std::visit(
@@ -210,7 +209,8 @@ bool expect_fresh_solution(const Solution& solution) {
             EXPECT_TRUE(identical(exact_one[i], exact_two[i])) << "result " << i;
             continue;
         }
-        // Two orders of the same strokes carry the compass' leftovers on differently, far below what a double shows.
+        // Two orders of the same operations propagate the compass' inexactness differently, far below the precision of
+        // a double.
         const auto near = numbers(to_double(exact_one[i])), far = numbers(to_double(exact_two[i]));
         for (std::size_t c = 0; c < near.size(); ++c)
             EXPECT_NEAR(near[c], far[c], 1e-12 * (1 + std::abs(far[c]))) << "result " << i;

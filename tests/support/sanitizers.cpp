@@ -1,4 +1,4 @@
-// What the sanitizers are told of libraries that are not ours, in the tests and in the program that they run.
+// Options of the sanitizers for third-party libraries, in the tests and in the program that they run.
 
 #include "tests/support/sanitized.hpp"
 
@@ -9,13 +9,13 @@ const char* __asan_default_options();
 const char* __lsan_default_options();
 const char* __lsan_default_suppressions();
 
-/// The search for leaks reads the thread-local memory of modules opened late where it is not, and falls over at the end
-/// of a program that did all it should: it is told to leave that memory alone. The rest is time: eight calls say where
-/// a block was made, and the last 64 MB that were freed are watched.
+/// The leak detector crashes at the end of a successful program when it reads the thread-local memory of modules loaded
+/// late; so it does not intercept that memory. The other options save time: stacks of eight calls, and a quarantine of
+/// 64 MB of freed memory.
 const char* __asan_default_options() { return "intercept_tls_get_addr=0:malloc_context_size=8:quarantine_size_mb=64"; }
-/// What a test reads on standard error is the program's.
+/// Tests read standard error, which must contain only the program's output.
 const char* __lsan_default_options() { return "print_suppressions=0"; }
-/// CLN keeps a string for as long as the program lives.
+/// CLN keeps a string until the end of the program.
 const char* __lsan_default_suppressions() { return "leak:libcln\n"; }
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Takes away what is for readers and editors only, or not for std::regex.
+/// Removes what is only for readers and editors, and the patterns that std::regex cannot match safely.
 void strip(Json& part) {
     if (part.is_object())
         for (const char* key : {"description", "pattern", "examples"}) part.erase(key);
@@ -47,7 +47,7 @@ const valijson::Schema& schema() {
     return *parsed;
 }
 
-/// valijson's path: "<root>", "[\"joints\"]", "[0]".
+/// Converts valijson's path: "<root>", "[\"joints\"]", "[0]".
 std::string pointer_of(const std::vector<std::string>& path) {
     std::string pointer;
     for (std::string step : path) {
@@ -69,7 +69,7 @@ Errors refused_by_schema(std::string_view text) {
     if (validator.validate(schema(), target, nullptr)) return {};
     valijson::ValidationResults results;
     validator.validate(schema(), target, &results);
-    // The deepest fault says the most.
+    // The deepest fault is the most specific.
     const valijson::ValidationResults::Error* deepest = nullptr;
     for (const auto& error : results) {
         if (deepest == nullptr || error.context.size() > deepest->context.size()) deepest = &error;

@@ -1,5 +1,4 @@
-// Sketch: a mechanism written in code, for tests of the engine that need no file. Names stand for indices; lengths in
-// m.
+// Sketch: a mechanism built in code, for tests of the engine that need no file. Names replace indices; lengths in m.
 #pragma once
 
 #include <gtest/gtest.h>

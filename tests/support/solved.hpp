@@ -1,5 +1,5 @@
-// Examples and mechanism files in text, solved. What cannot be read or solved is thrown, with its place, and so fails
-// the test.
+// Solves examples and mechanism files given as text. If a text cannot be read or solved, throws with the position of
+// the fault, which fails the test.
 #pragma once
 
 #include <map>
@@ -24,8 +24,7 @@ inline Solution solved(const std::string& text, const std::string& name = "test.
     return *std::move(solution);
 }
 
-/// The solution of an example, found once in a process for all tests that look at it. For a test that changes it: a
-/// copy.
+/// The solution of an example, computed once in a process and shared by all tests. A test that changes it must copy it.
 inline const Solution& example(const std::string& name) {
     static std::map<std::string, std::unique_ptr<const Solution>> known;
     std::unique_ptr<const Solution>& solution = known[name];

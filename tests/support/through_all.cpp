@@ -51,7 +51,7 @@ struct IsFinite {
     void operator()(const GroupEnd&) const {}
 };
 
-/// What an exercise asks and requires is found, or said to be missing in both languages.
+/// Each result that an exercise asks for or requires is found, or reported as missing in both languages.
 void through_exercise(const Solution& solution) {
     if (!solution.mechanism.exercise) return;
     const Exercise& exercise = *solution.mechanism.exercise;
@@ -86,7 +86,7 @@ HowFar through_all(std::string_view text, const Fonts& fonts) {
     far.solved = true;
     through_exercise(*solution);
     oversights(solution->mechanism, solution->pose, solution->mobility);
-    // What is no number is no JSON.
+    // JSON has no NaN and no infinity.
     const std::string results =
         results_json(*solution, false, [](const Message& said) { return tell(said, Language::en); });
     expect(nlohmann::json::accept(results), "the results are no JSON");

@@ -1,5 +1,5 @@
-// A file taken through everything: read, solved, its results written, its sheet drawn as SVG. For files that nobody
-// would write.
+// Runs all stages on a file: reads, solves, writes the results, draws the sheet as SVG. For files that nobody would
+// write.
 #pragma once
 
 #include <string_view>
@@ -8,11 +8,11 @@
 
 namespace kinegraph::tests {
 
-/// How far a file came.
+/// The stages that a file passed.
 struct HowFar {
     bool read = false, solved = false, drawn = false;
 };
-/// Throws where a result is no number or a mark stands nowhere. (What crashes or hangs ends the program.)
+/// Throws if a result is not a finite number or a mark has no place. A crash or a hang ends the program.
 HowFar through_all(std::string_view text, const render::Fonts& fonts);
 
 }  // namespace kinegraph::tests

@@ -1,4 +1,4 @@
-// What a solution says, in English, for tests that look for words in it.
+// The sentences of a solution in English, for tests that search for words.
 #pragma once
 
 #include <string>

@@ -56,17 +56,17 @@ private:
     int digits_;
 };
 
-/// x, y turned back.
+/// x, y turned back by the same angle.
 std::array<double, 2> back(const Vector& vector) {
     const double x = vector.x.to_double(), y = vector.y.to_double(), c = std::cos(turn), s = std::sin(turn);
     return {c * x + s * y, c * y - s * x};
 }
 
-/// Values of one kind, held against the largest of them.
+/// Values of one kind, compared with the largest of them.
 class Values {
 public:
     explicit Values(double least) : largest_(least) {}
-    /// `spread`: how far apart the values are that are allowed besides the tolerance.
+    /// `spread`: an allowed difference in addition to the tolerance.
     void add(const std::string& name, double as_given, double now, double spread) {
         largest_ = std::max(largest_, std::abs(as_given));
         pairs_.push_back({name, as_given, now, spread});
@@ -94,7 +94,7 @@ std::vector<std::string> sentences_of(const Solution& solution) {
     std::vector<std::string> all;
     for (const Statement& statement : solution.protocol.statements) {
         Message said = statement.message;
-        constexpr std::size_t without_its_place = 4;  // which is another on another drawing
+        constexpr std::size_t without_its_place = 4;  // the place differs in another drawing
         if (said.sentence == Sentence::auxiliary_point)
             said.arguments.resize(std::min(said.arguments.size(), without_its_place));
         all.push_back(english(said));
@@ -106,7 +106,7 @@ std::vector<std::string> unsolved_of(const Solution& solution) {
     for (const Unsolved& unsolved : solution.unsolved) all.push_back(english_of(unsolved));
     return all;
 }
-/// What is said of the mechanism; not what is said of its numbers: of a branch's ratios those that vanish.
+/// The statements about the mechanism, without those about its numbers: of a branch's ratios only the zero ones.
 std::vector<std::string> verdicts_of(const Solution& solution) {
     std::vector<std::string> all;
     for (Message remark : solution.remarks) {
@@ -126,7 +126,7 @@ double distance(const Value& a, const Value& b) {
     return std::abs((std::get<Exact>(a) - std::get<Exact>(b)).to_double());
 }
 
-/// Four times what shifting the data does to an element; nothing where that is not to be allowed for.
+/// Four times the effect of the data's precision on an element; 0 without `amplified`.
 double spread_of(ElementIndex element, const Protocol* amplified) {
     double spread = 0;
     for (std::size_t i = 0; amplified != nullptr && element != none && i < amplified->shifted.size(); ++i)
@@ -175,7 +175,7 @@ void expect_same_centres(const Solution& as_given, const Solution& turned, doubl
         if (!a.at || !b.at) continue;
         EXPECT_EQ(a.at->at_infinity(), b.at->at_infinity());
         if (a.at->at_infinity() || b.at->at_infinity()) continue;
-        // Rays that turn by δ meet elsewhere by δ·d²/L at the distance d.
+        // A turn of a ray by δ moves the intersection by δ·d²/L at the distance d.
         const double distance = length(a.at->place() - as_given.pose.points.front()) / size;
         const double allowed = tolerance * size * std::max(1.0, distance * distance);
         const auto found = back(b.at->place());
