@@ -1,4 +1,4 @@
-// The backends: a Page to bytes. Small and dull; nothing is decided here.
+// Backends: conversion of a Page to bytes. No layout is decided here.
 // The same page gives the same bytes on every machine: no clock, no locale, no version.
 #pragma once
 
@@ -17,45 +17,44 @@
 
 namespace kinegraph::render {
 
-/// Path data of the glyphs of one set of fonts, by face, index and size: what one SVG has written out another need not.
-/// Kept by who makes many.
+/// Cache of the path data of glyphs, by face, index and size, for one set of fonts. Share it between many SVGs.
 class GlyphPaths {
 public:
-    /// Where there are very many, all are forgotten: to be called between pages.
+    /// Clears the cache if it is very large. Call between pages.
     void keep_few();
-    /// Empty where it is new.
+    /// The path data of a glyph; empty if not computed yet.
     std::string& of(std::uint64_t glyph) { return paths_[glyph]; }
 
 private:
     std::unordered_map<std::uint64_t, std::string> paths_;
 };
 
-/// SVG 1.1, one user unit = 1 mm; groups, ids, titles and data attributes as docs/drawing.md says; text as outlines.
+/// SVG 1.1, one user unit = 1 mm. Groups, ids, titles and data attributes follow docs/drawing.md; text is drawn as
+/// outlines.
 std::string to_svg(const Page& page, const Fonts& fonts);
-/// The same of several pages: an outline that they share is written out once.
+/// The same for several pages; outlines that they share are computed once.
 std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts);
-/// The same, beginning with the outlines that are `known` of these fonts.
+/// The same with an existing cache of outlines of these fonts.
 std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts, GlyphPaths& known);
 
-/// The same with text that can be selected, searched and read aloud: <text> where the outlines stand, with the parts of
-/// the font that it needs in the file. What a reader reads is plain(as_set(text)) of each line.
+/// The same with text that can be selected, searched and read aloud: <text> instead of outlines, with the needed subset
+/// of the font embedded. The text of each line is plain(as_set(text)).
 std::vector<std::string> to_live_svg(std::span<const Page> pages, const Glyphs& glyphs);
 
-/// To be called before a PNG or a PDF is asked for. Error: what paints them is missing, which can only be where a
-/// program opens it late.
+/// Call before to_png or to_pdf. Error: the drawing library is missing, which can happen only in a program that loads
+/// it on demand.
 tl::expected<void, Words> open_painter();
 
-/// PNG (RGB, or grey where the page has no colour) at `dpi` dots per inch.
+/// PNG (RGB, or grey for a page without colour) at `dpi` dots per inch.
 std::string to_png(const Page& page, const Glyphs& glyphs, double dpi);
 
-/// PDF with all pages in order; the glyphs used are embedded as parts of their font, no creation date of the day.
+/// PDF of all pages in order. Subsets of the fonts are embedded; the creation date is fixed.
 std::string to_pdf(const std::vector<Page>& pages, const Glyphs& glyphs);
-/// The same for programs that read: tagged (paragraphs, figures), with its language, and every line says
-/// plain(as_set(text)).
+/// The same with accessibility: tags (paragraphs, figures), language, and the text plain(as_set(text)) of every line.
 std::string to_live_pdf(const std::vector<Page>& pages, const Glyphs& glyphs);
 
-/// LaTeX: a whole document for pdflatex with TikZ, a picture on a page of its own for each page; or, read by \input in
-/// another document, the pictures alone. Colours, kinds of line and named points stand on top; words are set by TeX.
+/// LaTeX: a complete document for pdflatex with TikZ, one picture per page; read by \input in another document, it
+/// gives the pictures only. Colours, line kinds and named points are defined first; TeX typesets the words.
 std::string to_tex(const std::vector<Page>& pages, const Glyphs& glyphs);
 
 }  // namespace kinegraph::render

@@ -1,5 +1,5 @@
-// A Page as PNG or PDF, drawn by cairo: the only file that knows cairo and libpng. Type is filled outlines in the PNG;
-// the PDF carries the glyphs it uses as parts of their font, once for all sizes. Decides nothing about the drawing.
+// PNG and PDF backends by cairo: the only file that depends on cairo and libpng. The PNG fills outlines; the PDF embeds
+// subsets of the fonts, each once for all sizes. No layout is decided here.
 #include <cairo-ft.h>
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -25,9 +25,9 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double points_of_mm = 72 / 25.4;
-constexpr double miter_limit = 4;  // SVG's, so that all backends cut the same corners
+constexpr double miter_limit = 4;  // the default of SVG, so that all backends cut the same corners
 
-constexpr double drawn_tolerance = 0.1;  // pixels between a curve and its chords
+constexpr double drawn_tolerance = 0.1;  // between a curve and its chords, in pixels
 constexpr double type_tolerance = 0.2;
 
 struct Release {
@@ -41,7 +41,7 @@ using Owned = std::unique_ptr<T, Release>;
 
 void use(cairo_t* cr, Colour c) { cairo_set_source_rgb(cr, c.red / 255.0, c.green / 255.0, c.blue / 255.0); }
 
-/// Adds an outline, em units and y upwards, at `origin`.
+/// Adds an outline (em units, y upwards) at `origin`.
 void add_outline(cairo_t* cr, const Outline& outline, double size, Spot origin) {
     const auto x = [&](Spot p) { return origin.x + p.x * size; };
     const auto y = [&](Spot p) { return origin.y - p.y * size; };
@@ -88,7 +88,7 @@ void draw(cairo_t* cr, const Path& path) {
     cairo_stroke(cr);
 }
 
-/// Turns what is drawn as the text is.
+/// Applies the rotation of the text.
 void turn(cairo_t* cr, const TextMark& text) {
     if (text.angle == 0) return;
     cairo_translate(cr, text.pivot.x, text.pivot.y);
@@ -102,7 +102,7 @@ void lay_paper(cairo_t* cr, const Page& page) {
     cairo_set_miter_limit(cr, miter_limit);
 }
 
-/// Draws all marks, user space in mm. `type` fills the glyphs of a text in the colour that is set.
+/// Draws all marks; user space in mm. `type` fills the glyphs of a text in the current colour.
 template <class Type>
 void draw(cairo_t* cr, const Page& page, Type&& type) {
     lay_paper(cr, page);
@@ -140,7 +140,7 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned length) {
 
 struct PictureSize {
     int width, height;
-    double scale;  // pixels to a mm
+    double scale;  // pixels per mm
 };
 
 PictureSize size_at(const Page& page, double dpi) {
@@ -153,7 +153,7 @@ PictureSize size_at(const Page& page, double dpi) {
     return size;
 }
 
-/// A page as pixels of cairo's RGB24.
+/// Renders a page into a cairo RGB24 surface.
 Owned<cairo_surface_t> drawn(const Page& page, const Glyphs& glyphs, const PictureSize& size) {
     Owned<cairo_surface_t> surface{cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)};
     const Owned<cairo_t> cr{cairo_create(surface.get())};
@@ -164,7 +164,7 @@ Owned<cairo_surface_t> drawn(const Page& page, const Glyphs& glyphs, const Pictu
         cairo_new_path(cr.get());
         for (const Glyph& g : text.glyphs) {
             add_outline(cr.get(), glyphs.outline(g.face, g.index), g.size, g.origin);
-            cairo_fill(cr.get());  // one by one is quicker than a whole line
+            cairo_fill(cr.get());  // faster glyph by glyph than a line at once
         }
         cairo_set_tolerance(cr.get(), drawn_tolerance);
     });
@@ -172,7 +172,7 @@ Owned<cairo_surface_t> drawn(const Page& page, const Glyphs& glyphs, const Pictu
     return surface;
 }
 
-/// Shows take() each row of a surface, from the top.
+/// Calls take() with each row of a surface, from the top.
 template <class Take>
 void for_each_row(cairo_surface_t* surface, const PictureSize& size, Take take) {
     const unsigned char* const pixels = cairo_image_surface_get_data(surface);
@@ -182,8 +182,7 @@ void for_each_row(cairo_surface_t* surface, const PictureSize& size, Take take) 
                        static_cast<std::size_t>(size.width)));
 }
 
-/// Sheets are mostly blank: filters make the file larger, and zlib's higher levels take twice the time for 3 % of the
-/// size.
+/// Sheets are mostly blank: filters enlarge the file, and higher levels of zlib take twice the time for 3 %.
 std::string png_of(cairo_surface_t* surface, const PictureSize& size, bool in_grey, double dpi) {
     std::string out;
     const auto fail = [](png_structp, png_const_charp message) { throw Fault(std::string("libpng: ") + message); };
@@ -222,8 +221,7 @@ std::string png_of(cairo_surface_t* surface, const PictureSize& size, bool in_gr
     return out;
 }
 
-/// What FreeType holds open for a font of cairo's. cairo keeps fonts it has used for a while, so this is theirs to
-/// free.
+/// FreeType objects behind a cairo font. cairo caches fonts, so cairo frees these.
 struct OpenFace {
     FT_Library library = nullptr;
     FT_Face face = nullptr;
@@ -236,10 +234,10 @@ const cairo_user_data_key_t open_face{};
 
 struct EmbeddedFace {
     Owned<cairo_font_face_t> font;
-    unsigned long blank = 0;  // the glyph of the space
+    unsigned long blank = 0;  // glyph index of the space
 };
 
-/// A face as a font of cairo's that it can put into a file; unhinted, as the sheet was laid out.
+/// A face as a cairo font that can be embedded; unhinted, like the layout of the sheet.
 EmbeddedFace embedded_face(const Glyphs& glyphs, std::uint8_t face) {
     auto own = std::make_unique<OpenFace>();
     const std::string_view file = glyphs.file(face);
@@ -276,7 +274,7 @@ Picture to_picture(const Page& page, const Glyphs& glyphs, double dpi) {
 
 namespace {
 
-/// A PDF that is drawn: no date of the day, type unhinted.
+/// A PDF under construction: fixed creation date, unhinted fonts.
 class PdfDocument {
 public:
     PdfDocument(const std::vector<Page>& pages, const Glyphs& glyphs)
@@ -296,7 +294,7 @@ public:
 
     cairo_t* pen() const { return cr_.get(); }
 
-    /// Draws a page with what `draw_marks` does in mm.
+    /// Adds a page drawn by `draw_marks` in mm.
     template <class Draw>
     void add(const Page& page, Draw&& draw_marks) {
         cairo_pdf_surface_set_size(surface_.get(), page.width * points_of_mm, page.height * points_of_mm);
@@ -307,7 +305,7 @@ public:
         cairo_show_page(pen());
     }
 
-    /// Every size is a font of its own to cairo: sizes that differ in the last bits are one.
+    /// cairo treats every size as a separate font, so sizes that differ only in their last bits are merged.
     static double snapped(double size) { return std::round(size * 1e6) * 1e-6; }
 
     unsigned long blank(std::uint8_t face) const { return faces_.at(face).blank; }
@@ -331,7 +329,7 @@ private:
     Owned<cairo_t> cr_;
 };
 
-/// The type of a document that is read: cairo is told what its glyphs say.
+/// Fonts of a readable document: passes the text of the glyphs to cairo.
 class LiveType {
 public:
     explicit LiveType(PdfDocument& pdf) : pdf_(pdf) {}
@@ -345,7 +343,7 @@ public:
                 (run.kind == LiveRun::Kind::blank ? blanks_ : unseen_) += run.text;
                 continue;
             }
-            // The dots over a letter are read with it.
+            // The dots over a letter are read together with it.
             const bool dotted = i + 1 < line.runs.size() && line.runs[i + 1].kind == LiveRun::Kind::dots;
             write(run, dotted ? line.runs[++i].text : std::string());
         }
@@ -364,7 +362,7 @@ private:
         const Glyph& first = run.letters.front().glyph;
         pdf_.choose(first);
         if (!blanks_.empty()) {
-            // One glyph for all of them, where the last one would stand.
+            // One glyph for all of them, at the position of the last.
             constexpr double width = 0.25;  // em
             glyphs_.push_back({pdf_.blank(first.face), first.origin.x - width * first.size, first.origin.y});
             clusters_.push_back({static_cast<int>(blanks_.size()), 1});
@@ -395,7 +393,7 @@ private:
     std::vector<cairo_text_cluster_t> clusters_;
 };
 
-/// What belongs together on a page, as tags: figures, and paragraphs outside of them.
+/// Tags of a page: figures, and paragraphs outside of them.
 class Tags {
 public:
     explicit Tags(cairo_t* cr) : cr_(cr) {}
@@ -424,7 +422,7 @@ public:
 
 private:
     cairo_t* cr_;
-    int figures_ = 0;  // groups that are open, from the figure's own on
+    int figures_ = 0;  // open groups, counted from the figure's own
     bool in_paragraph_ = false;
 };
 
@@ -481,7 +479,7 @@ std::string to_live_pdf(const std::vector<Page>& pages, const Glyphs& glyphs) {
     return with_language(pdf.finish(), pages.front().language);
 }
 
-// (Linked with cairo as it is, this file has nothing to open.)
+// (This build links cairo directly, so there is nothing to load.)
 tl::expected<void, Words> open_painter() { return {}; }
 
 }  // namespace kinegraph::render

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t face_count = 4;
 
-/// FNV-1a: the same bytes, the same name.
+/// FNV-1a hash, so that equal bytes give equal names.
 std::uint32_t mixed(std::uint32_t sum, std::string_view bytes) {
     constexpr std::uint32_t prime = 16777619;
     for (const char c : bytes) sum = (sum ^ static_cast<std::uint8_t>(c)) * prime;

@@ -1,4 +1,4 @@
-// The type that an SVG brings along for its words: subsets of the faces, as a style sheet. Knows no SVG beyond that.
+// Embedded fonts of an SVG: subsets of the faces as a style sheet. Independent of the rest of the SVG.
 #pragma once
 
 #include <span>
@@ -9,14 +9,13 @@
 
 namespace kinegraph::render {
 
-/// Faces to be named in a file.
+/// Font rules to be embedded in a file.
 struct EmbeddedType {
-    std::string
-        family;  ///< of its own for each set of faces, so that sheets put into one HTML page do not mix theirs up
-    std::string rules;  ///< CSS: @font-face for each face that is used, its subset in a data URI
+    std::string family;  ///< unique per set of faces, so that sheets combined into one HTML page keep their own fonts
+    std::string rules;   ///< CSS: @font-face for each face that is used, with its subset in a data URI
 };
 
-/// The faces that the words of a page need.
+/// The faces needed for the words of a page.
 EmbeddedType embedded_type(std::span<const Mark> marks, const Glyphs& glyphs);
 
 }  // namespace kinegraph::render

@@ -13,14 +13,14 @@ bool is_blank(char32_t c) {
            c == 0x202F || c == 0x205F || c == 0x3000;
 }
 
-/// Without width: joiners, marks of direction, variants.
+/// Characters without width: joiners, bidirectional marks, variation selectors.
 bool is_without_width(char32_t c) {
     return c == 0xAD || c == 0x34F || c == 0x61C || c == 0xFEFF || (c >= 0x200B && c <= 0x200F) ||
            (c >= 0x202A && c <= 0x202E) || (c >= 0x2060 && c <= 0x206F) || (c >= 0xFE00 && c <= 0xFE0F) ||
            (c >= 0xE0000 && c <= 0xE0FFF);
 }
 
-/// A white space as files may hold it.
+/// Maps white space of a file to a printable space.
 char32_t written_blank(char32_t c) {
     const bool control = c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029;
     return control ? U' ' : c;
@@ -31,7 +31,7 @@ struct Coloured {
     Colour colour;
 };
 
-/// Goes through what a line says and its glyphs side by side.
+/// Reads the text of a line and its glyphs in parallel.
 class Reader {
 public:
     Reader(std::string_view words, std::vector<Coloured> glyphs, std::vector<LiveRun>& runs)
@@ -58,13 +58,13 @@ private:
         at_ += bytes;
     }
 
-    /// The next bytes, which glyphs may stand for.
+    /// The next bytes, which glyphs may represent.
     void read(std::size_t bytes) {
         is_open_ = false;
         const std::size_t end = at_ + bytes;
         while (at_ < end) {
             const std::size_t begin = at_;
-            // An index may end within what is no character: the bytes of the next piece are not its own.
+            // A script may end inside a malformed sequence, which must not continue into the bytes of the next piece.
             const char32_t c = next_code_point(words_.substr(0, end), at_);
             std::string text;
             append_utf8(text, c);
@@ -76,7 +76,7 @@ private:
                 blank(written_blank(c));
             } else if (!is_without_width(c)) {
                 if (is_open_ && runs_.back().kind == LiveRun::Kind::set) {
-                    // The rest of a ligature, or an accent that its letter has taken in.
+                    // The rest of a ligature, or an accent composed with its letter.
                     runs_.back().letters.back().text += text;
                     runs_.back().text += text;
                 } else {
@@ -115,7 +115,7 @@ private:
     std::vector<Coloured> glyphs_;
     std::vector<LiveRun>& runs_;
     std::size_t at_ = 0, next_ = 0;
-    bool is_open_ = false;  // the last run is one of letters, and what comes next may belong to it
+    bool is_open_ = false;  // the last run consists of letters and can be extended
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// What the type of a page says, run by run: for backends that write words and not outlines alone. Knows no format.
+// Live text: the readable text of a page, run by run, for backends that write text and not only outlines. Independent
+// of file formats.
 #pragma once
 
 #include <cstdint>
@@ -10,42 +11,41 @@
 
 namespace kinegraph::render {
 
-/// A glyph and what is read where it stands; a glyph more of one character (a letter and its accent) says nothing.
+/// A glyph and its text. If one character (a letter and its accent) has several glyphs, only the first has text.
 struct Letter {
     Glyph glyph;
     std::string text;
 };
 
-/// A stretch of a line.
+/// A run of a line.
 struct LiveRun {
     enum class Kind : std::uint8_t {
-        set,    ///< letters of one face, size, baseline and colour, without a blank between them
-        coded,  ///< a character that the font has not: its code stands in a box
-        said,   ///< read and not seen: the "_" and "^" before scripts, in plain(text)'s way
-        dots,   ///< over the letter before it, drawn apart: the combining characters
-        blank,  ///< between words
+        set,    ///< letters of one face, size, baseline and colour, without a space between them
+        coded,  ///< a character missing from the font, drawn as its boxed code
+        said,   ///< readable but invisible: the "_" and "^" before scripts, as in plain(text)
+        dots,   ///< combining dots over the preceding letter, drawn separately
+        blank,  ///< space between words
     };
     Kind kind = Kind::blank;
-    std::string text;             ///< well-formed UTF-8, without controls and without marks that change the direction
-    std::vector<Letter> letters;  ///< of `set` and `coded`
+    std::string text;             ///< well-formed UTF-8, without control characters and bidirectional marks
+    std::vector<Letter> letters;  ///< for the kinds `set` and `coded`
     Colour colour;
 };
 
-/// A line of type: the mark that has its words, with those that follow it in other colours.
+/// A line of text: the mark that carries its words, and the following marks in other colours.
 struct LiveLine {
     const TextMark* first = nullptr;
     std::vector<const TextMark*> marks;  ///< all of them
-    std::vector<LiveRun> runs;           ///< in the order of reading
+    std::vector<LiveRun> runs;           ///< in reading order
 };
 
-/// The line that begins with the text at marks.front(); the marks it has taken stand one behind the other. Of another
-/// mark: none.
+/// The line that begins with the text mark at marks.front(); its marks are consecutive. Empty for any other mark.
 LiveLine live_line(std::span<const Mark> marks);
 
-/// The rich text of a line as it is set; where a mark has none, its words.
+/// The rich text of a line as typeset; the words of a mark that has no rich text.
 RichText text_of(const TextMark& mark);
 
-/// What a reader of the line reads: plain(text_of(mark)) without what cannot be seen or heard.
+/// The readable text of a line: plain(text_of(mark)) without characters that can be neither seen nor heard.
 std::string reading_of(const LiveLine& line);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,4 @@
-// Markup: see markup.hpp. White space is as pugixml indents, which reads it back.
+// Markup: see markup.hpp. Indentation is that of pugixml, which reads these files.
 #include "render/backends/markup.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ constexpr std::size_t longest_number = 40;
 struct Pair {
     char tens, ones;
 };
-/// The two digits of a number below a hundred: half as many divisions.
+/// Table of two-digit numbers: halves the number of divisions.
 constexpr auto pairs = [] {
     std::array<Pair, 100> all{};
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -26,7 +26,7 @@ char* put_pair(char* at, std::uint64_t below_hundred) {
     return at + 2;
 }
 
-/// Without zeros before it.
+/// Without leading zeros.
 char* put_whole(char* at, std::uint64_t number) {
     if (number >= 100) {
         at = put_whole(at, number / 100);
@@ -42,7 +42,7 @@ constexpr std::int64_t power_of_ten = 10 * power_of_ten<digits - 1>;
 template <>
 constexpr std::int64_t power_of_ten<0> = 1;
 
-/// By pairs, as long as there is something left; division by a constant is a multiplication.
+/// Two digits at a time while any are left; division by a constant compiles to a multiplication.
 template <int digits>
 char* put_decimals(char* at, std::uint64_t rest) {
     if constexpr (digits > 0) {
@@ -144,7 +144,7 @@ void Markup::words(std::string_view text) {
 
 template <bool in_attribute>
 void Markup::escaped(std::string_view text) {
-    std::size_t plain = 0;  // where what needs no escape begins
+    std::size_t plain = 0;  // start of the text that needs no escape
     for (std::size_t i = 0; i < text.size(); ++i) {
         std::string_view escape;
         switch (text[i]) {

@@ -1,6 +1,5 @@
-// Markup: XML as it is written, from its first byte to its last, one element a line. Owns escaping, indentation and how
-// a number looks; keeps no tree, so an element is said in the order of its bytes: name, attributes, what stands in it,
-// end.
+// Markup: a streaming XML writer, one element per line. Owns escaping, indentation and the format of numbers. It keeps
+// no tree: write an element in the order of its bytes, namely name, attributes, content, end.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +13,13 @@
 
 namespace kinegraph::render {
 
-/// Bytes that grow at their end. A page is a hundred thousand short pieces: each costs a comparison and a copy, not a
-/// call.
+/// A growing byte buffer. A page consists of a hundred thousand short pieces, so appending is inline: one comparison
+/// and one copy.
 class Bytes {
 public:
     std::size_t size() const { return size_; }
     void clear() { size_ = 0; }
-    /// For about so many in all.
+    /// `size`: the expected total number of bytes.
     void reserve(std::size_t size) {
         if (capacity_ < size) grow(size - size_);
     }
@@ -32,7 +31,7 @@ public:
         std::memcpy(room(text.size()), text.data(), text.size());
         size_ += text.size();
     }
-    /// Decimal, that many units of 10^-digits, without zeros at the end. `digits`: 0, 4, 6 or 8.
+    /// The decimal units · 10^-digits, without trailing zeros. `digits`: 0, 4, 6 or 8.
     template <int digits>
     void put_decimal(std::int64_t units);
     /// A coordinate with at most `digits` decimals, without trailing zeros: the shortest decimal of the snapped number.
@@ -40,40 +39,40 @@ public:
     void put_number(double value);
 
 private:
-    /// Where so many bytes more have room.
+    /// Pointer to space for `more` further bytes.
     char* room(std::size_t more) {
         if (capacity_ - size_ < more) grow(more);
         return bytes_.get() + size_;
     }
     void grow(std::size_t more);
 
-    std::unique_ptr<char[]> bytes_;  // not a string, which would blank all that it grows by
+    std::unique_ptr<char[]> bytes_;  // not a std::string, which would zero-initialise on growth
     std::size_t capacity_ = 0, size_ = 0;
 };
 
-/// Names of elements and attributes must outlive it: they are the format's own words. (Attributes' names are only
-/// read.)
+/// Names of elements and attributes are not copied: element names must outlive the writer.
 class Markup {
 public:
-    /// With the declaration, or as a part that stands within so many open elements.
+    /// A whole document with its XML declaration; or a part to be inserted at a depth of `depth` open elements.
     Markup();
     explicit Markup(std::size_t depth);
 
-    /// For about so many bytes.
+    /// `size`: the expected number of bytes.
     void reserve(std::size_t size) { bytes_.reserve(size); }
-    /// Where the next element begins: another part may be put in between.
+    /// Byte offset of the next element, at which another part may be inserted.
     std::size_t place() {
         close_tag();
         return bytes_.size();
     }
-    /// All that is written; every element is ended.
+    /// Everything written. All elements must be closed.
     std::string_view text() const { return bytes_.text(); }
 
     void begin(std::string_view element);
     void end();
-    /// Of the element that was just begun. The value is valid UTF-8, not yet escaped.
+    /// An attribute of the element just begun. The value is valid UTF-8 and is escaped here.
     void attribute(std::string_view name, std::string_view value);
-    /// The same put together from pieces that need no escaping, between `open` and `close`.
+    /// An attribute whose value is appended to the returned buffer, up to close_value(). The pieces must need no
+    /// escaping.
     Bytes& open_value(std::string_view name) {
         KG_ASSERT(in_tag_, "attributes stand before what an element holds");
         bytes_.put(' ');
@@ -82,7 +81,8 @@ public:
         return bytes_;
     }
     void close_value() { bytes_.put('"'); }
-    /// White space counts from here on to the end of the element: what follows text stands on its line.
+    /// Appends text. White space is significant from here to the end of the element, so what follows stays on the same
+    /// line.
     void words(std::string_view text);
 
 private:
@@ -95,9 +95,9 @@ private:
     void escaped(std::string_view text);
 
     Bytes bytes_;
-    std::size_t depth_ = 0;               // of elements that another part has open
-    std::vector<std::string_view> open_;  // elements
-    bool in_tag_ = false;                 // `<g a="b"` stands open
+    std::size_t depth_ = 0;               // number of enclosing elements, for a part
+    std::vector<std::string_view> open_;  // names of the open elements
+    bool in_tag_ = false;                 // a start tag is open: `<g a="b"`
     bool after_words_ = false;
 };
 

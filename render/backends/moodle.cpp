@@ -1,5 +1,5 @@
-// Moodle XML: see quiz_files.hpp. A question of type cloze: {1:NUMERICAL:=value:tolerance} stands where a number is
-// wanted; braces of the text are character references, so that nothing else is read as a field.
+// Moodle XML: see quiz_files.hpp. Cloze questions: {1:NUMERICAL:=value:tolerance} is an answer field. Braces of the
+// text become character references, so that they cannot form another field.
 #include <algorithm>
 
 #include "render/backends/quiz_files.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 std::string field_of(const QuizBlank& blank) { return "{1:NUMERICAL:=" + blank.value + ":" + blank.tolerance + "}"; }
 
-/// Nothing in it ends the section: XHTML has no bare ">".
+/// The content cannot end the CDATA section: XHTML here has no bare ">".
 std::string cdata(const std::string& html) { return "<text><![CDATA[" + html + "]]></text>\n"; }
 
 }  // namespace
@@ -32,7 +32,8 @@ std::string base64(std::string_view bytes) {
 
 std::string moodle_head(std::string_view category) {
     std::string name;
-    for (const char c : category) name += c == '/' ? std::string("//") : std::string(1, c);  // one would part it
+    for (const char c : category)
+        name += c == '/' ? std::string("//") : std::string(1, c);  // a single slash separates categories
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n<question "
            "type=\"category\">\n<category><text>$course$/top/" +
            xml_text(name) + "</text></category>\n<info format=\"html\"><text></text></info>\n</question>\n";

@@ -8,7 +8,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// The whole number behind a word, from `from` on.
+/// The integer after a word, searched from `from` on.
 std::size_t number_behind(std::string_view text, std::string_view word, std::size_t from = 0) {
     std::size_t at = text.find(word, from);
     KG_ASSERT(at != std::string_view::npos, "a PDF of ours has what it refers to");

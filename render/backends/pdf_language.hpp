@@ -1,5 +1,5 @@
-// What cairo has no call for: the language of a tagged PDF, and that its title is to be shown. Knows of PDF as much as
-// that takes.
+// PDF properties that cairo does not offer: the language of a tagged PDF, and the display of its title. Handles only
+// the PDF syntax needed for that.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace kinegraph::render {
 
-/// The same document, its catalog written anew behind it (an incremental update), with /Lang, /Marked (its tags
-/// count) and /DisplayDocTitle. `pdf` has a
-/// cross-reference table, as cairo 1.16 writes it; one with a stream in its place comes back as it is.
+/// The document with a new catalog appended (an incremental update) that sets /Lang, /Marked (for its tags) and
+/// /DisplayDocTitle. `pdf` must have a cross-reference table, as cairo 1.16 writes it; a PDF with a cross-reference
+/// stream is returned unchanged.
 std::string with_language(std::string pdf, std::string_view language);
 
 }  // namespace kinegraph::render

@@ -1,5 +1,5 @@
-// The comparison of pictures: colours apart in YIQ, slopes of brightness, the range of a neighbourhood. PNG by libpng,
-// whose simplified interface survives hostile files without a long jump of ours.
+// Comparison of pictures: YIQ distance, slopes of brightness, range of a neighbourhood. PNG by libpng's simplified
+// interface, which handles malformed files without longjmp in our code.
 #include "render/backends/picture_difference.hpp"
 
 #include <png.h>
@@ -21,8 +21,8 @@ std::uint32_t big_endian(std::string_view bytes) {
     return value;
 }
 
-/// Dots per inch from the chunk pHYs: length, type, dots a metre across and down, 1 for the metre. Files state whole
-/// dots a metre, sheets are made at whole dots an inch: the nearest of these is meant.
+/// Dots per inch from the chunk pHYs: length, type, dots per metre across and down, unit 1 for the metre. Files state
+/// integer dots per metre but sheets have integer dots per inch, so the result is rounded to these.
 std::optional<double> resolution(std::string_view bytes) {
     std::size_t at = signature.size();
     while (at + 12 <= bytes.size()) {
@@ -41,7 +41,7 @@ std::optional<double> resolution(std::string_view bytes) {
 /// The brightness, Y of YIQ.
 double brightness(Colour c) { return 0.29889531 * c.red + 0.58662247 * c.green + 0.11448223 * c.blue; }
 
-/// The squared distance in YIQ, each axis weighted by how much the eye makes of it.
+/// The squared distance in YIQ, with perceptual weights of the axes.
 constexpr double apart(Colour a, Colour b) {
     const double red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
     const double y = 0.29889531 * red + 0.58662247 * green + 0.11448223 * blue;
@@ -50,14 +50,14 @@ constexpr double apart(Colour a, Colour b) {
     return 0.5053 * y * y + 0.299 * i * i + 0.1957 * q * q;
 }
 
-/// Of red and cyan: no two colours are farther apart.
+/// Red and cyan are the most distant colours.
 constexpr double farthest_colours = apart({255, 0, 0}, {0, 255, 255});
 
-/// What lies around a pixel, itself included, as far as the picture reaches.
+/// The neighbourhood of a pixel, itself included, clipped to the picture.
 struct Surroundings {
     Colour least{255, 255, 255}, most{0, 0, 0};
-    Colour blurred;                         ///< the mean with binomial weights
-    bool darker = false, brighter = false;  ///< a neighbour is
+    Colour blurred;                         ///< mean with binomial weights
+    bool darker = false, brighter = false;  ///< whether some neighbour is
 
     Surroundings(const Picture& picture, int x, int y) {
         const double own = brightness(picture.at(x, y));
@@ -81,7 +81,7 @@ struct Surroundings {
     }
     bool slope() const { return darker && brighter; }
     double contrast() const { return apart(least, most); }
-    /// The colour is at most `distance` (squared) from the range.
+    /// Whether the colour is within `distance` (squared) of the range.
     bool hold(Colour c, double distance) const {
         const Colour near{std::clamp(c.red, least.red, most.red), std::clamp(c.green, least.green, most.green),
                           std::clamp(c.blue, least.blue, most.blue)};

@@ -1,5 +1,5 @@
-// QTI 2.1: see quiz_files.hpp. An item has a text entry for each number; a response within the tolerance of the correct
-// one, its ends included, scores one point. The solution is shown once it is answered.
+// QTI 2.1: see quiz_files.hpp. An item has one text entry per number. A response within the tolerance (limits included)
+// scores one point. The solution is shown after the answer.
 #include "render/backends/quiz_files.hpp"
 #include "render/backends/quiz_html.hpp"
 #include "render/text/html.hpp"

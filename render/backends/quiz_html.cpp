@@ -8,7 +8,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// CSS counts 96 of them to the inch.
+/// CSS has 96 px per inch.
 std::string pixels(double millimetres) { return std::to_string(std::lround(millimetres * 96 / 25.4)); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A page as pixels in memory: what a PNG holds, without being written out and read again.
+// A page as pixels in memory, equal to those of its PNG but without encoding and decoding.
 #pragma once
 
 #include "render/backends/picture_difference.hpp"

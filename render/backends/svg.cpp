@@ -1,6 +1,6 @@
-// A Page as SVG 1.1, one item a line. Each outline stands once, in <defs>, under an id that names face, glyph and size,
-// so that sheets put into one HTML page do not mix theirs up; live text stands in <text>, with the faces it needs in a
-// style sheet. Decides nothing about the drawing.
+// SVG 1.1 backend, one item per line. Each outline is defined once in <defs>, under an id of face, glyph and size, so
+// that sheets combined into one HTML page do not conflict. Live text uses <text>, with the fonts it needs in a style
+// sheet. No layout is decided here.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -23,23 +23,23 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr int drawn_digits = 8;    // of what is measured
-constexpr int outline_digits = 4;  // of type: 0.1 µm
+constexpr int drawn_digits = 8;    // decimals of measured coordinates
+constexpr int outline_digits = 4;  // decimals of outlines: 0.1 µm
 constexpr double outline_units = 1e4;
-constexpr int font_digits = 6;  // of sizes
+constexpr int font_digits = 6;  // decimals of font sizes
 
-/// To the nearest unit, halves away from zero, as std::round, which is a call.
+/// To the nearest integer, halves away from zero, as std::round but without a function call.
 std::int64_t whole_units(double units) {
     const auto towards_zero = static_cast<std::int64_t>(units);
     const double rest = units - static_cast<double>(towards_zero);
     return towards_zero + (rest >= 0.5 ? 1 : rest <= -0.5 ? -1 : 0);
 }
 
-/// The d of a glyph's outline at a size, y downwards: relative commands, a third shorter. The pen stands on whole
-/// units, so nothing adds up.
+/// The path data of a glyph's outline at a size, y downwards. Relative commands are a third shorter; the pen stays on
+/// integer units, so errors do not accumulate.
 class GlyphPath {
 public:
-    /// Written to `text`, whose memory serves many.
+    /// Writes to `text`, whose memory is reused.
     GlyphPath(const Outline& outline, double size, Bytes& text) : size_(size), text_(text) {
         text_.clear();
         for (const Segment& segment : outline.segments) {
@@ -85,7 +85,7 @@ private:
         }
         pen_ = to;
     }
-    /// A minus parts numbers as a blank does, and so does the command before the first.
+    /// A minus sign separates numbers as a space does; so does the command before the first.
     void step(Units to, bool first) {
         if (!first && to.x >= pen_.x) text_.put(' ');
         put(to.x - pen_.x);
@@ -98,7 +98,7 @@ private:
     Bytes& text_;
 };
 
-/// The value of `d`, and places in other values.
+/// Path data and coordinates in attribute values.
 struct PathData {
     static void put(Bytes& value, Spot a, char between = ' ') {
         value.put_number<drawn_digits>(a.x);
@@ -109,7 +109,7 @@ struct PathData {
         value.put(command);
         put(value, a);
     }
-    /// One or two 'A's, so that no arc is longer than half a turn and none is in doubt.
+    /// One or two 'A' commands: each arc is at most half a turn, so that it is unambiguous.
     static void arc(Bytes& value, const ArcTo& a, bool& begun, Spot& pen) {
         const auto on = [&a](double angle) {
             return Spot{a.centre.x + a.radius * std::cos(angle), a.centre.y + a.radius * std::sin(angle)};
@@ -118,7 +118,7 @@ struct PathData {
         double sweep = a.to - a.from;
         if (std::abs(sweep) > turn) sweep = std::copysign(turn, sweep);
         const Spot start = on(a.from);
-        constexpr double joined = 1.5e-8;  // mm: the page is snapped to 1e-8
+        constexpr double joined = 1.5e-8;  // mm; the page is snapped to 1e-8 mm
         if (!begun) {
             put(value, 'M', start);
         } else if (std::abs(pen.x - start.x) > joined || std::abs(pen.y - start.y) > joined) {
@@ -161,12 +161,12 @@ struct PathData {
     }
 };
 
-/// Outlines of glyphs that a page refers to, each defined once.
+/// References to outlines of glyphs; each outline is defined once.
 class GlyphReferences {
 public:
     GlyphReferences(const Glyphs& fonts, GlyphPaths& outlines) : fonts_(fonts), outlines_(outlines) {}
 
-    /// "#gi66-12": face, glyph, size in points.
+    /// "#gi66-12": face, glyph index, size in points.
     const std::string& to(const Glyph& glyph) {
         const auto micropoints = static_cast<std::uint64_t>(std::llround(glyph.size * 72 / 25.4 * 1e6));
         KG_ASSERT(glyph.face < 4 && glyph.index < (1U << 20) && micropoints < (1ULL << 40),
@@ -208,12 +208,12 @@ private:
     Bytes scratch_;
     std::unordered_map<std::uint64_t, std::string> references_;
     std::vector<std::pair<const std::string*, const std::string*>>
-        defined_;  // references and their outlines, as they came
+        defined_;  // references and their outlines, in order of first use
 };
 
 class Writer {
 public:
-    /// `type`: that of live text; null: words are outlines.
+    /// `type`: fonts of live text; null: words are drawn as outlines.
     Writer(const Page& page, const Glyphs& fonts, GlyphPaths& outlines, const EmbeddedType* type = nullptr)
         : page_(page), type_(type), glyphs_(fonts, outlines) {}
 
@@ -244,7 +244,7 @@ public:
         for (std::size_t i = 0; i < page_.marks.size();) i += write_from(i);
         KG_ASSERT(statements_.empty(), "groups of a page are closed");
         out_.end();
-        // What the page refers to is known in the end, and stands before it.
+        // The definitions precede the page in the file, but are complete only at the end.
         const Markup defined = definitions();
         const std::string_view all = out_.text();
         std::string svg;
@@ -257,7 +257,7 @@ public:
     }
 
 private:
-    /// Bytes that it takes, or a little more.
+    /// Estimated size in bytes, slightly high.
     std::size_t about_as_long() const {
         constexpr std::size_t of_a_letter = 64, of_a_mark = 200;
         std::size_t letters = 0;
@@ -316,13 +316,13 @@ private:
         out_.end();
     }
 
-    /// Of the solution, that draws it; left out where it is that of the group round it.
+    /// The statement that draws it; omitted if equal to that of the enclosing group.
     void statement(StatementIndex index, bool repeated) {
         if (index == none || (!repeated && !statements_.empty() && statements_.back() == index)) return;
         out_.attribute("data-statement", std::to_string(index.number()));
     }
 
-    /// `["with","F3.0...1","F3.0...1"]`; what the page goes by that moves it.
+    /// `["with","F3.0...1","F3.0...1"]`: the binding that the live page uses to move the mark.
     void holds(const Holds& holds) {
         if (!page_.tells_holds || holds.form == Holds::Form::nothing) return;
         std::string on = "[" + json_text(name_of(holds.form));
@@ -372,7 +372,7 @@ private:
         out_.end();
     }
 
-    /// The next mark, or of live text the next line; how many marks it was.
+    /// Writes the next mark, or with live text the next line. Returns the number of marks.
     std::size_t write_from(std::size_t i) {
         if (type_ != nullptr && std::holds_alternative<TextMark>(page_.marks[i])) {
             const LiveLine line = live_line(std::span(page_.marks).subspan(i));
@@ -383,7 +383,7 @@ private:
         return 1;
     }
 
-    /// Begins the group of a text: what it says, its colour and how it is turned.
+    /// Begins the group of a text: its words, colour and rotation.
     void begin_group_of(const TextMark& mark) {
         out_.begin("g");
         if (!mark.cls.empty()) out_.attribute("class", well_formed(mark.cls));
@@ -436,7 +436,7 @@ private:
             if (run.kind == LiveRun::Kind::set) {
                 write(run, line.first->colour, last);
             } else {
-                // Blanks stand where letters leave them room; what is read and not seen has no colour.
+                // Spaces go where letters leave room for them; invisible text has no colour.
                 const bool hidden = run.kind != LiveRun::Kind::blank;
                 if (hidden) {
                     begin_span();
@@ -459,13 +459,13 @@ private:
         out_.end();
     }
 
-    /// No white space between what is said.
+    /// No white space inside the text.
     void begin_span() {
         out_.words("");
         out_.begin("tspan");
     }
 
-    /// One stretch of letters at its place; `last`: the first letter of the stretch before it.
+    /// One run of letters at its position. `last`: the first letter of the previous run.
     void write(const LiveRun& run, Colour ink, const Glyph*& last) {
         const Glyph& first = run.letters.front().glyph;
         begin_span();
@@ -499,9 +499,9 @@ private:
 
     const Page& page_;
     const EmbeddedType* type_;
-    double base_size_ = 0;  // of the live line at hand
+    double base_size_ = 0;  // of the current live line
     Markup out_;
-    std::vector<StatementIndex> statements_;  // of the open groups, their own or that round them
+    std::vector<StatementIndex> statements_;  // of the open groups, their own or inherited
     GlyphReferences glyphs_;
 };
 

@@ -1,6 +1,6 @@
-// A Page as TikZ, for pdflatex: colours and kinds of line as styles on top, each picture's named points before its
-// strokes, words set by TeX in its own fonts, each line within the width that it has on our page. Decides nothing about
-// the drawing.
+// TikZ backend, for pdflatex: colours and line kinds as styles at the top, the named points of each picture before its
+// strokes. TeX sets the words in its own fonts, and each line has the width that it has on our page. No layout is
+// decided here.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -23,11 +23,11 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr int digits = 4;                     // of mm and degrees: 0.1 µm
-constexpr double blank = 0.25;                // between words, em
+constexpr int digits = 4;                     // decimals of mm and degrees: 0.1 µm
+constexpr double blank = 0.25;                // word space, em
 constexpr double farthest_coordinate = 4000;  // mm; TeX's longest length is 5.7 m
-constexpr double longest_text = 1500;  // mm, from end to end and to either side of the page: TikZ adds such lengths
-constexpr double largest_arc = 500;    // mm; TikZ turns by its own sines, which are good to five digits
+constexpr double longest_text = 1500;  // mm, of a text, and beyond either side of the page: TikZ adds such lengths
+constexpr double largest_arc = 500;    // mm; TikZ's sines are accurate to five digits
 
 std::string number(double value, int decimals = digits) {
     double power = 1;
@@ -45,7 +45,7 @@ std::string number(double value, int decimals = digits) {
 
 double within_reach(double value) { return std::clamp(value, -farthest_coordinate, farthest_coordinate); }
 
-/// Text of any file as a comment of one line.
+/// Any text as a comment of one line.
 std::string comment(std::string_view words) {
     std::string text = well_formed(words);
     std::replace_if(
@@ -61,7 +61,7 @@ std::string letters_for(std::size_t index) {
     return name;
 }
 
-/// The colours and the kinds of line of a document, by name, in the order in which they are met.
+/// Named colours and line kinds of a document, in order of first use.
 class Styles {
 public:
     std::string colour(Colour c) {
@@ -104,7 +104,7 @@ private:
     std::string definitions_;
 };
 
-/// Points with a name: joints, centres, and the ends of vectors.
+/// Named points: joints, centres and ends of vectors.
 class NamedPoints {
 public:
     explicit NamedPoints(const std::vector<Mark>& marks) {
@@ -127,7 +127,7 @@ public:
         }
     }
 
-    /// The circle that the path is, if it is one.
+    /// The arc of a path that is a full circle; else null.
     static const ArcTo* whole_circle(const Path& path) {
         const ArcTo* found = nullptr;
         for (const Segment& segment : path.segments) {
@@ -140,7 +140,7 @@ public:
         return whole ? found : nullptr;
     }
 
-    /// A point as TikZ takes it: its name, where it has one.
+    /// A point in TikZ notation: its name if it has one.
     std::string at(Spot spot) {
         const auto found = names_.find(key(spot));
         if (found == names_.end()) return "(" + number(within_reach(spot.x)) + "," + number(within_reach(spot.y)) + ")";
@@ -148,7 +148,7 @@ public:
         return "(" + found->second.name + ")";
     }
 
-    /// Those that are used, in the order of the drawing.
+    /// The names in use, in drawing order.
     std::string definitions() const {
         std::string text;
         for (const auto& [where, spot] : order_) {
@@ -167,14 +167,14 @@ private:
     };
 
     static Key key(Spot spot) {
-        constexpr double grid = 1e6;  // for each mm
+        constexpr double grid = 1e6;  // per mm
         return {std::llround(within_reach(spot.x) * grid), std::llround(within_reach(spot.y) * grid)};
     }
 
-    /// The first name of a point counts.
+    /// The first name of a point wins.
     void add(Spot spot, std::string name) {
         if (std::abs(spot.x) > farthest_coordinate || std::abs(spot.y) > farthest_coordinate) return;
-        // An id has letters, digits, "-", "." and "_"; a full stop would mean an anchor.
+        // An id consists of letters, digits, "-", "." and "_"; TikZ reads a full stop as an anchor.
         std::replace(name.begin(), name.end(), '.', '-');
         if (names_.try_emplace(key(spot), Named{std::move(name)}).second) order_.emplace_back(key(spot), spot);
     }
@@ -183,7 +183,7 @@ private:
     std::vector<std::pair<Key, Spot>> order_;
 };
 
-/// How wide a glyph is, em, as far as its ink tells it: as much white behind it as before it, and a little at least.
+/// Estimated width of a glyph, em, from its ink: equal white space on both sides, with a minimum.
 double width_of(const Outline& outline) {
     constexpr double least_white = 0.03;
     double left = std::numeric_limits<double>::infinity(), right = -left;
@@ -199,8 +199,8 @@ double width_of(const Outline& outline) {
     return left > right ? 0 : right + std::max(left, least_white);
 }
 
-/// How wide the letters of a document are, by their faces. Neighbours are drawn together where their shapes want it,
-/// hardly ever apart: the longest step to a next letter is the width.
+/// Widths of the letters in a document, by face. Kerning almost only moves letters together, so the largest observed
+/// advance to a next letter is the width.
 class LetterWidths {
 public:
     void take(const LiveRun& run, const Glyphs& glyphs) {
@@ -224,8 +224,8 @@ public:
 
 private:
     struct Width {
-        long step = 0;   // to a next letter, thousandths of an em; 0: never seen
-        long guess = 0;  // by its ink
+        long step = 0;   // advance to a next letter, thousandths of an em; 0: not observed
+        long guess = 0;  // estimated from its ink
     };
 
     static bool is_set_as_text(char c) {
@@ -247,7 +247,7 @@ private:
 
 Spot on_arc(const ArcTo& arc, double angle) { return arc.centre + arc.radius * Spot{std::cos(angle), std::sin(angle)}; }
 
-/// Where a mark is turned: a spot of the unturned text on the page.
+/// The rotated position of a spot of unrotated text.
 Spot turned(const TextMark& mark, Spot spot) {
     const double c = std::cos(mark.angle), s = std::sin(mark.angle);
     const Spot from = spot - mark.pivot;
@@ -294,7 +294,7 @@ private:
         text_ += "\\path[" + options + "] " + course + ";\n";
     }
 
-    /// The path as TikZ's operations.
+    /// The path as TikZ operations.
     std::string course_of(const Path& path) {
         if (const ArcTo* circle = NamedPoints::whole_circle(path); circle != nullptr && circle->radius < largest_arc)
             return points_.at(circle->centre) + " circle[radius=" + number(circle->radius) + "]";
@@ -330,7 +330,7 @@ private:
         return course;
     }
 
-    /// Behind its start. Large arcs are curves, calculated here.
+    /// The arc after its start point. Large arcs become curves computed here.
     void arc(const ArcTo& a, std::string& course) {
         const double whole = 2 * std::numbers::pi;
         const double sweep = std::clamp(a.to - a.from, -whole, whole);
@@ -380,24 +380,24 @@ private:
                  ") {\\kgline{" + number(base.size * 72 / 25.4, 2) + "}{" + widths + "}{" + line_of(*words) + "}};\n";
     }
 
-    /// From where to where a word reaches along its line, mm.
+    /// The extent of a word along its line, mm.
     struct Span {
         double begin = 0, end = 0;
     };
 
-    /// More than TeX's lengths can hold, as the name of a joint may be that has a thousand letters.
+    /// Exceeds the largest length of TeX, as a joint's name of a thousand letters may.
     static bool is_too_long(const LiveLine& line, const std::vector<Span>& spans, double y) {
         const Spot from = turned(*line.first, {spans.front().begin, y}),
                    to = turned(*line.first, {spans.back().end, y});
         return std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y), length(to - from)}) >
                longest_text;
     }
-    /// Whether ink this near to a spot can be seen.
+    /// Whether ink at this distance from a spot is visible on the page.
     bool is_on_the_page(Spot spot, double near) const {
         return spot.x > -near && spot.y > -near && spot.x < page_.width + near && spot.y < page_.height + near;
     }
 
-    /// Of each word; a blank is between each two.
+    /// Extent of each word; one space lies between two words.
     std::vector<Span> spans_of(const std::vector<TexWord>& words, const std::vector<const Glyph*>& glyphs,
                                double size) const {
         const double space = blank * size;
@@ -421,7 +421,7 @@ private:
         return spans;
     }
 
-    /// What TeX has no letters for, as it looks.
+    /// Draws the outlines of text for which TeX has no letters.
     void outline(const LiveLine& line) {
         text_ += "% " + comment(reading_of(line)) + "\n";
         for (const LiveRun& run : line.runs) {
@@ -464,7 +464,7 @@ private:
     std::string text_;
 };
 
-/// A document of its own, or a part of one: in the body of a document \@nodocument means nothing any more.
+/// A document, or a part to be \input: in the body of a document, \@nodocument equals \relax.
 constexpr std::string_view document_head =
     R"(% pdflatex makes a document of this file, a picture on each page; in another document that has
 % \usepackage{tikz}, \input gives the pictures alone, in that document's fonts.

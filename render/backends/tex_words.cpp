@@ -14,7 +14,7 @@ struct Sign {
     std::string_view tex;
 };
 
-/// What stands in formulas, Greek first.
+/// Characters of formulas, Greek first.
 constexpr auto signs_of_mathematics = std::to_array<Sign>({
     {U'α', "\\alpha "},
     {U'β', "\\beta "},
@@ -162,7 +162,7 @@ constexpr auto signs_of_mathematics = std::to_array<Sign>({
     {U'ℓ', "\\ell "},
 });
 
-/// What stands in prose. An empty group ends a ligature that nobody wrote.
+/// Characters of prose. An empty group prevents an unintended ligature.
 constexpr auto signs_of_prose = std::to_array<Sign>({
     {U'\\', "\\textbackslash{}"},
     {U'{', "\\{"},
@@ -222,7 +222,7 @@ constexpr auto signs_of_prose = std::to_array<Sign>({
     {U'\u2003', "\\quad{}"},
 });
 
-/// Letters with an accent, as TeX sets them: the accent over the letter.
+/// Letters with an accent, in TeX: the accent command on the letter.
 struct Accented {
     char32_t whole;
     char letter;
@@ -245,7 +245,7 @@ constexpr auto accented_letters = std::to_array<Accented>({
     {U'Ź', 'Z', '\''}, {U'ź', 'z', '\''}, {U'Ż', 'Z', '.'},  {U'ż', 'z', '.'},  {U'Ž', 'Z', 'v'},  {U'ž', 'z', 'v'},
     {U'ḃ', 'b', '.'},  {U'ṡ', 's', '.'},  {U'ȧ', 'a', '.'},  {U'ċ', 'c', '.'},  {U'ẋ', 'x', '.'},  {U'ẏ', 'y', '.'},
 });
-/// Accents that are written apart, behind their letter.
+/// Combining accents, which follow their letter.
 constexpr auto accents_apart = std::to_array<std::pair<char32_t, char>>({{0x300, '`'},
                                                                          {0x301, '\''},
                                                                          {0x302, '^'},
@@ -262,7 +262,7 @@ constexpr auto accents_apart = std::to_array<std::pair<char32_t, char>>({{0x300,
 bool is_letter(char32_t c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char32_t c) { return c >= '0' && c <= '9'; }
 bool is_white(char32_t c) { return c <= 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029; }
-/// Nothing breaks a line that is set, so a blank that does not break is one like any other.
+/// Lines are already set, so a no-break space is an ordinary space here.
 bool parts_words(char32_t c) { return is_white(c) || c == U'\u00A0'; }
 bool is_unseen(char32_t c) {
     return c == 0xAD || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || (c >= 0x2060 && c <= 0x206F) ||
@@ -286,7 +286,7 @@ std::string accent(char sign, const std::string& letter) {
     return std::string("\\") + sign + "{" + (dotted ? "\\" + letter : letter) + "}";
 }
 
-/// One character of prose with the accent that follows it; moves `at` behind both.
+/// One character of prose with its following accent; advances `at` past both.
 std::optional<std::string> prose_at(const std::u32string& text, std::size_t& at) {
     const char32_t c = text[at++];
     if (parts_words(c)) return " ";
@@ -314,7 +314,7 @@ std::optional<std::string> prose(std::string_view words) {
     for (std::size_t at = 0; at < text.size();) {
         const auto set = prose_at(text, at);
         if (!set) return std::nullopt;
-        // The second of two blanks would be none.
+        // TeX would drop the second of two spaces.
         tex += *set == " " && tex.ends_with(' ') ? "\\ " : *set;
     }
     return tex;
@@ -333,7 +333,7 @@ std::optional<std::string> prose(std::string_view words, Face face) {
     return set;
 }
 
-/// A word of a formula in its face: letters, digits, signs. Nothing where prose must do.
+/// A word of a formula in its face: letters, digits, signs. Empty if it must be set as prose.
 std::optional<std::string> mathematics(std::string_view words, Face face) {
     constexpr std::u32string_view plain = U"+*/=()[]!:;.";
     const std::u32string text = characters_of(words);
@@ -357,7 +357,7 @@ std::optional<std::string> mathematics(std::string_view words, Face face) {
     return letters > 1 ? "\\mathit{" + tex + "}" : tex;
 }
 
-/// An index or an exponent.
+/// A subscript or superscript.
 std::optional<std::string> script(char sign, const std::string& words, Face face) {
     if (words.empty()) return "";
     const std::string opening = std::string(1, sign) + "{";
@@ -367,13 +367,13 @@ std::optional<std::string> script(char sign, const std::string& words, Face face
     return opening + "\\mbox{\\kgscript " + *text + "}}";
 }
 
-/// The letter that the dots of a derivative stand over.
+/// The letter under the dots of a derivative.
 std::string dotted(std::string letter, int dots) {
     for (; dots > 1; dots -= 2) letter = "\\ddot{" + letter + "}";
     return dots == 1 ? "\\dot{" + letter + "}" : letter;
 }
 
-/// One piece, of which nothing stands in another colour.
+/// One piece without text in another colour.
 std::optional<std::string> whole(const Piece& piece) {
     const auto sub = script('_', piece.sub, piece.sub_face), sup = script('^', piece.sup, piece.sup_face);
     if (!sub || !sup) return std::nullopt;
@@ -381,12 +381,12 @@ std::optional<std::string> whole(const Piece& piece) {
     const bool slanted = piece.face == Face::italic || piece.face == Face::bold_italic;
     const bool heavy = piece.face == Face::bold || piece.face == Face::bold_italic;
     const auto formula = [&](const std::string& tex, const std::string& behind) {
-        // TeX would set an index below the prime, not behind it.
+        // TeX would set a subscript below the prime, not after it.
         const char* apart = tex.ends_with('\'') && !behind.empty() ? "{}" : "";
         return "$" + (heavy && !tex.empty() ? "\\kgbold{" + tex + "}" : tex) + apart + behind + "$";
     };
     if (piece.dots > 0) {
-        // Over the last letter.
+        // The dots stand over the last letter.
         const std::u32string text = characters_of(piece.text);
         std::string before, last;
         for (std::size_t i = 0; i < text.size(); ++i) append_utf8(i + 1 < text.size() ? before : last, text[i]);
@@ -403,19 +403,19 @@ std::optional<std::string> whole(const Piece& piece) {
     return scripts.empty() ? *words : *words + formula("", "{}" + scripts);
 }
 
-/// A stretch of a piece with the blanks before it.
+/// A run of a piece with the spaces before it.
 struct Stretch {
     std::size_t blanks = 0;
-    std::size_t begin = 0, end = 0;  // bytes of the piece's text
+    std::size_t begin = 0, end = 0;  // byte range in the piece's text
 };
 
-/// A piece between its blanks: at least one stretch, and the blanks behind the last.
+/// A piece divided at its spaces: at least one run, and the spaces after the last one.
 struct Stretches {
     std::vector<Stretch> all;
     std::size_t blanks_behind = 0;
 };
 
-/// Words, or what stands between the first and the last of them.
+/// The words of a text, or everything from its first word to its last as one run.
 Stretches stretches_of(std::string_view text, bool word_by_word) {
     Stretches found;
     Stretch now;
@@ -435,20 +435,20 @@ Stretches stretches_of(std::string_view text, bool word_by_word) {
     return found;
 }
 
-/// A line that grows word by word.
+/// Builds a line word by word.
 class WordByWord {
 public:
     explicit WordByWord(const NameOfColour& name_of) : name_of_(name_of) {}
 
-    /// Whether TeX has letters for the piece; `said`: where it begins in what the line says.
+    /// False if TeX lacks letters of the piece. `said`: byte offset of the piece in the line's text.
     bool take(const Piece& piece, std::size_t said) {
-        // Within braces TeX sees no blank that could part two words.
+        // Inside braces TeX finds no space between words.
         const auto [stretches, blanks_behind] =
             stretches_of(piece.text, piece.face == Face::regular && !piece.coloured);
         for (const Stretch& stretch : stretches) {
             Piece part = piece;
             part.text = piece.text.substr(stretch.begin, stretch.end - stretch.begin);
-            if (&stretch != &stretches.back()) {  // the scripts stand behind the last
+            if (&stretch != &stretches.back()) {  // the scripts follow the last run
                 part.dots = 0;
                 part.sub.clear();
                 part.sup.clear();
@@ -482,7 +482,7 @@ private:
 
     const NameOfColour& name_of_;
     std::vector<TexWord> words_;
-    std::size_t blanks_ = 0;  // behind the last word
+    std::size_t blanks_ = 0;  // after the last word
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Rich text as TeX: letters of quantities as mathematics, prose as text, whatever a file may name escaped. Knows no
-// place and no size; the fonts are those that plain LaTeX brings along (Computer Modern in its OT1 encoding).
+// Rich text as TeX: letters of quantities as mathematics, prose as text, all names of a file escaped. Independent of
+// positions and sizes. The fonts are those of plain LaTeX (Computer Modern in OT1 encoding).
 #pragma once
 
 #include <cstddef>
@@ -12,23 +12,23 @@
 
 namespace kinegraph::render {
 
-/// What stands on a line between two blanks that TeX sees as such: outside of every brace.
+/// A part of a line between two spaces that TeX can break or stretch: it lies outside of all braces.
 struct TexWord {
     std::string tex;
-    std::size_t at = 0;      ///< where it begins in plain(text), bytes
-    std::size_t blanks = 0;  ///< blanks that it begins with, behind the one before it: "\\ "
+    std::size_t at = 0;      ///< byte offset in plain(text)
+    std::size_t blanks = 0;  ///< further leading spaces, written as "\\ "
 };
 
 using NameOfColour = std::function<std::string(Colour)>;
 
-/// The text for TeX's horizontal mode, word by word, without blanks at its ends; pieces in another colour as
-/// {\color{NAME}…}. Nothing where TeX has no letter for one of its characters: then it is drawn as its outlines.
+/// The text for TeX's horizontal mode, word by word, without spaces at its ends; pieces in another colour as
+/// {\color{NAME}…}. Empty if TeX has no letter for one of the characters; such text is drawn as outlines.
 std::optional<std::vector<TexWord>> tex_words_of(const RichText& text, const NameOfColour& name_of);
 
-/// The words with a blank between each two.
+/// The words joined by spaces.
 std::string line_of(const std::vector<TexWord>& words);
 
-/// The whole line at once.
+/// The whole line.
 std::optional<std::string> tex_of(const RichText& text, const NameOfColour& name_of);
 
 }  // namespace kinegraph::render

@@ -37,7 +37,7 @@ private:
     const std::string& point() const { return mechanism_.point(motion_.query.point).name; }
     const std::string& origin() const { return mechanism_.point(apart_.origin).name; }
     std::string wedge() const { return std::string(" ") + notation(language_).cross_product + " "; }
-    /// "AB", "O_2 A" as a vector from the one to the other.
+    /// "AB", "O_2 A": the vector from the first point to the second.
     Formula reach() const { return Formula::fenced(named(point()) + Formula::sign("−") + named(origin())); }
     static Formula named(const std::string& name) {
         std::size_t stem = name.size();

@@ -14,40 +14,40 @@
 
 namespace kinegraph::render {
 
-// ----- A relative motion taken apart: the transport about the origin of the moving axes, Poisson's formulae, what the
-// observer sees in his axes, and Coriolis' term with its sense, or why there is none. Items as those of the equations.
+// ----- Decomposition of a relative motion: transport motion about the origin of the moving axes, Poisson's formulae,
+// the motion seen in the moving axes, and the Coriolis term with its sense, or why it vanishes.
 
-/// Of Solution::relative_motion[index], which has its `apart`.
+/// For Solution::relative_motion[index], whose `apart` must be present.
 std::vector<EquationItem> apart_items(const Solution& solution, std::size_t index, Language language);
 
-// ----- Virtual work as it is worked by hand: what is displaced, forces and displacements in a table, the sum, the
-// efforts; and the same by the velocity ratios of the closure equations. Items as those of the equations, which the
-// sheet sets. Takes every number from the displacements.
+// ----- Virtual work as calculated by hand: the displaced coordinate, forces and displacements in a table, the sum, and
+// the input forces or couples; then the same by the velocity ratios of the closure equations. All numbers come from the
+// displacements.
 
-/// Nothing where they are not asked for; where there are none, why.
+/// Empty if virtual work is not requested. If it does not apply, the reason.
 std::vector<EquationItem> virtual_work_items(const Solution& solution, Language language);
 
-/// "δθ_3", "δs_D": the coordinate that is displaced.
+/// "δθ_3", "δs_D": the displaced coordinate.
 RichText displaced_coordinate(const Mechanism& mechanism, const Driver& driver);
 
-// ----- The motion of a point in words and formulas: what is given, the derivatives in symbols with their values, the
-// three forms, tangent, normal and curvature, the course. Chooses no figure and no place.
+// ----- Motion of a point in words and formulas: given data, derivatives in symbols with their values, the three forms,
+// tangent, normal and curvature, the course. Independent of figures and positions.
 
-/// A formula or a table, behind the first `after` sentences.
+/// A formula or a table, placed after the first `after` sentences.
 struct PieceAfter {
     std::size_t after = 0;
     EquationItem item;
 };
-/// Sentences and what they announce.
+/// Sentences, with the formulas and tables that belong to them.
 struct PointSection {
-    std::string question;  ///< its data-question
+    std::string question;  ///< its data-question attribute
     Words heading;
     std::vector<Words> sentences{};
-    std::vector<PieceAfter> pieces{};  ///< in their order
+    std::vector<PieceAfter> pieces{};  ///< in order of `after`
 };
 /// For a Solution whose problem is the motion of a point: given, derivatives, forms, hodograph, curvature, course.
 std::vector<PointSection> point_text(const Solution& solution, Language language);
-/// What of it needs no figure, as one list: given, derivatives, forms, tangent and normal.
+/// The part that needs no figure, as one list: given data, derivatives, forms, tangent and normal.
 std::vector<EquationItem> point_items(const Solution& solution, Language language);
 
 }  // namespace kinegraph::render

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double widest_between = 4, least_between = 1.6;  // columns of a table, mm
 
-/// A table's lines, its columns as wide as what stands in them.
+/// The lines of a table, with columns as wide as their content.
 std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std::vector<Formula>>& rows,
                             double between = widest_between) {
     constexpr double under_head = 1.4, under_line = 0.4, under_table = 1.3;
@@ -31,7 +31,7 @@ std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std
     }
     double whole = -between;
     for (const double each : wide) whole += each + between;
-    // Lines of letters stand evenly, whether they have dots or indices or not; tall ones take what they need.
+    // Lines of letters have equal heights, with or without dots and subscripts; taller lines take the height they need.
     const double even_up = 0.9 * millimetres(context.theme.small), even_down = 0.25 * millimetres(context.theme.small);
     std::vector<Block> lines;
     for (std::size_t r = 0; r < cells.size(); ++r) {
@@ -62,7 +62,7 @@ constexpr double any_width = 1e9;  // mm
 Block formula_within(const DrawingContext& context, const Formula& formula, double measure) {
     return formula_block(formula, context.fonts, context.theme.derived, measure, context.theme.text);
 }
-/// As wide as they like, set once.
+/// Blocks of natural width, set once.
 const std::vector<Block>& natural_of(const DrawingContext& context, const EquationItem& item, NaturalBlocks& natural) {
     const auto [found, fresh] = natural.try_emplace(&item);
     if (fresh && item.kind == EquationItem::Kind::formula)
@@ -72,7 +72,7 @@ const std::vector<Block>& natural_of(const DrawingContext& context, const Equati
     return found->second;
 }
 
-/// Columns closer, then all of it smaller, where the measure asks.
+/// To fit the measure, first the columns move closer, then everything is set smaller.
 void add_table(const DrawingContext& context, const EquationItem& item, double measure, NaturalBlocks& natural,
                const std::function<void(Block)>& add) {
     const std::vector<Block>& wide = natural_of(context, item, natural);
@@ -94,7 +94,7 @@ std::vector<Block> equation_blocks(const DrawingContext& context, std::span<cons
                                    NaturalBlocks& natural) {
     constexpr double indent = 3, air = 1.3;
     std::vector<Block> blocks;
-    bool announced = false;  // a sentence stays with the formula that it announces
+    bool announced = false;  // a sentence stays with the formula after it
     const auto add = [&](Block block) {
         if (!std::exchange(announced, false)) {
             blocks.push_back(std::move(block));

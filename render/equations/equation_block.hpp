@@ -1,4 +1,4 @@
-// The closure equations set for a column of the sheet.
+// Closure equations as blocks for a column of the sheet.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace kinegraph::render {
 
-/// Formulas and lines of tables as wide as they like, by item: the same for every measure that holds them.
+/// Formulas and table lines at their natural width, by item. They serve every column that is wide enough.
 using NaturalBlocks = std::map<const EquationItem*, std::vector<Block>>;
 
-/// Sentences, formulas and the lines of tables as blocks, none wider than `measure` mm; headings are left to who sets
-/// passages. `natural` keeps what is set once, for further measures of the same items.
+/// Sentences, formulas and table lines as blocks, none wider than `measure` mm. Headings are left to the caller.
+/// `natural` caches blocks for further widths of the same items.
 std::vector<Block> equation_blocks(const DrawingContext& context, std::span<const EquationItem> items, double measure,
                                    NaturalBlocks& natural);
 

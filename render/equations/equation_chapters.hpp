@@ -16,8 +16,7 @@
 
 namespace kinegraph::render::closure {
 
-// ----- The list that the text of the closure equations is made of, as it grows: headings, sentences, formulas, tables
-// in their order.
+// ----- The text of the closure equations under construction: a list of headings, sentences, formulas and tables.
 
 class EquationList {
 public:
@@ -39,7 +38,7 @@ private:
     std::vector<EquationItem> items_;
 };
 
-// ----- What the equations give, beside what the polygons give of the same.
+// ----- Results of the equations beside those of the polygons.
 
 class DrawnRates {
 public:
@@ -52,7 +51,7 @@ private:
     struct Drawn {
         std::optional<double> rate, acceleration;
     };
-    /// What the polygons say of a letter: turns of bodies, and slides along their guides.
+    /// The value of a letter from the polygons: rotations of bodies, and slides along their guides.
     Drawn drawn(LetterIndex index) const;
     std::optional<double> direction_of_slide(LetterIndex index) const;
 
@@ -63,8 +62,8 @@ private:
     EquationList& list_;
 };
 
-// ----- Where the driver cannot drive: letters that rest in the drawn position, and the dead points of each loop along
-// the driver's travel.
+// ----- Positions in which the driver cannot move the mechanism: letters that are at rest in the drawn position, and
+// the dead points of each loop along the driver's travel.
 
 class DeadPointText {
 public:
@@ -74,10 +73,10 @@ public:
     void write_dead_points();
 
 private:
-    /// Of several loops each speaks for itself alone: another may stop the driver.
+    /// With several loops, each is considered alone: another loop may stop the driver first.
     void write_dead_points_of(const Equations::Loop& loop, std::size_t index);
     Words no_dead_point(bool is_only_loop) const;
-    /// They stop no driver.
+    /// Change points; they do not stop the driver.
     Words change_points_of(const Equations::Solved& solved, bool is_only_loop) const;
     std::string list_of(const std::vector<double>& values, LetterIndex of) const;
 
@@ -86,7 +85,7 @@ private:
     EquationList& list_;
 };
 
-// ----- The table of the letters: what is given, driven and sought, what each is and measures.
+// ----- The table of letters: given, driven or sought, with their meaning and value.
 
 class LettersTable {
 public:
@@ -98,9 +97,9 @@ public:
 private:
     Formula what_is(LetterIndex index) const;
     bool is_written(LetterIndex index) const;
-    /// "OA" where both ends have names.
+    /// "OA" if both ends have names.
     Formula ends_of(LetterIndex length) const;
-    /// "O_2", as figures have it.
+    /// "O_2", as in the figures.
     static Formula point_name(const std::string& name);
     std::string point_at(const Vector& place) const;
 
@@ -111,8 +110,8 @@ private:
     EquationList& list_;
 };
 
-// ----- Positions: each loop with its two parts, and the closed form of its unknowns where there is one; laws of
-// rolling and gears.
+// ----- Positions: the two components of each loop, the closed form of its unknowns if there is one, and the equations
+// of rolling and gears.
 
 class PositionText {
 public:
@@ -122,20 +121,21 @@ public:
     void write_positions();
 
 private:
-    /// Left = right; terms that vanish are left out.
+    /// Left = right, without terms that vanish.
     Formula both_sides(const Equations::Loop& loop, const std::function<Signed(const Side&)>& of) const;
     void write_law(const Equations::Law& law);
     void write_solved(const Equations::Loop& loop, std::size_t index);
-    /// p e^{iσ} = …, with its numbers.
+    /// p e^{iσ} = …, with numbers.
     void write_resultant(const Equations::Loop& loop, std::size_t index);
     void write_two_turns(const Equations::Loop& loop, std::size_t index);
     void write_turn_and_slide(const Equations::Loop& loop);
-    /// sin β = −λ sin α + h/b, λ = a/b, where one crank and offsets are known; else all over b.
+    /// sin β = −λ sin α + h/b with λ = a/b, for one known crank and offsets; otherwise the whole right side is divided
+    /// by b.
     void write_sine(const Side& first, const std::vector<Side>& known,
                     const std::function<Difference(const Side&)>& against);
     void write_turn_with_slide(const Equations::Loop& loop, std::size_t index);
     void write_turn_with_offset_slide(const Equations::Loop& loop, std::size_t index);
-    /// No loop that is solved together with it: it is a block of its own.
+    /// Whether no other loop is solved together with it, so that it is a block of its own.
     bool stands_alone(std::size_t index) const;
 
     const Equations& e_;
@@ -144,8 +144,8 @@ private:
     EquationList& list_;
 };
 
-// ----- Velocities and accelerations: the loops derived, the Jacobian block by block with its determinant, in symbols
-// and in numbers.
+// ----- Velocities and accelerations: derivatives of the loops, and the Jacobian block by block with its determinant,
+// in symbols and in numbers.
 
 class RateText {
 public:
@@ -157,32 +157,33 @@ public:
 
 private:
     Formula derived(const Equations::Loop& loop, bool twice) const;
-    /// A sum's terms with one rate more.
+    /// Multiplies every term of a sum by a rate.
     static Sum times_rate(Sum sum, LetterIndex rate, int dots);
     std::size_t column_of(LetterIndex unknown) const;
     bool is_in(const Equations::Block& block, LetterIndex unknown) const;
-    /// What a row's known terms make, sent to the right.
+    /// The known terms of a row, moved to the right side.
     Sum known_terms(const Equations::Block& block, std::size_t row, int dots) const;
     double length_unit() const { return mechanism_.units.length.si.to_double(); }
     bool is_of_turns(std::size_t row) const;
     double in_units(std::size_t row, LetterIndex unknown, double entry) const;
     Formula unknowns_column(const Equations::Block& block, int dots) const;
     Formula matrix(const Equations::Block& block, bool symbols) const;
-    /// Without the dust that sines of right angles leave.
+    /// The entry without the rounding noise of sines of right angles.
     double rounded(double entry) const;
     Formula right_side(const Equations::Block& block, int dots, bool symbols) const;
-    /// Of a square block, by elimination in doubles.
+    /// Determinant of a square block, by Gaussian elimination in doubles; empty if the block is not square.
     std::optional<double> determinant(const Equations::Block& block) const;
     bool rates_known(const Equations::Block& block, int dots) const;
     void write_block(const Equations::Block& block, int dots);
     std::size_t longest_right_side(const Equations::Block& block, int dots) const;
-    /// Characters of the longest row.
+    /// Length of the longest right side, in characters.
     std::size_t widest_right_side(const Equations::Block& block, int dots) const;
     void write_long_right_side(const Equations::Block& block, int dots, Formula left);
-    /// J = [J_1 J_2 …], a few columns each.
+    /// J = [J_1 J_2 …], a few columns at a time.
     void write_in_parts(const Equations::Block& block);
     void write_determinant(const Equations::Block& block);
-    /// b c sin(γ − β), b cos(β − γ), s: of a dyad's two rows, up to the sign, which the number tells.
+    /// b c sin(γ − β), b cos(β − γ), s: the determinant of a dyad's two rows up to its sign, which follows from the
+    /// number.
     std::optional<Formula> closed_determinant(const Equations::Block& block, double found) const;
 
     const Equations& e_;
@@ -191,7 +192,7 @@ private:
     EquationList& list_;
 };
 
-// ----- Velocity ratios and their derivatives, in the units of the file; the closed form that the slider-crank has.
+// ----- Velocity ratios and their derivatives, in the units of the file, and the closed form for a slider-crank.
 
 class RatioText {
 public:
@@ -199,21 +200,21 @@ public:
         : e_(*solution.equations), mechanism_(solution.mechanism), pen_(pen), list_(list) {}
 
     void write_ratios();
-    /// Of two drivers the mixed ones too.
+    /// With two drivers, also the mixed derivatives.
     void write_second_ratios();
 
 private:
-    /// d of/d by; of several drivers' coordinates ∂ of/∂ by.
+    /// d of/d by; with several drivers ∂ of/∂ by.
     Formula derivative(LetterIndex of, LetterIndex by) const;
     Formula second_derivative(LetterIndex of, LetterIndex first, LetterIndex second) const;
-    /// The index of Λ: the coordinate, and of several drivers' which of them.
+    /// The subscript of Λ: the coordinate, and with several drivers also the driver.
     std::string index_of(LetterIndex of, std::initializer_list<LetterIndex> by) const;
     std::string plain_sub(LetterIndex of) const { return unicode_letter(pen_.letter(of).symbol) + pen_.letter(of).sub; }
-    /// What rad or m of `of` is for each of the others, in the file's unit of length.
+    /// Unit of `of` divided by the units of the others, with the file's unit of length.
     std::string ratio_unit(LetterIndex of, std::initializer_list<LetterIndex> by) const;
     double ratio_in_units(LetterIndex of, std::initializer_list<LetterIndex> by, double si) const;
     Formula ratio_value(LetterIndex of, std::initializer_list<LetterIndex> by, double si) const;
-    /// Of the slider-crank a e^{iα} + b e^{iβ} = c: dc/dα = −a (sin α − cos α tan β).
+    /// Slider-crank, a e^{iα} + b e^{iβ} = c: dc/dα = −a (sin α − cos α tan β).
     std::optional<Formula> closed_ratio(LetterIndex of, LetterIndex by) const;
 
     const Equations& e_;
@@ -222,8 +223,8 @@ private:
     EquationList& list_;
 };
 
-// ----- Open chains: place, velocity and acceleration of the point they reach, and the same as an observer on the last
-// body but one has them.
+// ----- Open chains: position, velocity and acceleration of the end point, and the same as seen by an observer on the
+// last body but one.
 
 class ReachText {
 public:
@@ -238,11 +239,12 @@ private:
         std::array<double, 2> value{0, 0};
         void add(Signed term) { terms.push_back(std::move(term)); }
     };
-    /// A complex number of metres a second, or a second squared, as the file has them.
+    /// A complex number in m/s or m/s², converted to the units of the file.
     Formula complex(const std::array<double, 2>& of, QuantityKind kind) const;
-    /// Where the last bodies turn against each other: what an observer on the one before sees, and what he adds.
+    /// If the last two bodies rotate relative to each other: the motion seen by an observer on the previous body, and
+    /// the terms to add.
     bool write_groups(const Equations::Reach& reach);
-    /// (radial + i across) z.
+    /// Adds (radial + i across) z.
     static void add(std::array<double, 2>& to, const std::array<double, 2>& z, double radial, double across);
     double rate(const std::vector<LetterIndex>& letters, int dots) const;
 

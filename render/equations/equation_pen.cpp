@@ -14,7 +14,7 @@ namespace {
 
 constexpr int digits_of_terms = 5;
 
-/// Without zeros that only fill: "200.00 mm" is 200 mm.
+/// Without trailing zeros: "200.00 mm" is 200 mm.
 std::string trimmed(const std::string& text) {
     const std::size_t mark = text.find_first_of(".,");
     if (mark == std::string::npos) return text;

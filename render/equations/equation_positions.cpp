@@ -187,7 +187,7 @@ void PositionText::write_sine(const Side& first, const std::vector<Side>& known,
         }
         list_.set(equal(turning.term, joined(shares)));
     } else if (constexpr std::size_t most_above_a_bar = 3; across.size() > most_above_a_bar) {
-        // A sum of many terms stands on lines, not above a bar.
+        // A long sum stands on lines of its own, not above a fraction bar.
         list_.set(equal(pen_.name(first.length) + turning.term, joined(across)));
     } else {
         list_.set(equal(turning.term, Formula::fraction(joined(across), pen_.name(first.length))));
@@ -219,7 +219,7 @@ void PositionText::write_turn_with_offset_slide(const Equations::Loop& loop, std
     const double slid = pen_.letter(slide.length).value, pv = loop.solved.resultant, cv = pen_.letter(arm.length).value;
     list_.set(equal(b, joined({{slid < 0 ? -1 : 1, Formula::root(square(p) + minus + square(c))}})) +
               Formula::sign("=") + pen_.amount_formula(slide.length, slid, 0));
-    // (b ± i c) e^{iβ} = p e^{iσ}: the sine of β − σ is ∓ c/p.
+    // (b ± i c) e^{iβ} = p e^{iσ}: sin(β − σ) = ∓ c/p.
     const int quarters = ((arm.angle.quarters - slide.angle.quarters) % 4 + 4) % 4;
     const int side = (quarters == 1 ? 1 : -1) * pen_.sign_of(arm, slide);
     list_.set(equal(pen_.trigonometric(true, pen_.angle(slide.angle) + minus + sigma, false),

@@ -145,7 +145,7 @@ bool RateText::rates_known(const Equations::Block& block, int dots) const {
 
 void RateText::write_block(const Equations::Block& block, int dots) {
     if (block.unknowns.empty()) return;
-    // A system of many unknowns has its matrix apart: J ẏ = …, and long right sides stand one under the other.
+    // A large system shows its matrix separately, J ẏ = …, and long right sides stand below one another.
     constexpr std::size_t most_in_line = 4, most_letters = 60;
     const bool is_large = block.unknowns.size() > most_in_line;
     if (is_large && dots == 1) write_in_parts(block);

@@ -55,7 +55,7 @@ std::string RatioText::ratio_unit(LetterIndex of, std::initializer_list<LetterIn
     int lengths = pen_.letter(of).is_angle ? 0 : 1, turns = pen_.letter(of).is_angle ? 1 : 0;
     for (const LetterIndex each : by) --(pen_.letter(each).is_angle ? turns : lengths);
     const auto power = [](int of_unit) { return of_unit == 2 ? "²" : ""; };
-    // An angle is told where a length stands beside it.
+    // The unit of an angle is shown only beside a length.
     if (lengths == 0) return "";
     if (lengths > 0) return " " + length + (turns < 0 ? std::string("/rad") + power(-turns) : "");
     return std::string(turns > 0 ? " rad" : " 1") + "/" + length + power(-lengths);

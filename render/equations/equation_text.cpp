@@ -12,7 +12,7 @@ namespace {
 
 using Kind = EquationItem::Kind;
 
-/// Everything, in the order in which it is worked by hand.
+/// Everything, in the order of a calculation by hand.
 std::vector<EquationItem> worked_out(const Solution& solution, Language language) {
     const Equations& equations = *solution.equations;
     const closure::EquationPen pen(equations, solution.mechanism, language);
@@ -35,7 +35,7 @@ std::vector<EquationItem> worked_out(const Solution& solution, Language language
     return list.taken();
 }
 
-/// Without what leads there.
+/// Without intermediate steps.
 std::vector<EquationItem> answered(const Solution& solution, Language language) {
     const Equations& equations = *solution.equations;
     const closure::EquationPen pen(equations, solution.mechanism, language);
@@ -70,7 +70,7 @@ std::vector<EquationItem> equation_answers(const Solution& solution, Language la
 
 namespace {
 
-/// For a terminal: "m/s²".
+/// Powers of units for a terminal: "m/s²".
 std::string as_words(const RichText& text) {
     std::string words;
     for (const Piece& piece : text) {

@@ -1,6 +1,6 @@
-// The closure equations as they are worked by hand: loops, position, velocities, ratios, accelerations, in a list of
-// headings, sentences, formulas and tables, which the sheet sets, and the terminal and LaTeX print. Takes every number
-// from the equations, and from the solution what the polygons say beside them.
+// The closure equations as calculated by hand: loops, positions, velocities, ratios, accelerations, as a list of
+// headings, sentences, formulas and tables. The sheet, the terminal and LaTeX all print this list. All numbers come
+// from the equations; the results of the polygons beside them come from the solution.
 #pragma once
 
 #include <span>
@@ -16,21 +16,21 @@ namespace kinegraph::render {
 
 struct EquationItem {
     enum class Kind { heading, words, formula, table } kind = Kind::words;
-    std::string words{};  ///< of headings and sentences
+    std::string words{};  ///< for headings and sentences
     Formula formula{};
-    std::vector<std::vector<Formula>> rows{};  ///< of a table, the head first
-    bool is_apart = false;                     ///< a heading that may begin a page of its own
+    std::vector<std::vector<Formula>> rows{};  ///< for a table, head first
+    bool is_apart = false;                     ///< a heading that may begin a new page
 };
 
-/// Nothing where there are no equations.
+/// Empty if there are no equations.
 std::vector<EquationItem> equation_items(const Solution& solution, Language language);
 
-/// What a key says of the equations: velocity ratios with their derivatives, dead points; nothing where there are none.
+/// The answers for a key: velocity ratios with their derivatives, and dead points. Empty if there are no equations.
 std::vector<EquationItem> equation_answers(const Solution& solution, Language language);
 
-/// For a terminal, a line a formula.
+/// Plain text for a terminal, one formula per line.
 std::string as_text(std::span<const EquationItem> items);
-/// A document of LaTeX (amsmath), a display a formula.
+/// A LaTeX document (amsmath), one display per formula.
 std::string as_latex(std::span<const EquationItem> items);
 
 }  // namespace kinegraph::render

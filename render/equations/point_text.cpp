@@ -17,7 +17,7 @@ using Form = PointProblem::Form;
 Formula sign(const char* text) { return Formula::sign(text); }
 Formula upright(const std::string& text) { return Formula::upright(text); }
 
-/// How laws, values and places of a point's motion are written.
+/// Notation of laws, values and places of a point's motion.
 class PointPhrases {
 protected:
     PointPhrases(const Solution& solution, Language language)
@@ -45,7 +45,7 @@ protected:
         const std::string& symbol = problem_.laws[law].symbol;
         return Formula::letter(symbol == "θ" ? "theta" : symbol, "", order);
     }
-    /// A value behind what it comes of, unless that is the value.
+    /// Appends the value to the symbols, unless they are the value itself.
     Formula with_value(Formula symbols, const Formula& value) const {
         if (symbols.plain() == "0") return value;
         return std::move(symbols) + sign("=") + value;
@@ -56,7 +56,7 @@ protected:
         if (law.symbol == "θ") return upright(number(value, 5, language_) + (dots == 1 ? " rad/s" : " rad/s²"));
         return upright(said(value, dots == 1 ? QuantityKind::velocity : QuantityKind::acceleration));
     }
-    /// Of a law without units: in which its number is.
+    /// The unit of a law's number, if the law has no units of its own.
     Formula unit_of(const Expressed& law) const {
         if (!law.is_bare || law.unit == Exact(1)) return {};
         return upright("  [" + mechanism_.units.length.symbol + "]");
@@ -147,7 +147,7 @@ public:
         return section;
     }
 
-    /// Each law, its derivatives in symbols and what they are at the instant.
+    /// Each law, its derivatives in symbols, and their values at the instant.
     PointSection derivatives() const {
         PointSection section{"derivatives", {"Derivatives", "Derivate"}, {}, {}};
         section.sentences.emplace_back(problem_.form == Form::path
@@ -182,7 +182,7 @@ public:
         return section;
     }
 
-    /// Place, velocity and acceleration in coordinates, in polar components, as complex numbers.
+    /// Position, velocity and acceleration in coordinates, in polar components and as complex numbers.
     PointSection forms() const {
         PointSection section{"forms", {"Three forms", "Tre forme"}, {}, {}};
         section.sentences.emplace_back(
@@ -222,7 +222,7 @@ public:
         return section;
     }
 
-    /// `at_the_board`: with the construction of the centre that a figure shows.
+    /// `at_the_board`: includes the construction of the centre of curvature that a figure shows.
     PointSection intrinsic(bool at_the_board) const {
         PointSection section{"curvature", {"Tangent, normal, curvature", "Tangente, normale, curvatura"}, {}, {}};
         if (found_.rests) {

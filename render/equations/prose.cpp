@@ -38,7 +38,7 @@ Paragraph::Paragraph(const DrawingContext& context, RichText text, double indent
 std::vector<Paragraph::Line> Paragraph::lines(double measure) const {
     std::vector<Line> lines;
     for (const MeasuredText::Line& words : text_.lines(measure - indent_)) {
-        // What stands over and under letters may ask for more than the lead.
+        // Scripts above and below letters may need more than the line spacing.
         constexpr double clear = 0.15;
         const double baseline =
             lines.empty() ? first_baseline

@@ -1,4 +1,4 @@
-// Prose: headings and paragraphs set to the width of a column, mm.
+// Headings and paragraphs set to the width of a column, mm.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace kinegraph::render {
 
-/// A heading, and beside it, where there is room, a note in small print.
+/// A heading, with a note in small print beside it if there is room.
 Block heading_block(const DrawingContext& context, double measure, const std::string& text, const RichText& note = {});
-/// What heading_block() takes.
+/// Height of heading_block(), mm.
 constexpr double heading_height = 5.6;
 
-/// A paragraph whose words are measured once, for the widths at which it is tried; its context outlives it.
+/// A paragraph whose words are measured once, so that several widths can be tried. The context must outlive it.
 class Paragraph {
 public:
-    /// It hangs by `indent` behind its number.
+    /// With a hanging indent of `indent` mm behind its number.
     Paragraph(const DrawingContext& context, RichText text, double indent = 0, std::string number = {});
     double height(double measure) const;
     Block set(double measure) const;
@@ -36,7 +36,7 @@ private:
     double indent_;
     std::string number_;
 };
-/// A paragraph, hanging by `indent` behind its number.
+/// A paragraph with a hanging indent of `indent` mm behind its number.
 Block paragraph_block(const DrawingContext& context, double measure, const RichText& text, double indent = 0,
                       const std::string& number = {});
 

@@ -15,7 +15,7 @@ using Share = VirtualWork::Share;
 
 constexpr int digits_of_work = 4;
 
-/// The subscript of a coordinate's δ: the body that turns, the joint that slides, the point that is moved.
+/// The subscript of δ for a coordinate: the rotating body, the sliding joint or the moved point.
 std::pair<std::string, std::string> letter_of(const Mechanism& mechanism, const Driver& driver) {
     if (const auto* spin = std::get_if<SpinDriver>(&driver)) {
         const std::string body = mechanism.body(spin->body).name;
@@ -25,7 +25,7 @@ std::pair<std::string, std::string> letter_of(const Mechanism& mechanism, const 
     return {"s", mechanism.point(std::get<PointDriver>(driver).at).name};
 }
 
-/// How displacements, actions and works are written, in the file's units.
+/// Notation of displacements, loads and works, in the file's units.
 class WorkFormulas {
 protected:
     WorkFormulas(const Solution& solution, Language language)
@@ -70,13 +70,13 @@ protected:
             if (solution_.pose.at(point) == place) return mechanism_.point(point).name;
         return {};
     }
-    /// Where a force of an effort acts.
+    /// The point at which an input force acts.
     PointIndex point_of(int effort) const {
         const Effort& given = mechanism_.efforts[at_index(effort)];
         if (const auto* at = std::get_if<ForceEffort>(&given)) return at->at;
         return mechanism_.joint(std::get<ActuatorEffort>(given).joint).point;
     }
-    // Units of what is said for each unit of δq.
+    // Units per unit of δq.
 
     const Unit& length() const { return mechanism_.units.length; }
     std::string per() const { return turn_ ? "/rad" : ""; }
@@ -91,12 +91,12 @@ protected:
     Formula pair_of(double x, double y) const {
         return upright(render::pair_of(written(clean(x)), written(clean(y)), language_));
     }
-    /// −0, and what only rounding left of nothing.
+    /// Without −0 and rounding noise.
     double clean(double value) const { return std::abs(value) < 1e-14 * largest_ ? 0 : value; }
     Formula moved_point(const std::string& point) const {
         return Formula::letter("delta") + Formula::letter("r", point.empty() ? "?" : point);
     }
-    /// Work of an effort in the file's units, for each unit of it.
+    /// Work of an input force or couple in the file's units, per unit of it.
     Formula per_effort(double si, int effort) const {
         const double unit =
             is_couple(effort) ? mechanism_.units.moment.si.to_double() : mechanism_.units.force.si.to_double();
@@ -118,8 +118,8 @@ protected:
     const Mechanism& mechanism_;
     const Displacements& found_;
     Language language_;
-    bool turn_ = true;    // the coordinate displaced is an angle
-    double largest_ = 0;  // beside which what is written vanishes
+    bool turn_ = true;    // the displaced coordinate is an angle
+    double largest_ = 0;  // relative to which smaller numbers vanish
 };
 
 class WorkText : WorkFormulas {
@@ -218,7 +218,7 @@ private:
                 turned(body(entry.body), entry.omega.to_double(), q),
                 work_of((entry.couple * entry.omega).to_double())};
     }
-    /// The efforts, unknown: the work of so many of them.
+    /// The unknown input forces and couples: the works of several at once.
     std::vector<Formula> share_row(const Share& share, const Formula& q) {
         const Effort& given = mechanism_.efforts[at_index(share.effort)];
         Formula moved;

@@ -1,5 +1,5 @@
-// Holds: what a mark hangs on, for whoever moves the figure. Names are those of engine/solution/held.hpp; a drawing
-// that stands still needs none of it.
+// Binding of a mark: what it moves with when the figure is animated. Names are those of engine/solution/held.hpp.
+// Static drawings do not need it.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,25 @@
 namespace kinegraph::render {
 
 struct Holds {
-    /// A place is one name. A direction is one name, of a vector; or two, of the places that it leads from and to.
+    /// A place is one name. A direction is one name (of a vector) or two (the places from which and to which it leads).
     enum class Form : std::uint8_t {
         nothing,
-        at,      ///< goes with a place
-        with,    ///< goes with a place and turns with a direction
-        arrow,   ///< the same, as long as the vector is large
-        couple,  ///< goes with a place; its sense is that of a scalar
-        line,  ///< on the lines of forces, each as far as to the places on it: names of the forces, an empty one, those
-               ///< of the places
+        at,      ///< moves with a place
+        with,    ///< moves with a place and turns with a direction
+        arrow,   ///< as `with`, if the vector is long enough
+        couple,  ///< moves with a place; its sense follows the sign of a scalar
+        line,    ///< on the lines of action of forces, each extended to the places on it: names of the forces, an empty
+                 ///< name, names of the places
         segment,  ///< from place to place
-        through,  ///< all that is seen of the line through two places
-        normal,   ///< of the line through the first, normal to that
-        circle,   ///< on two places as ends of a diameter
-        arc,      ///< about the first through the second
-        body      ///< goes and turns with a body: its index
+        through,  ///< the visible part of the line through two places
+        normal,   ///< the line through the first place, perpendicular to the direction
+        circle,   ///< with two places as ends of a diameter
+        arc,      ///< about the first place through the second
+        body      ///< moves and turns with a body, given by its index
     } form = Form::nothing;
     std::vector<std::string> on{};
-    double beyond = 0;  ///< by how much lines and segments go on past their ends, mm
-    double unit = 0;    ///< of a label that says a number: its unit in SI; 0: it says none
+    double beyond = 0;  ///< extension of lines and segments past their ends, mm
+    double unit = 0;    ///< for a label with a number: its unit in SI; 0: no number
 };
 
 std::string_view name_of(Holds::Form form);

@@ -1,4 +1,4 @@
-// Paths: what a pen draws, in one colour each, mm, y downwards. They know no page and no text.
+// Paths: strokes and fills in one colour each, mm, y downwards. Independent of pages and text.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Colour {
     friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// How a path is stroked; width and dashes in mm, an empty dash list is a full line.
+/// Stroke style. Width and dashes in mm; an empty dash list is a full line.
 struct Pen {
     double width = 0.18;
     Colour colour;
@@ -55,12 +55,12 @@ struct Path {
     Colour fill;
     bool stroked = false;
     Pen pen;
-    StatementIndex statement = none;  ///< of the solution, that it is drawn by; none: it is there from the beginning
-    bool tinted = false;              ///< the fill is a body's tint or the paper: no ink, letters may stand on it
-    Holds holds{};                    ///< what it goes with
+    StatementIndex statement = none;  ///< the statement of the solution that draws it; none: present from the beginning
+    bool tinted = false;  ///< filled with a body's tint or the paper colour: not ink, labels may stand on it
+    Holds holds{};        ///< what it moves with
 };
 
-/// Round ends go with round corners; and a dash that runs round a sharp corner must leave no spike there.
+/// Round ends go with round corners. A dash round a sharp corner must not leave a spike, either.
 inline bool has_round_corners(const Path& path) {
     return path.pen.round_ends || (!path.pen.dashes.empty() && path.segments.size() > 3);
 }

@@ -1,4 +1,4 @@
-// Spots of a drawing and the boxes round them, mm, y downwards. Owns their little algebra; knows no ink.
+// Spots (2D points) and boxes of a drawing, mm, y downwards, with their vector algebra.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace kinegraph::render {
 
-/// A place on the sheet, mm.
+/// A point or a vector on the sheet, mm.
 struct Spot {
     double x = 0;
     double y = 0;
@@ -18,7 +18,7 @@ inline Spot operator-(Spot a, Spot b) { return {a.x - b.x, a.y - b.y}; }
 inline Spot operator*(double s, Spot a) { return {s * a.x, s * a.y}; }
 inline double dot(Spot a, Spot b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Spot a, Spot b) { return a.x * b.y - a.y * b.x; }
-/// A root is rounded alike on every machine, hypot is not.
+/// sqrt is correctly rounded on every machine; std::hypot is not.
 inline double length(Spot a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 /// a / |a|; (1, 0) for the zero vector.
 inline Spot unit(Spot a) {
@@ -27,7 +27,7 @@ inline Spot unit(Spot a) {
 }
 /// A quarter turn clockwise on paper.
 inline Spot turned(Spot a) { return {-a.y, a.x}; }
-/// The unit at an angle (radians, clockwise on paper), and the angle of a direction.
+/// polar_spot: the unit vector at an angle (radians, clockwise on paper). angle_of: its inverse, in (−π, π].
 inline Spot polar_spot(double angle) { return {std::cos(angle), std::sin(angle)}; }
 inline double angle_of(Spot a) { return std::atan2(a.y, a.x); }
 
@@ -36,7 +36,7 @@ struct Box {
     double width() const { return max.x - min.x; }
     double height() const { return max.y - min.y; }
     Spot middle() const { return {0.5 * (min.x + max.x), 0.5 * (min.y + max.y)}; }
-    /// Grows to hold these.
+    /// Grows to include the argument.
     void include(const Box& other) {
         min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y)};
         max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y)};

@@ -1,5 +1,5 @@
-// Instant centres on the mechanism: the lines of Kennedy and the normals that find them, the dots, the arrows to those
-// that are far or at infinity. Owns what is shown of them and where it ends; finds no centre itself.
+// Instant centres on the mechanism: the lines (Kennedy, normals) that determine them, dots, and arrows towards distant
+// centres and centres at infinity. Owns which of them are shown and where lines end; computes no centre.
 #include <algorithm>
 #include <cmath>
 
@@ -34,8 +34,7 @@ public:
             sketch_.construction.emplace_back(line(ray.at + from * ray.along, ray.at + to * ray.along, sketch_.thin()));
             belong(sketch_.construction, sketch_.construction.size() - 1, ray.statement);
         }
-        // Centres at one place are one dot with one label. Bodies that do not move against each other have none to
-        // show.
+        // Coincident centres share one dot and one label. Bodies without relative motion have no centre.
         std::vector<bool> done(all_.size(), false);
         for (const std::size_t c : order_) {
             if (where_[c] == Where::nowhere || done[c] || !drawn_[c]) continue;
@@ -48,7 +47,7 @@ public:
         }
     }
 
-    /// Names of those that are not drawn though they could be.
+    /// Names of centres that could be drawn but are not.
     std::vector<RichText> left_out() const {
         std::vector<RichText> names;
         for (const std::size_t c : order_)
@@ -58,11 +57,11 @@ public:
 
 private:
     enum class Where { nowhere, here, far, infinity };
-    /// A construction line, drawn once however many centres lie on it.
+    /// A construction line, drawn once even if it contains several centres.
     struct Ray {
         Spot at, along;
         double from, to;
-        StatementIndex statement;  // that draws it first
+        StatementIndex statement;  // the first statement that draws it
     };
     struct Arrow {
         Spot base, along;
@@ -72,8 +71,8 @@ private:
         Spot at;
     };
 
-    static constexpr double rim = 9;          // about all that is near, mm
-    static constexpr double broken_end = 10;  // of a line to a far centre, mm
+    static constexpr double rim = 9;          // margin round everything that is near, mm
+    static constexpr double broken_end = 10;  // end of a line to a distant centre, mm
 
     bool is_primary(std::size_t c) const { return all_[c].how == InstantCentre::How::primary; }
     Symbol symbol(std::size_t c) const { return symbol_of(sketch_.mechanism, all_[c]); }
@@ -84,7 +83,7 @@ private:
         return GroupBegin{"centre", sketch_.id("centre", i + "." + j), plain(name_of_centre(c)), {}, all_[c].statement};
     }
 
-    /// Where each centre is: near the mechanism, far from it, or at infinity.
+    /// Classifies each centre: near the mechanism, distant, or at infinity.
     void locate() {
         view_ = sketch_.mechanism_box();
         const Box near = grown(view_, 0.6 * sketch_.size());
@@ -96,7 +95,7 @@ private:
                 continue;
             }
             place_[c] = sketch_.spot(all_[c].at->place());
-            if (!std::isfinite(place_[c].x) || !std::isfinite(place_[c].y)) continue;  // past the range of doubles
+            if (!std::isfinite(place_[c].x) || !std::isfinite(place_[c].y)) continue;  // beyond the range of doubles
             where_[c] = contains(near, place_[c]) ? Where::here : Where::far;
             if (where_[c] != Where::here) continue;
             view_.include(place_[c]);
@@ -104,7 +103,7 @@ private:
         take_in_what_is_beside();
         view_ = grown(view_, rim);
     }
-    /// Within the rim, which the arrow to it would take, it is shown itself.
+    /// A distant centre that lies within the space of its own arrow is shown itself.
     void take_in_what_is_beside() {
         const auto beside = [&] {
             std::size_t c = 0;
@@ -117,14 +116,14 @@ private:
         }
     }
 
-    /// In the order found; where there are many or little room, only what leads to the absolute centres.
+    /// Centres in the order found; if there are many or space is short, only those needed for the absolute centres.
     void choose() {
         for (std::size_t c = 0; c < all_.size(); ++c) order_.push_back(c);
         std::stable_sort(order_.begin(), order_.end(),
                          [&](std::size_t a, std::size_t b) { return all_[a].order < all_[b].order; });
         double secondary = 0;
         for (std::size_t c = 0; c < all_.size(); ++c) secondary += all_[c].at && !is_primary(c) ? 1 : 0;
-        constexpr double room_for_one = 700;  // mm²
+        constexpr double room_for_one = 700;  // mm² per centre
         if (secondary <= 14 && view_.width() * view_.height() >= room_for_one * secondary) return;
         drawn_.assign(all_.size(), false);
         std::vector<std::size_t> wanted;
@@ -140,7 +139,7 @@ private:
         }
     }
 
-    /// The lines that found centre c.
+    /// Draws the lines that determine centre c.
     void construct(std::size_t c) {
         for (const auto& [a, b] : all_[c].through) {
             std::vector<Spot> known;
@@ -150,7 +149,7 @@ private:
                 if (where_[k] == Where::infinity) direction = place_[k];
                 if (where_[k] == Where::here || where_[k] == Where::far) known.push_back(place_[k]);
             }
-            // Start from what can be seen.
+            // Start from visible centres.
             std::stable_sort(known.begin(), known.end(),
                              [&](Spot p, Spot q) { return contains(view_, p) && !contains(view_, q); });
             construct(c, known, direction);
@@ -158,7 +157,7 @@ private:
         for (const PointIndex point : all_[c].normals) construct(c, {sketch_.spot(point)}, std::nullopt);
     }
 
-    /// A line through `known` finite places (and towards `direction`) to centre c, a little beyond it.
+    /// A line through the finite places `known` (and in `direction`) to centre c and a little beyond.
     void construct(std::size_t c, const std::vector<Spot>& known, std::optional<Spot> direction) {
         if (known.empty()) return;
         const Spot start = known[0];
@@ -192,13 +191,13 @@ private:
         draw_once(ray);
     }
 
-    /// The line runs on towards a centre that is far (to the edge of the view) or at infinity (a little), and says
-    /// where to.
+    /// Extends the line towards a distant centre (to the edge of the view) or one at infinity (a little), with an arrow
+    /// that names it.
     void leave_the_drawing(std::size_t c, Ray& ray) {
         const Interval seen = within(view_, ray.at, ray.along);
         bool forward = dot(place_[c] - ray.at, ray.along) > 0;
         if (where_[c] == Where::infinity) {
-            // Either end will do, but the same for all lines: where fewer things are in the way.
+            // Either end is possible, but all lines use the same one: that with fewer collisions.
             if (!arrows_[c].empty())
                 forward = dot(arrows_[c].front().along, ray.along) > 0;
             else
@@ -257,7 +256,7 @@ private:
         LabelRequest label{
             .size = sketch_.theme.label, .colour = sketch_.theme.text, .statement = all_[cluster.front()].statement};
         for (const std::size_t d : cluster) {
-            // A pin has its own name; the centre there is for the reader who points at it.
+            // A pin has its own name; the centre there is shown only on hovering.
             if (at_pin && is_primary(d)) continue;
             if (!label.text.empty()) append(label.text, one_piece(" ≡ "));
             append(label.text, name_of_centre(d));
@@ -278,7 +277,7 @@ private:
         for (const std::size_t d : cluster) {
             std::vector<Mark>& marks = sketch_.centres;
             marks.emplace_back(group(d));
-            // On a stroke the dot stands in a white ring, or a dark link would swallow it.
+            // A dot on a stroke gets a white ring, or a dark link would hide it.
             if (!pin_there && sketch_.crowding(at, at) > 0) marks.emplace_back(tinted(disc(at, 1.15, theme.paper)));
             if (at_pin && is_primary(d))
                 marks.emplace_back(tinted(disc(at, 0.6 * sketch_.measures.pin_radius, theme.paper)));
@@ -292,7 +291,7 @@ private:
         return label;
     }
 
-    /// Where the arrow to a centre outside of the drawing starts and how long it is.
+    /// Start and length of the arrow to a centre outside the drawing.
     struct Shaft {
         Spot base, along;
         double length = 3;
@@ -310,7 +309,7 @@ private:
         const Spot start = sketch_.shape(all_[c].second).middle;
         return {start, where_[c] == Where::infinity ? place_[c] : unit(place_[c] - start), 18};
     }
-    /// ⟂ to the guide, from the slider, on the side that its links leave free.
+    /// Perpendicular to the guide, from the slider, on the side without links.
     Shaft shaft_from_slide(PointIndex slider, Spot across) const {
         const Spot at = sketch_.spot(slider);
         double up = 0, down = 0;
@@ -328,13 +327,13 @@ private:
         const Shaft shaft = shaft_of(c);
         const Spot tip = shaft.base + shaft.length * shaft.along;
         const Theme& theme = sketch_.theme;
-        // The arrow lies under the blocks, its head beyond them.
+        // The arrow is drawn below the blocks, with its head beyond them.
         std::vector<Mark>& marks = sketch_.construction;
         for (const std::size_t d : cluster) {
             marks.emplace_back(group(d));
             draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary,
                        shaft.broken ? dashes() : std::vector<double>{});
-            // Both lines say where they go.
+            // Both lines name their target.
             for (std::size_t k = 1; k < arrows_[d].size(); ++k)
                 draw_arrow(marks, arrows_[d][k].base, arrows_[d][k].base + 3.0 * arrows_[d][k].along, theme.thin,
                            theme.secondary);
@@ -342,7 +341,7 @@ private:
         }
         LabelRequest label = label_of(cluster, false);
         if (where_[c] == Where::far && counted_from_[c] && all_[c].first == frame) {
-            // "P_13 (O4 P_13 = 1.84 m)": the segment that the drawing cannot hold.
+            // "P_13 (O4 P_13 = 1.84 m)": the segment that does not fit into the drawing.
             append(label.text, how_far(sketch_, counted_from_[c]->name, name_of_centre(c),
                                        length(place_[c] - counted_from_[c]->at)));
         }
@@ -354,13 +353,13 @@ private:
     Sketch& sketch_;
     const std::vector<InstantCentre>& all_;
     std::vector<Where> where_;
-    std::vector<Spot> place_;  // on paper, or the unit direction at infinity
+    std::vector<Spot> place_;  // on paper, or the unit direction for a centre at infinity
     std::vector<bool> drawn_;
     std::vector<std::size_t> order_;
     Box view_;
     std::vector<Ray> rays_;
-    std::vector<std::vector<Arrow>> arrows_;          // to each centre, one on each line that leaves the drawing
-    std::vector<std::optional<Named>> counted_from_;  // what the distance of a far centre is counted from
+    std::vector<std::vector<Arrow>> arrows_;          // arrows to each centre, one per line that leaves the drawing
+    std::vector<std::optional<Named>> counted_from_;  // reference of the distance of a distant centre
 };
 
 }  // namespace

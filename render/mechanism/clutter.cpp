@@ -1,4 +1,4 @@
-// Clutter: strokes kept as bars with half their width.
+// Clutter: strokes are stored as bars with half their width.
 #include "render/mechanism/clutter.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ void Clutter::add_arc(Spot centre, double radius, double from, double sweep) {
 
 double Clutter::along(Spot from, Spot to) const {
     constexpr int pieces = 16;
-    // Most strokes are far away: the boxes round them tell, those of the whole stretch first.
+    // Most strokes are far away; test bounding boxes first, that of the whole segment before the others.
     constexpr double rounding = 1e-6;
     const Spot low{std::min(from.x, to.x) - rounding, std::min(from.y, to.y) - rounding};
     const Spot high{std::max(from.x, to.x) + rounding, std::max(from.y, to.y) + rounding};

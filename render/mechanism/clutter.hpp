@@ -1,5 +1,5 @@
-// Clutter: the strokes of a drawing, to see where an arrow would stand in the way. Mechanisms only; labels have their
-// ink map.
+// Clutter: the strokes of a mechanism's drawing, to find out where an arrow would collide with them. Labels use an ink
+// map instead.
 #pragma once
 
 #include <vector>
@@ -13,16 +13,16 @@ public:
     void add(const std::vector<Mark>& marks);
     void add(Spot from, Spot to) { add(Bar{from, to}, 1.0); }
     void add_arc(Spot centre, double radius, double from, double sweep);
-    /// The share of the stretch that lies near strokes.
+    /// The fraction of the segment that lies near strokes.
     double along(Spot from, Spot to) const;
-    /// The mean of that over the pieces of an arc, `sweep` radians clockwise on paper.
+    /// The mean of along() over the chords of an arc of `sweep` radians (clockwise on paper).
     double along_arc(Spot centre, double radius, double from, double sweep) const;
 
 private:
     struct Stroke {
         Bar bar;
-        double near;  ///< at less than this from it something lies near it
-        Box box;      ///< of all that does
+        double near;  ///< distance below which something counts as near, mm
+        Box box;      ///< bounding box of that neighbourhood
     };
     void add(const Bar& bar, double half);
     std::vector<Stroke> strokes_;

@@ -20,7 +20,7 @@ bool is_driven(const Mechanism& mechanism, JointIndex joint) {
            std::any_of(mechanism.efforts.begin(), mechanism.efforts.end(), pushes);
 }
 
-/// How far along a slide the body's farthest corner lies; nothing where one stands off its axis or there is none.
+/// Distance along a slide of the body's farthest corner. Empty if a corner lies off the axis, or there is none.
 std::optional<double> farthest_on_axis(const Layout& layout, const Joint& slide, BodyIndex body) {
     const Spot at = layout.spot(slide), along = layout.guide(slide);
     std::optional<double> found;
@@ -41,7 +41,7 @@ std::optional<Cylinder> cylinder_at(const Layout& layout, const Joint& joint) {
     const double shrink = layout.measures.shrink;
     const double sense = *rod > *barrel ? 1 : -1, whole = sense * (*rod - *barrel);
     if (whole < 24 * shrink) return std::nullopt;
-    // The piston is the joint's point, where that lies well within.
+    // The piston stands at the joint's point, if that lies well inside the barrel.
     const double wanted = -sense * *barrel;
     const double piston = wanted > 0.25 * whole && wanted < 0.75 * whole ? wanted : 0.5 * whole;
     const double open_end = std::min(piston + 0.2 * whole, whole - 5 * shrink),

@@ -48,8 +48,9 @@ private:
                                 name_of(vertex) + "." + name_of(to)});
     }
 
-    /// Of a line on which a point lies, from the place that the line goes through; behind that place the angle is
-    /// another, and that a line stands upright or lies is seen.
+    /// The angle of a line that contains a point, measured where the line begins. Omitted if the point lies on the
+    /// other side of that place, where the angle is different, and for horizontal and vertical lines, which need no
+    /// dimension.
     void add_angle_of(const LineCurve& line, PointIndex point) {
         const auto* through = std::get_if<PointIndex>(&line.through);
         if (through == nullptr || line.by != LineCurve::By::angle) return;
@@ -90,7 +91,7 @@ private:
                                        body.circle->radius.to_double(), body.name});
     }
 
-    /// Fixed pins given by coordinates: how far each stands from the first, across and up.
+    /// Fixed pins given by coordinates: horizontal and vertical distances from the first one.
     void gather_coordinates() {
         std::vector<PointIndex> fixed;
         for (const Joint& joint : sketch_.mechanism.joints)
@@ -112,7 +113,7 @@ private:
         }
     }
 
-    /// Guides of the frame that run along an axis, by how far they pass beside the first fixed pin.
+    /// Guides of the frame parallel to an axis: their distance from the first fixed pin.
     void gather_offsets() {
         const Mechanism& mechanism = sketch_.mechanism;
         const auto pin = std::find_if(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
@@ -129,7 +130,7 @@ private:
             if (!given) continue;
             const Exact offset = lying ? given->y - origin.y : given->x - origin.x;
             if (offset.is_zero()) continue;
-            // The guide's axis is met beside the block and its walls, on the pin's side.
+            // Measured beside the block and its walls, on the pin's side.
             const Spot a = sketch_.spot(*pin), block = sketch_.spot(joint);
             const double beyond = sketch_.measures.slider_half + sketch_.measures.wall_beyond + 3;
             const Spot aside = lying ? Spot{a.x - block.x, 0} : Spot{0, a.y - block.y};
@@ -140,7 +141,7 @@ private:
         }
     }
 
-    /// A place on a guide that the file gives by its coordinates.
+    /// A place on a guide whose coordinates the file gives.
     std::optional<Vector> given_on_guide(const Joint& joint, bool lying) const {
         const Placement& placement = sketch_.mechanism.point(joint.point).placement;
         if (const auto* at = std::get_if<Coordinates>(&placement)) return at->at;

@@ -1,5 +1,5 @@
-// What the file gives as lengths, radii and angles that a drawing can bear dimensions of. Owns which data these are;
-// where they stand is found in dimensions.cpp.
+// Lengths, radii and angles given by the file that a drawing can show as dimensions. Positions of the dimensions are
+// chosen in dimensions.cpp.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace kinegraph::render::drawing {
 
 struct DimensionedLength {
     Spot from, to;
-    Spot along;    ///< unit: of the dimension line
+    Spot along;    ///< unit vector along the dimension line
     double value;  ///< metres
     std::string name;
 };

@@ -8,7 +8,7 @@ namespace kinegraph::render::drawing {
 
 namespace {
 
-constexpr Spot room_for_names{10, 18};  // they need a rim, the scale bar its place below
+constexpr Spot room_for_names{10, 18};  // margins that names need, and room for the scale bar below
 constexpr double air_at_edge = 0.5;
 constexpr double leaves_its_paper = 1000;
 
@@ -52,8 +52,7 @@ void DimensionRoom::keep_off(const DrawnLayers& layers) {
     const bool through_ground = wish_.all || wish_.sought_far;
     for (const std::span<const Mark> layer : {layers.bodies, layers.pins, layers.arrows, layers.centres})
         add(layer, heavy_);
-    // What leads from a point of the frame to its dimension may pass through the ground there where all data are
-    // wanted.
+    // If all data must be shown, extension lines from a point of the frame may cross the ground symbol there.
     crossed_ = heavy_;
     add(layers.ground, heavy_);
     if (!through_ground) crossed_ = heavy_;
@@ -147,7 +146,7 @@ int DimensionRoom::count_near(const Bar& bar, const std::vector<Obstacle>& obsta
                              distance(other.from, bar) < gap || distance(other.to, bar) < gap ||
                              (crosses(bar, other) && gap > 0);
         if (!is_near) continue;
-        // What stands at the measured points themselves is no obstacle.
+        // Strokes at the measured points themselves are no obstacles.
         const bool own = std::any_of(except.begin(), except.end(), [&](Spot spot) {
             return length(other.from - spot) < 3.5 && length(other.to - spot) < 3.5;
         });
@@ -157,7 +156,7 @@ int DimensionRoom::count_near(const Bar& bar, const std::vector<Obstacle>& obsta
 }
 
 int DimensionRoom::count_letters_near(const Bar& bar) const {
-    constexpr double near = 0.9;  // a little more than two labels keep
+    constexpr double near = 0.9;  // slightly more than the distance between two labels
     const InkBox own{middle(bar), {length(bar) / 2, 0}, length(bar) > 0 ? unit(bar.to - bar.from) : Spot{1, 0}};
     return static_cast<int>(std::count_if(letters_.begin(), letters_.end(), [&](const InkBox& letters) {
         return lettering::gap_between(own, letters, near) < near;

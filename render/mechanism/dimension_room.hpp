@@ -1,4 +1,4 @@
-// What dimensions keep off, and what a place for one costs. Owns the prices; draws nothing.
+// Obstacles for dimensions, and the price of a place for one. Owns the prices; draws nothing.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 
 namespace kinegraph::render::drawing {
 
-/// The layers that dimensions keep off, those of a sketch or those of a figure made of it.
+/// The layers that dimensions keep clear of: those of a sketch, or of a figure made from it.
 struct DrawnLayers {
     std::span<const Mark> construction, ground, bodies, pins, arrows, centres;
 };
 
-/// What a try would draw. Most are priced and never drawn.
+/// A candidate for a dimension. Most candidates are priced and never drawn.
 struct DimensionTrial {
     std::function<void(std::vector<Mark>&)> draw;
     std::vector<Bar> strokes;
@@ -27,73 +27,74 @@ struct DimensionTrial {
     double price = 0;
 };
 
-/// Where a mark ends, or the group that it begins.
+/// Index past a mark, or past the group that begins there.
 std::size_t end_of_mark(std::span<const Mark> marks, std::size_t first);
 
-/// The room round the mechanism, with all that stands there.
+/// The space round the mechanism, with all obstacles in it.
 class DimensionRoom {
 public:
-    static constexpr double cap_height = 2.1;  ///< of a text, mm
+    static constexpr double cap_height = 2.1;  ///< height of capital letters, mm
 
-    /// Before there are names. `size`: of the room for all that is drawn.
+    /// Before labels are placed. `size`: available width and height for the whole drawing, mm.
     DimensionRoom(const Sketch& sketch, Spot size, const DimensionWish& wish);
-    /// Beside all that a finished figure of the sketch has, its names and its scale bar among it.
+    /// For a finished figure of the sketch, including its labels and its scale bar.
     DimensionRoom(const Sketch& sketch, const Figure& figure, Spot size, const DimensionWish& wish);
 
-    /// What a trial with a text so wide costs at such a place; `ends` are the measured points. Nothing is taken off a
-    /// price: from `enough` on it is no longer added to.
+    /// Price of a candidate with a text `width` mm wide; `ends` are the measured points. Prices only increase, so the
+    /// sum stops at `enough`.
     double price_of(const DimensionTrial& trial, double width, const std::array<Spot, 2>& ends, double enough) const;
-    /// The others keep off what was drawn.
+    /// Makes a drawn dimension an obstacle for the following ones.
     void take(const DimensionTrial& drawn, double width);
 
 private:
-    /// What a dimension should keep off, with the box round it, which tells of most that they are far away.
+    /// An obstacle with its bounding box, which excludes most obstacles quickly.
     struct Obstacle {
         Bar bar;
         Box box = box_round(bar);
     };
-    /// What each thing costs that is nearer than a distance.
+    /// The price of each obstacle nearer than a distance (mm).
     struct Rate {
         double price, distance;
     };
 
-    /// A mark in the way: links, pins, ground and arrows always, construction lines for the figures.
+    /// Adds layers as obstacles: links, pins, ground and arrows always, construction lines for the figures only.
     void keep_off(const DrawnLayers& layers);
-    /// Its layers; names with their leaders, scale bar and all that stands in no layer are taken.
+    /// Adds all marks of a figure: its layers, and as `taken_` its labels with their leaders, the scale bar and
+    /// everything outside the layers.
     void keep_off_all_of(const Figure& figure);
     static Box box_round(const Bar& bar);
-    /// Leaders and bars; of the number of a link the whole circle.
+    /// Adds leaders and bars; for the number of a link, the whole circle.
     void keep_off_beside_layers(std::span<const Mark> marks);
     static std::span<const Mark>* layer_of(DrawnLayers& layers, std::string_view role);
     void add(std::span<const Mark> marks, std::vector<Obstacle>& to) const;
-    /// Signed gap between a bar and obstacles: how many are nearer than `gap`.
+    /// The number of obstacles whose gap to the bar is less than `gap` mm.
     static int count_near(const Bar& bar, const std::vector<Obstacle>& obstacles, double gap,
                           const std::array<Spot, 2>& except);
     int count_letters_near(const Bar& bar) const;
     static bool crosses(const Bar& a, const Bar& b);
-    /// The box grown by what a trial draws.
+    /// The box enlarged by what a candidate draws.
     static Box with(Box box, const DimensionTrial& trial, double width);
     double toll(const Bar& bar, Rate heavy, Rate light, Rate taken, const std::array<Spot, 2>& ends) const;
     double toll(const Bar& bar, const std::vector<Obstacle>& heavy_bars, Rate heavy, Rate light, Rate taken,
                 const std::array<Spot, 2>& ends) const;
     bool stays_within(const DimensionTrial& trial, double width) const;
     static Box box_of_frame(const DimensionTrial& trial, double width);
-    /// The text's outline as bars about its middle.
+    /// The outline of the text as bars, about its middle.
     static std::array<Bar, 3> frame_of(Spot baseline_middle, double angle, double width);
-    double price_of_letters() const { return wish_.sought_far ? 12 : 4; }  ///< nothing may run over them
+    double price_of_letters() const { return wish_.sought_far ? 12 : 4; }  ///< letters must stay uncovered
 
     static constexpr std::array<Spot, 2> nowhere{{{1e9, 1e9}, {1e9, 1e9}}};
 
     const Sketch& sketch_;
     Spot size_;
     const DimensionWish& wish_;
-    Box box_;        ///< of all that is drawn
-    Spot origin_{};  ///< where that of the sketch lies in the figure
+    Box box_;        ///< bounding box of the drawing
+    Spot origin_{};  ///< position of the sketch's origin in the figure
     std::vector<Obstacle> heavy_, light_, taken_;
     std::vector<InkBox> letters_;
-    std::vector<Obstacle> crossed_;  ///< what extension lines had better not cross
-    std::vector<Obstacle> words_;    ///< texts of dimensions that are sought far
-    std::vector<Obstacle> led_;      ///< their extension lines, which other lines may cross
+    std::vector<Obstacle> crossed_;  ///< obstacles that extension lines should not cross
+    std::vector<Obstacle> words_;    ///< texts of dimensions placed by the extended search (DimensionWish::sought_far)
+    std::vector<Obstacle> led_;      ///< extension lines of these, which other lines may cross
 };
 
 }  // namespace kinegraph::render::drawing

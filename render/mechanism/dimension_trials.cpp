@@ -9,11 +9,11 @@ namespace kinegraph::render::drawing {
 namespace {
 
 constexpr double text_gap = 1.0;
-constexpr double arrow_outside = 6.0, head_room = 3.2;  // of a run too short for arrows between its ends
+constexpr double arrow_outside = 6.0, head_room = 3.2;  // for a length too short for arrows between its ends
 
 double readable(double angle) {
-    double a = std::remainder(angle, pi_number);      // within ±90°
-    if (a >= 0.5 * pi_number - 1e-6) a -= pi_number;  // upright ones are read from the right
+    double a = std::remainder(angle, pi_number);      // in ±90°
+    if (a >= 0.5 * pi_number - 1e-6) a -= pi_number;  // vertical text reads from the right
     return a;
 }
 
@@ -81,7 +81,7 @@ std::vector<DimensionTrial> DimensionTrials::of(const DimensionedLength& datum, 
             const Spot out = unit(foot - point);
             if (length(foot - point) > clear) trial.extensions.push_back({point + clear * out, foot + 1.4 * out});
         }
-        // Nearer is better, outside of the mechanism, too.
+        // Prefer near places, and places outside the mechanism.
         const bool inside = dot(0.5 * (a + b) - sketch_.mechanism_box().middle(), level.side * across) < 0;
         trial.price = 0.06 * level.reach + (inside ? 0.35 : 0);
         if (has_text_between) {
@@ -167,7 +167,7 @@ DimensionTrial DimensionTrials::led_out(DimensionTrial trial, const DimensionedA
         arc(marks);
         marks.emplace_back(line(knee, end, thin()));
     };
-    trial.extensions.push_back({foot, knee});  // as little in the way as these are
+    trial.extensions.push_back({foot, knee});  // priced like an extension line
     trial.strokes.push_back({knee, end});
     trial.text_at = 0.5 * (knee + end) + Spot{0, -text_gap};
     trial.price = 0.05 * radius + 0.06 * reach + std::abs(share - 0.5) + 0.8;
@@ -182,7 +182,7 @@ DimensionTrial DimensionTrials::arc_of(const DimensionedAngle& datum, double rad
     };
     const int parts = 6;
     const double turn = datum.sweep > 0 ? 1 : -1;
-    // Where arc and link meet is meant: it ends a little before.
+    // The arc should end visibly at the link, so it stops slightly before it.
     const double shy = std::min(0.3, 2.4 / radius) * turn;
     for (int i = 0; i < parts; ++i)
         trial.strokes.push_back(

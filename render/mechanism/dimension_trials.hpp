@@ -1,5 +1,5 @@
-// Ways to draw a dimension: each of a length, a radius, an angle with its lines, its text's place and how far it lies
-// from what is wished. Owns the shapes; whether they are in the way is told in dimension_room.hpp.
+// Candidates for drawing a dimension of a length, a radius or an angle: lines, position of the text, and the price of
+// deviating from the preferred place. Obstacles are priced in dimension_room.hpp.
 #pragma once
 
 #include <vector>
@@ -9,45 +9,45 @@
 
 namespace kinegraph::render::drawing {
 
-/// Trials draw with what this refers to, and with the datum that they are of: both outlive them. `width`: of the text.
+/// The candidates refer to this object's arguments and to their datum; both must outlive them. `width`: of the text,
+/// mm.
 class DimensionTrials {
 public:
     DimensionTrials(const Sketch& sketch, bool sought_far) : sketch_(sketch), sought_far_(sought_far) {}
 
-    /// None where there is no room for the text.
+    /// Empty if there is no room for the text.
     std::vector<DimensionTrial> of(const DimensionedLength& datum, double width) const;
     std::vector<DimensionTrial> of(const DimensionedRadius& datum, double width) const;
     std::vector<DimensionTrial> of(const DimensionedAngle& datum, double width) const;
-    /// With its text on a shelf to which a leader goes, where all else stands.
+    /// Candidates with the text on a shelf at the end of a leader, for an angle without any other place.
     std::vector<DimensionTrial> led_out_of(const DimensionedAngle& datum, double width) const;
 
 private:
-    /// A level of a dimension line across the run, and what it costs to be so far from the mechanism.
+    /// A distance of the dimension line from the measured segment, and its price.
     struct Level {
         double at, side, reach;
     };
-    /// A trial of a length with its dimension line: arrows and text between its ends.
+    /// Completes a candidate for a length: arrows and text between its ends.
     DimensionTrial between_ends(DimensionTrial trial, const Bar& run) const;
-    /// The same of a short one: arrows from outside, the text on the line that goes on beyond its second end.
+    /// The same for a short length: arrows from outside, the text beyond its second end.
     DimensionTrial outside_of_end(DimensionTrial trial, const Bar& run, double width) const;
     void put_text(DimensionTrial& trial, Spot middle, Spot along) const;
-    /// Beyond both ends; of ends that lie far from each other across the run also between them, near the one or the
-    /// other.
+    /// Distances beyond both ends. If the ends are far apart across the direction of the dimension, also distances
+    /// between them, near either end.
     std::vector<Level> levels_of(double rise) const;
     static double leader_angle(double step);
-    /// From outside onto the rim, the figure beyond on a shelf.
+    /// A leader from outside to the rim, with the number on a shelf beyond.
     DimensionTrial from_outside(const DimensionedRadius& datum, double angle, double length, double width,
                                 double price) const;
-    /// From the centre to the rim, the text along it.
+    /// From the centre to the rim, the text along the line.
     DimensionTrial from_centre(const DimensionedRadius& datum, double angle, double price) const;
-    /// A trial of a narrow angle with its arc, which begins before the line that it is counted from, and its text
-    /// there.
+    /// Completes a candidate for a narrow angle: the arc begins before the base line, and the text stands there.
     DimensionTrial beside_base(DimensionTrial trial, const DimensionedAngle& datum, double radius, double width) const;
-    /// A trial of an angle with its arc, its text on a shelf to which a leader goes from the arc: where the lines that
-    /// it is between leave no room for letters.
+    /// Completes a candidate for an angle whose sides leave no room for the text: a leader from the arc to a shelf with
+    /// the text.
     DimensionTrial led_out(DimensionTrial trial, const DimensionedAngle& datum, double radius, double share,
                            double reach, double width) const;
-    /// The arc of an angle and the line that it is counted from; no text yet.
+    /// The arc of an angle and its base line, without text.
     DimensionTrial arc_of(const DimensionedAngle& datum, double radius) const;
     Pen thin() const { return {sketch_.theme.thin, sketch_.theme.text, {}, false}; }
 

@@ -1,6 +1,5 @@
-// Dimensions of the given data on the mechanism (ISO 129): lengths, radii and angles as the file states them, each
-// where it is in nobody's way. Owns how many are drawn, and in which order; measures nothing, all values are those of
-// the file.
+// Dimensions of given data on the mechanism (ISO 129): lengths, radii and angles as the file states them, where they
+// collide with nothing. Owns their number and order; all values are those of the file.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -17,7 +16,7 @@ namespace kinegraph::render::drawing {
 
 namespace {
 
-/// Of a closed figure, where its labels begin.
+/// Index at which the labels of a closed figure begin.
 std::size_t end_of_layers(std::span<const Mark> marks) {
     constexpr std::array<std::string_view, 8> layers{"tint",   "construction", "ground",  "links",
                                                      "joints", "arrows",       "centres", "dimensions"};
@@ -30,7 +29,7 @@ std::size_t end_of_layers(std::span<const Mark> marks) {
     return end;
 }
 
-/// Draws each datum by the best of its trials.
+/// Draws each datum by its cheapest candidate.
 class DimensionsDrawing {
 public:
     DimensionsDrawing(Sketch& sketch, DimensionRoom room, const DimensionWish& wish)
@@ -44,7 +43,7 @@ public:
         const auto [all, most] = std::pair(wish_.all, wish_.most);
         if (!all && data_.lengths.size() + data_.angles.size() + data_.radii.size() > 2 * most) return;
         std::size_t count = 0;
-        // Angles and radii have fewer places than lengths; shorter lengths stand within longer ones.
+        // Angles and radii first: they have fewer places than lengths. Shorter lengths stand inside longer ones.
         if (wish_.sought_far) {
             std::stable_sort(data_.lengths.begin(), data_.lengths.end(),
                              [](const DimensionedLength& a, const DimensionedLength& b) { return a.value < b.value; });
@@ -65,9 +64,9 @@ public:
     }
 
 private:
-    /// What a dimension is drawn as, and how much in the way it may stand.
+    /// How a dimension is drawn, and the accepted price.
     struct Drawn {
-        std::string name, id;  // no id: that of the sketch for its name
+        std::string name, id;  // empty id: derived from the name by the sketch
         double free_enough;
     };
 
@@ -75,14 +74,14 @@ private:
         const std::string words = with_unit(datum.value);
         const ShapedLine text = text_of(words);
         const std::vector<DimensionTrial> trials = trials_.of(datum, text.width);
-        if (trials.empty()) return false;  // and takes no id
+        if (trials.empty()) return false;  // before an id is taken
         return draw_best(trials, text, {datum.from, datum.to}, drawn_as(datum.name), words, all);
     }
     bool draw(const DimensionedRadius& datum, bool all) {
         const std::string words = "R " + with_unit(datum.value);
         const ShapedLine text = text_of(words);
         const std::vector<DimensionTrial> trials = trials_.of(datum, text.width);
-        if (trials.empty()) return false;  // and takes no id
+        if (trials.empty()) return false;  // before an id is taken
         return draw_best(trials, text, {datum.centre, datum.centre}, drawn_as(datum.name), words, all);
     }
     bool draw(const DimensionedAngle& datum, bool all) {
@@ -93,20 +92,20 @@ private:
     bool draw_led_out(const DimensionedAngle& datum, bool all) {
         const ShapedLine text = text_of(datum.text);
         Drawn as = drawn_as(datum);
-        // A leader may cross what letters may not, and a link it crosses counts by each of its strokes.
+        // A leader may cross things that letters may not, and a crossed link counts once per stroke.
         as.free_enough = 18;
         return draw_best(trials_.led_out_of(datum, text.width), text, {datum.vertex, datum.vertex}, std::move(as),
                          datum.text, all);
     }
 
-    /// Draws the best of the trials where it is free enough.
+    /// Draws the cheapest candidate, if it is free enough.
     bool draw_best(const std::vector<DimensionTrial>& trials, const ShapedLine& text, const std::array<Spot, 2>& ends,
                    Drawn as, const std::string& title, bool all) {
         std::string& group = as.id;
         if (wish_.left_out.contains(group)) return false;
         const double free_enough = as.free_enough;
         const DimensionTrial* best = nullptr;
-        // What costs more than this is not drawn.
+        // Anything dearer is not drawn.
         double least = all ? 1e300 : free_enough + 1;
         for (const DimensionTrial& trial : trials)
             if (const double price = room_.price_of(trial, text.width, ends, least); price < least - 1e-9) {
@@ -140,7 +139,7 @@ private:
         return given_number(metres / unit_of_length.si.to_double(), sketch_.context.language) + " " +
                unit_of_length.symbol;
     }
-    /// The same whether it is drawn before there are names or after.
+    /// Independent of whether it is drawn before the names or after them.
     std::string id_of(const std::string& name) {
         std::string id = legal_id("dimension-" + name);
         while (!ids_.insert(id).second) id += "_";
@@ -150,7 +149,7 @@ private:
         std::string id = wish_.sought_far ? id_of(name) : "";
         return {std::move(name), std::move(id), wish_.sought_far ? 10 : 2.2};
     }
-    /// The one id of an angle, however often it is tried.
+    /// An angle has a single id, however often it is tried.
     Drawn drawn_as(const DimensionedAngle& datum) {
         const auto [known, is_new] = drawn_angles_.try_emplace(&datum);
         if (is_new) known->second = drawn_as("angle." + datum.name);
@@ -168,7 +167,7 @@ private:
 
 struct DimensionText {
     InkBox box;
-    std::string dimension;  // its group's id
+    std::string dimension;  // id of its group
 };
 struct DimensionPath {
     const Path* path;
@@ -208,7 +207,7 @@ std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& font
     InkMap others(figure.box);
     std::vector<DimensionText> texts;
     std::vector<DimensionPath> paths;
-    std::string dimension;  // that a mark belongs to, while its group is open
+    std::string dimension;  // dimension whose group is open
     int dimension_depth = 0, depth = 0;
     for (const Mark& mark : figure.marks) {
         if (const auto* group = std::get_if<GroupBegin>(&mark)) {

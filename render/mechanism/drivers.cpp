@@ -1,5 +1,4 @@
-// Arrows of motion on the mechanism: drivers as the file gives them, angular velocities and accelerations as they are
-// found.
+// Arrows of motion on the mechanism: given drivers, and computed angular velocities and accelerations.
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +23,7 @@ std::string without_filling_zeros(double value, Language language, int digits) {
     return text;
 }
 
-/// ω or α of a body as an arc about a place, with its name.
+/// ω or α of a body as an arc about a point, with its name.
 struct Turning {
     BodyIndex body = none;
     Spot pivot;
@@ -33,7 +32,7 @@ struct Turning {
     StatementIndex statement = none;
 };
 
-/// Where an arc has room: towards the body's first corner, which says how far out.
+/// Where an arc has room: towards the body's first corner, whose distance limits the radius.
 struct Arm {
     Spot along{1, 0};
     double reach = 12;  // mm
@@ -46,10 +45,11 @@ Arm arm_of(const Layout& layout, BodyIndex body, Spot pivot) {
     return arm;
 }
 
-/// Ahead of the arm if nothing is in the way, else further on; `clutter`: what is drawn already, besides the bodies.
+/// An arc ahead of the arm, or further round if that collides with something. `clutter`: everything drawn so far except
+/// the bodies.
 Arc free_arc(const Layout& layout, const Turning& turning, const Clutter* clutter) {
     const Arm arm = arm_of(layout, turning.body, turning.pivot);
-    // On paper y runs down: counter-clockwise is the negative turn.
+    // On paper y points down, so counter-clockwise is the negative sense.
     const double turn = turning.counter_clockwise ? -1 : 1, wanted = 0.4 * arm.reach;
     Cheapest<Arc> best;
     for (const double radius : {std::clamp(wanted, 8.0, 14.0), std::clamp(0.25 * arm.reach, 6.0, 8.0), 11.0})
@@ -57,7 +57,7 @@ Arc free_arc(const Layout& layout, const Turning& turning, const Clutter* clutte
             const double from = angle_of(arm.along) + turn * (2.6 / radius + 0.6 * step);
             const double by = turn * std::min(1.05, 11.0 / radius);
             double price = 0.35 * step + 0.1 * std::abs(radius - wanted);
-            // Nothing is taken off a price.
+            // Prices only increase, so the loop may stop early.
             for (int i = 0; i <= 6 && price < best.price; ++i)
                 price += 2.5 * layout.crowding(turning.pivot + radius * polar_spot(from + by * i / 6), turning.pivot);
             if (clutter && price < best.price) price += 6 * clutter->along_arc(turning.pivot, radius, from, by);
@@ -66,7 +66,7 @@ Arc free_arc(const Layout& layout, const Turning& turning, const Clutter* clutte
     return best.choice;
 }
 
-/// An arc with an arrowhead and its name; true to `clutter` where there is one.
+/// An arc with an arrowhead and its name; avoids `clutter` if given.
 void draw_turning(Sketch& sketch, const Turning& turning, Clutter* clutter) {
     const Arc arc = free_arc(sketch, turning, clutter);
     const Colour colour = sketch.theme.colour_of(turning.body).letter;
@@ -88,7 +88,7 @@ std::optional<Spot> pivot_of_driver(const Layout& layout, const SpinDriver& spin
     return layout.spot(corners.front());
 }
 
-/// About its fixed pin, else about its middle.
+/// The body's fixed pin, or else its middle.
 Spot pivot_of(const Layout& layout, BodyIndex body) {
     for (const Joint& joint : layout.mechanism.joints)
         if (is_fixed_pin(joint) && joint.connects(body)) return layout.spot(joint);
@@ -109,16 +109,16 @@ RichText value_of(const Sketch& sketch, const Symbol& symbol, const std::string&
 RichText given_value(const Sketch& sketch, const Symbol& symbol, double value, const Unit& unit) {
     return value_of(sketch, symbol, given_number(value / unit.si.to_double(), sketch.context.language), unit);
 }
-/// "ω_3 = 1.31 rad/s", as the sentences tell what is found.
+/// "ω_3 = 1.31 rad/s", as in the sentence that finds it.
 RichText found_value(const Sketch& sketch, const Symbol& symbol, double value, const Unit& unit) {
-    constexpr int digits = 3;  // as the sentences tell it
+    constexpr int digits = 3;  // as in the sentences
     return value_of(sketch, symbol, number(value / unit.si.to_double(), digits, sketch.context.language), unit);
 }
 
-/// What is drawn of a driver: its rate, or how that changes.
+/// Which property of a driver is drawn: its rate or the derivative of it.
 enum class Given { rate, acceleration };
 
-/// `clutter`: what else is drawn already; none where the driver's arrow is the first.
+/// `clutter`: everything else drawn so far; null if the driver's arrow is the first.
 void draw_driver(Sketch& sketch, const SpinDriver& spin, Given given, Clutter* clutter) {
     const bool is_rate = given == Given::rate;
     const double value = (is_rate ? spin.omega : spin.alpha).to_double();
@@ -147,7 +147,7 @@ Straight straight(const Sketch& sketch, Given given, Spot along, const auto& dri
 
 constexpr double half_of_straight = 7;  // mm
 
-/// As an arrow about `start`.
+/// Draws it as an arrow about `start`.
 void draw_straight(Sketch& sketch, Spot start, const Straight& arrow, Clutter* clutter) {
     const Spot half = half_of_straight * (arrow.value < 0 ? -1.0 * arrow.along : arrow.along);
     const Colour colour = sketch.theme.colour_of(arrow.body).letter;
@@ -157,7 +157,7 @@ void draw_straight(Sketch& sketch, Spot start, const Straight& arrow, Clutter* c
         start + half;
 }
 
-/// Where the least is in the way of an arrow; each place has a price of its own.
+/// The place with the fewest collisions for an arrow; each candidate has a price of its own.
 Spot free_place(const Sketch& sketch, Spot at, const Straight& arrow,
                 const std::vector<std::pair<Spot, double>>& places, const Clutter* clutter) {
     Cheapest<Spot> best;
@@ -170,7 +170,7 @@ Spot free_place(const Sketch& sketch, Spot at, const Straight& arrow,
     return best.choice;
 }
 
-/// Beside the slide; its acceleration on the other side, or further out.
+/// Beside the slide; the acceleration on the other side or further out.
 void draw_driver(Sketch& sketch, const SlideDriver& slide, Given given, Clutter* clutter) {
     const Joint& joint = sketch.mechanism.joint(slide.joint);
     const Spot along = sketch.guide(joint), at = sketch.spot(joint);
@@ -186,7 +186,7 @@ void draw_driver(Sketch& sketch, const SlideDriver& slide, Given given, Clutter*
     draw_straight(sketch, free_place(sketch, at, arrow, places, clutter), arrow, clutter);
 }
 
-/// Ahead of the point, or beside it where a body or a line runs that way.
+/// Ahead of the point, or beside it if a body or a line lies ahead.
 void draw_driver(Sketch& sketch, const PointDriver& point, Given given, Clutter* clutter) {
     const Spot along = paper_direction(direction_of(point.along, sketch.subject.solution.pose)),
                at = sketch.spot(point.at);
@@ -206,7 +206,7 @@ void draw_all_drivers(Sketch& sketch, Given given, Clutter* clutter) {
         std::visit([&](const auto& one) { draw_driver(sketch, one, given, clutter); }, driver);
 }
 
-/// Ground and arrows: what stands in the way of a further arrow, besides the bodies.
+/// Obstacles for a further arrow besides the bodies: ground and arrows.
 Clutter clutter_of(const Sketch& sketch) {
     Clutter clutter;
     clutter.add(sketch.ground);
@@ -218,7 +218,7 @@ Clutter clutter_of(const Sketch& sketch) {
 
 std::string given_number(double value, Language language) {
     std::string six = without_filling_zeros(value, language, 6), four = without_filling_zeros(value, language, 4);
-    // Six digits are for round values; of 120 rpm in rad/s four tell enough.
+    // Six digits suit round values; for 120 rpm in rad/s four are enough.
     return four.size() + 1 < six.size() ? four : six;
 }
 

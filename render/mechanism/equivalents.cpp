@@ -1,6 +1,5 @@
-// The equivalent linkages of contacts on the mechanism: the imaginary link between two centres of curvature, or the
-// centre as a pin on its straight path, thin and broken, so that they are not taken for bodies. Which there are is the
-// solution's to say.
+// Equivalent linkages of contacts on the mechanism: the imaginary link between two centres of curvature, or the centre
+// as a pin on its straight path. Thin and dashed, so that they do not look like bodies. The solution provides them.
 #include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {
@@ -13,7 +12,7 @@ void draw_equivalent_linkages(Sketch& sketch) {
         const Joint& joint = sketch.mechanism.joint(linkage.joint);
         const Spot first = sketch.spot(linkage.places[0]), second = sketch.spot(linkage.places[1]);
         const bool is_link = linkage.kind == EquivalentLinkage::Kind::link;
-        // A tip is the pin of its slot already, and the slot the body's own side.
+        // A tip is already drawn as the pin of its slot, and the slot belongs to the other body.
         if (!is_link && coincide(first, sketch.spot(joint))) continue;
         const Spot along = sketch.measures.slot_half * turned(sketch.subject.normals[at_index(linkage.joint)]);
         sketch.centres.emplace_back(GroupBegin{"equivalent", sketch.id("equivalent", joint.name), joint.name, {}});

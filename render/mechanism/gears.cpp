@@ -13,20 +13,21 @@ constexpr double dedendum = 1.25;
 constexpr double half_space_at_tip = 0.25 * pi_number + 0.36397;              // tan 20°
 constexpr double half_space_at_root = 0.25 * pi_number - dedendum * 0.36397;  //
 
-/// A pitch curve: a circle, or a straight line from `origin` (radius 0). Places on it are angles or lengths.
+/// A pitch curve: a circle, or a straight line from `origin` (radius 0). Positions on it are angles or lengths,
+/// respectively.
 struct PitchCurve {
     Spot origin;
     double radius = 0;
     bool hollow = false;
     bool round() const { return radius > 0; }
 };
-/// Where teeth are drawn: about which place, how far, whether a tooth stands there or a space.
+/// Where teeth are drawn: position on the pitch curve, extent, and whether a tooth or a space is centred there.
 struct Mesh {
     double at, reach;
     bool tooth;
 };
 
-/// As far as the teeth of both would meet, and one more.
+/// Extends over the teeth of both that could touch, plus one.
 Mesh mesh_of(const Layout& layout, const PitchCurve& curve, const Touch& touch, BodyIndex body) {
     const Joint& joint = layout.mechanism.joint(touch.joint);
     const Spot at = layout.spot(joint), off = at - curve.origin;
@@ -42,8 +43,8 @@ Mesh mesh_of(const Layout& layout, const PitchCurve& curve, const Touch& touch, 
             curve.round() ? half / curve.radius : half, joint.bodies[0] == body};
 }
 
-/// Where the spaces between teeth are, near each mesh. A tooth of the joint's first body stands at the pitch point, a
-/// space of its second.
+/// Positions of the tooth spaces near each mesh. The joint's first body has a tooth at the pitch point, its second a
+/// space.
 std::vector<double> tooth_spaces(const Layout& layout, const PitchCurve& curve, const std::vector<Touch>& touches,
                                  BodyIndex body) {
     std::vector<Mesh> meshes;
@@ -52,7 +53,7 @@ std::vector<double> tooth_spaces(const Layout& layout, const PitchCurve& curve, 
     std::vector<double> spaces;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const Mesh& mesh = meshes[i];
-        // The next mesh has teeth of its own; they need not be in step.
+        // The next mesh has its own teeth; they need not be in phase.
         double reach = curve.round() ? std::min(mesh.reach, pi_number - pitch) : mesh.reach;
         for (std::size_t k = 0; k < meshes.size(); ++k) {
             double apart = std::abs(meshes[k].at - mesh.at);
@@ -68,7 +69,7 @@ std::vector<double> tooth_spaces(const Layout& layout, const PitchCurve& curve, 
     return spaces;
 }
 
-/// The tip circle, interrupted by the spaces.
+/// The tip circle, interrupted by the tooth spaces.
 Path contour_of(const Layout& layout, const Rim& rim, BodyIndex body, double tip, double root) {
     const double module = layout.module();
     const std::vector<double> spaces = tooth_spaces(layout, {rim.centre, rim.radius, rim.hollow}, rim.touches, body);
@@ -98,7 +99,7 @@ std::vector<Spot> teeth_of_rack(const Layout& layout, const Flat& flat, BodyInde
     const auto at = [&](double t, double height) { return flat.bar.from + t * along - height * module * flat.inward; };
     std::vector<Spot> contour{at(0, 1)};
     for (const double space : tooth_spaces(layout, {flat.bar.from}, flat.touches, body)) {
-        // Lengths are counted along the joint's tangent, which may run either way.
+        // Lengths run along the joint's tangent, which may have either sense.
         const Spot tangent = layout.subject.tangent(layout.mechanism.joint(flat.touches.front().joint));
         const double middle = space * (dot(tangent, along) < 0 ? -1 : 1);
         const double a = half_space_at_tip * module, b = half_space_at_root * module;

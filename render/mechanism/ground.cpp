@@ -1,4 +1,4 @@
-// The ground: walls, hatched arcs, fixed pins and the guides of the frame.
+// Ground: walls, hatched arcs, fixed pins and the guides of the frame.
 #include <array>
 #include <cmath>
 
@@ -40,15 +40,15 @@ void hatch_arc(Sketch& sketch, const Arc& along, bool outwards) {
 
 namespace {
 
-/// Where the triangle of a fixed pin hangs: down first, then the sides, then up; away from links and from the arrow of
-/// a crank.
+/// Direction of the triangle of a fixed pin: down if possible, then sideways, then up; away from links and from a
+/// crank's arrow.
 Spot side_of_ground(const Sketch& sketch, PointIndex point) {
     const Spot at = sketch.spot(point);
     const double reach = sketch.measures.triangle_height + sketch.measures.hatch_depth + 2;
     std::vector<Spot> links = sketch.leaving(point);
     for (const Joint& joint : sketch.mechanism.joints)
         if (const Spot d = sketch.spot(joint) - at; length(d) > same_place && length(d) < reach)
-            links.push_back(unit(d));  // a pin where the triangle would stand
+            links.push_back(unit(d));  // a pin where the triangle would be
     const auto nearness = [](Spot a, Spot b) {
         return std::max(0.0, 1.2 - std::acos(std::clamp(dot(a, b), -1.0, 1.0)));
     };
@@ -65,8 +65,8 @@ Spot side_of_ground(const Sketch& sketch, PointIndex point) {
     return best.choice;
 }
 
-/// What is left of a wall beside a guide where links pass; one that passes beside the block would leave a stub: that
-/// side stays open.
+/// The intervals of a wall beside a guide that links leave free. If a link passing beside the block would leave only a
+/// stub, that side stays open.
 std::vector<Interval> open_where_links_pass(const std::vector<Spot>& links, Interval wall, Spot along, Spot away,
                                             double aside, double block_half) {
     std::vector<Interval> pieces{wall};
@@ -103,7 +103,7 @@ void draw_axis_of_guide(Sketch& sketch, const Joint& guide) {
     sketch.construction.emplace_back(line(at - half * along, at + half * along, sketch.axis()));
 }
 
-/// A wall ends before the next pin on its way.
+/// A wall ends before the next pin.
 double reach_of_wall(const Sketch& sketch, const Joint& guide) {
     const double half = sketch.measures.slider_half;
     double reach = half + sketch.measures.wall_beyond;

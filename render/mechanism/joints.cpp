@@ -8,7 +8,7 @@ namespace kinegraph::render::drawing {
 
 namespace {
 
-/// A pin of the body that a block slides on, not of the block itself: the block hides it.
+/// A pin of the body on which a block slides, hidden by the block.
 bool covered_by_block(const Layout& layout, const Joint& hinge) {
     for (const Joint& joint : layout.mechanism.joints) {
         if (!is_slide(joint) || joint.bodies[0] == frame || layout.cylinder_of(joint)) continue;
@@ -80,7 +80,7 @@ void draw_clamp(Sketch& sketch, const Joint& joint) {
         draw_wall(sketch, {at + half, at - half}, -1.0 * along);
         return;
     }
-    // The corner between two links filled; in line, a patch over both.
+    // Fills the corner between two links; for links in line, a patch over both.
     const auto other =
         std::find_if(links.begin(), links.end(), [&](Spot link) { return std::abs(cross(link, along)) > 0.2; });
     constexpr double leg = 5, half = 1.7;

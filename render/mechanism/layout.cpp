@@ -1,4 +1,4 @@
-// The layout: what stands where at one scale, what leaves a point and what crowds a place.
+// Layout: positions at one scale, strokes that leave a point, and collisions near a place.
 #include "render/mechanism/layout.hpp"
 
 #include <cmath>
@@ -84,7 +84,7 @@ double Layout::crowding_of_joint(const Joint& joint, Spot spot, Spot besides) co
     }
     if (coincide(at, besides)) return 0;
     if (length(d) < measures.pin_radius + 1) return 1;
-    // The ground of a fixed pin stands somewhere about it.
+    // The ground symbol of a fixed pin stands on some side of it.
     return is_fixed_pin(joint) && length(d) < measures.triangle_height + 2 ? 0.4 : 0;
 }
 

@@ -1,5 +1,5 @@
-// The layout of a mechanism at one scale: where its points stand on paper (mm), how large its symbols are and what each
-// body is made of. Draws nothing; whatever draws reads it.
+// Layout of a mechanism at one scale: positions of its points on paper (mm), sizes of its symbols and the shape of each
+// body. Draws nothing; all drawing functions use it.
 #pragma once
 
 #include <vector>
@@ -9,29 +9,29 @@
 
 namespace kinegraph::render::drawing {
 
-/// Where a body is touched by another: the joint, and who touches.
+/// A contact of a body: the joint and the other body.
 struct Touch {
     JointIndex joint;
     BodyIndex other;
 };
-/// A round profile: a wheel, a gear, a cam, a roller, or only the arc on which another body slides.
+/// A round profile: a wheel, a gear, a cam, a roller, or an arc on which another body slides.
 struct Rim {
     enum class Form { wheel, gear, cam, roller, arc } form = Form::wheel;
     Spot centre;
     double radius = 0;
     bool hollow = false;         // the material lies outside
-    std::vector<Touch> touches;  // none: a plain disc
+    std::vector<Touch> touches;  // empty: a plain disc
 };
 /// A straight profile from end to end.
 struct Flat {
     Bar bar;
-    Spot inward;       // unit, into the material
-    double depth = 1;  // from the profile to the middle of the stroke: its edge is what touches
+    Spot inward;       // unit vector, into the material
+    double depth = 1;  // from the profile to the centre line of the stroke, whose edge is the profile
     bool rack = false;
     std::vector<Touch> touches;
 };
 
-/// Piston in a barrel: a slide between two bodies that something drives, in line with the pins that hold it.
+/// A piston in a barrel: a driven slide between two moving bodies, in line with the pins that support it.
 struct Cylinder {
     JointIndex joint;
     Spot rod_end;  // the pin of the rod
@@ -39,20 +39,20 @@ struct Cylinder {
     Bar barrel;    // its axis, closed end first
 };
 
-/// What a body is drawn of, mm.
+/// The shape of a body, mm.
 struct Shape {
     std::vector<Bar> bars;
     std::vector<Bar> edges;   // knife edges, from the end of the bar to the tip
-    std::vector<Spot> plate;  // hull; empty: none
-    bool solid = false;       // the plate is too slender to show its tint, and its lines are full
+    std::vector<Spot> plate;  // convex hull; empty: none
+    bool solid = false;       // the plate is too slender to show its tint; its lines are full
     std::vector<Bar> slots;   // centre lines of straight slots
     std::vector<Rim> rims;
     std::vector<Flat> flats;
     std::vector<Bar> strokes;  // the bars and the sides of the plate
-    Spot middle;               // somewhere on it
+    Spot middle;               // some point of the body
 };
 
-/// Measures of the symbols, mm; they shrink where the links are short.
+/// Sizes of the symbols, mm. They shrink if the links are short.
 struct Measures {
     double shrink;
     double pin_radius = 1.5 * shrink, triangle_height = 6.2 * shrink, triangle_half = 3.6 * shrink,
@@ -68,7 +68,7 @@ struct BlockSize {
     double half, side;
 };
 
-/// Each of its members is made of those before it.
+/// Members are initialised in order; each uses the preceding ones.
 class Layout {
 public:
     Layout(const Subject& of, const Theme& look, double metres_per_millimetre);
@@ -83,27 +83,26 @@ public:
     Spot spot(const Joint& joint) const { return spot(joint.point); }
     Spot guide(const Joint& joint) const { return subject.guides[at_index(mechanism.index_of(joint))]; }
     double size() const { return subject.size() / scale_; }
-    double scale() const { return scale_; }  ///< m for each mm
+    double scale() const { return scale_; }  ///< m per mm
     Box mechanism_box() const { return {(1 / scale_) * subject.box.min, (1 / scale_) * subject.box.max}; }
-    double module() const { return module_; }  ///< of all gears: height of a tooth above the pitch circle
+    double module() const { return module_; }  ///< module of all gears: height of a tooth above the pitch circle, mm
 
     const std::vector<Cylinder>& cylinders() const { return cylinders_; }
     const Cylinder* cylinder_of(const Joint& joint) const;
     const std::vector<Shape>& shapes() const { return shapes_; }
     const Shape& shape(BodyIndex body) const { return shapes_[at_index(body)]; }
 
-    /// Half the length and half the width of a slide's block.
+    /// Half the length and half the width of a slide's block, mm.
     BlockSize block(const Joint& slide) const;
-    /// Its corners.
     std::vector<Spot> corners_of_block(const Joint& slide) const;
-    /// The centre line of a slot curved about a point; radius 0: too narrow to draw.
+    /// The centre line of a slot curved about a point. Radius 0: too narrow to draw.
     Arc curved_slot(const Joint& joint) const;
-    /// Unit directions in which strokes leave a point.
+    /// Unit vectors of the strokes that leave a point.
     std::vector<Spot> leaving(PointIndex point) const;
-    /// How much a small symbol at `spot` would be in the way of strokes, blocks and pins other than that at `besides`:
-    /// 0 not at all.
+    /// How much a small symbol at `spot` would collide with strokes, blocks and pins, except the pin at `besides`; 0:
+    /// not at all.
     double crowding(Spot spot, Spot besides) const;
-    /// Whether a straight link lies along a longer one (and does not slide on it).
+    /// Whether a straight link lies along a longer one without sliding on it.
     bool lies_on(BodyIndex body, BodyIndex longer) const;
 
 private:
@@ -116,11 +115,11 @@ private:
     std::vector<Shape> shapes_;
 };
 
-// What a layout is made of, each in a file of its own.
+// The parts of a layout, each defined in its own file.
 
 double gear_module(const Layout& layout);
 std::vector<Cylinder> cylinders_in(const Layout& layout);
-/// Somewhere within a body, to tell on which side of a contact it lies.
+/// A point within a body; it shows on which side of a contact the body lies.
 Spot bulk_of(const Layout& layout, BodyIndex body, const Joint& joint);
 /// Round and straight profiles of a body.
 std::vector<Rim> rims_of(const Layout& layout, BodyIndex body);

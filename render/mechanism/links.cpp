@@ -1,4 +1,4 @@
-// Links: their strokes, which lies above which, the gaps where one passes over another, their numbers.
+// Links: their strokes, their stacking order, gaps at crossings, and body numbers.
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +39,7 @@ std::vector<std::vector<bool>> stacking(const Layout& layout) {
     return above;
 }
 
-/// A pin or a block says by itself what is joined.
+/// A pin or a block already shows what is connected.
 bool is_joined(const Layout& layout, Spot at) {
     for (const Joint& joint : layout.mechanism.joints) {
         const Spot d = at - layout.spot(joint);
@@ -52,7 +52,7 @@ bool is_joined(const Layout& layout, Spot at) {
     return false;
 }
 
-/// The piece of `over` that parts `under` where the two cross well within both and are not joined.
+/// The piece of `over` that interrupts `under`, if the two cross well inside both and are not connected.
 std::optional<Bar> gap_at_crossing(const Layout& layout, const Bar& under, const Bar& over, double gap) {
     constexpr double least_sine = 0.25;
     const double link = layout.theme.link;
@@ -69,7 +69,7 @@ std::optional<Bar> gap_at_crossing(const Layout& layout, const Bar& under, const
     return Bar{at - along, at + along};
 }
 
-/// Where a link passes over others that it does not join: the lower one is interrupted on both sides of it.
+/// Where a link passes over others that it is not connected to, the lower one is interrupted on both sides.
 void draw_crossings(Sketch& sketch, BodyIndex body, const std::vector<BodyIndex>& below, std::vector<Mark>& marks) {
     constexpr double gap = 0.7;
     for (const BodyIndex lower : below) {
@@ -87,7 +87,7 @@ void draw_crossings(Sketch& sketch, BodyIndex body, const std::vector<BodyIndex>
     }
 }
 
-/// Of two links in line (a dead point) the shorter one lies on top, narrower, so that both are seen.
+/// Of two links in line (a dead point) the shorter one lies on top and is narrower, so that both are visible.
 double width_of(const Sketch& sketch, BodyIndex body) {
     for (const BodyIndex other : sketch.mechanism.moving_bodies())
         if (sketch.lies_on(body, other)) return 0.5 * sketch.theme.link;
@@ -109,7 +109,7 @@ std::vector<BodyIndex> drawing_order(const Layout& layout) {
     while (order.size() < n) {
         std::size_t next = 0;
         while (next < n && (done[next] || !is_free(next))) ++next;
-        if (next == n)  // the orders contradict each other: take the first
+        if (next == n)  // the orders are cyclic: take the first
             next = static_cast<std::size_t>(std::find(done.begin(), done.end(), false) - done.begin());
         done[next] = true;
         order.emplace_back(next);
@@ -130,7 +130,7 @@ void draw_link(Sketch& sketch, BodyIndex body, const std::vector<BodyIndex>& bel
     draw_line_kind(marks, 0, 0.5 * theme.link, colour, theme);
     for (const Cylinder& cylinder : sketch.cylinders())
         if (sketch.mechanism.joint(cylinder.joint).bodies[1] == body) draw_barrel(sketch, cylinder, marks);
-    // The block covers the end of its own rod: they are one piece.
+    // The block covers the end of its own rod, because they are one piece.
     draw_sliding_parts(sketch, body, marks);
     const std::string& words = in(data.label, sketch.context.language);
     sketch.bodies.emplace_back(
@@ -143,14 +143,14 @@ namespace {
 
 constexpr double balloon_radius = 2.3;
 
-/// Where the number of a body wants to stand: about an anchor, or beside a line that runs there.
+/// Preferred position of a body's number: about an anchor, or beside a line through it.
 struct Stand {
     Spot anchor;
     std::optional<Spot> toward = std::nullopt;
     double clearance = 6.4;
 };
 
-/// Whether a number there would stand on the tint of another body's wheel, which would then seem to be its own.
+/// Whether a number there would stand on the tint of another body's wheel, and so seem to belong to that.
 bool is_on_other_wheel(const Layout& layout, BodyIndex body, Spot at) {
     for (const BodyIndex other : layout.mechanism.moving_bodies())
         for (const Rim& rim : layout.shape(other).rims) {
@@ -160,7 +160,7 @@ bool is_on_other_wheel(const Layout& layout, BodyIndex body, Spot at) {
     return false;
 }
 
-/// Beside the rim, above on the right if nothing is against it; else further round, or on the wheel's own tint.
+/// Beside the rim, preferably above on the right; else further round, or on the wheel's own tint.
 Stand stand_at_wheel(const Layout& layout, BodyIndex body, Spot centre, double radius) {
     constexpr double off = 1.8, least_within = 9, foreign = 3;
     const auto price_of = [&](Spot at) { return is_on_other_wheel(layout, body, at) ? foreign : 0; };
@@ -169,7 +169,7 @@ Stand stand_at_wheel(const Layout& layout, BodyIndex body, Spot centre, double r
         const Spot out = polar_spot((step - 1) * pi_number / 4), on_rim = centre + radius * out;
         const double price = 0.1 * std::abs(step);
         const Spot beside = on_rim + (off + balloon_radius) * out;
-        // Where nothing is against the first place, its neighbours are the labels' own business.
+        // The first place needs no price for its surroundings: the placement of labels handles these.
         best.offer(price + price_of(beside) + (step == 0 ? 0 : layout.crowding(beside, centre)),
                    {on_rim, on_rim + 4 * std::sqrt(2.0) * turned(out), off});
         if (radius < least_within) continue;
@@ -179,7 +179,7 @@ Stand stand_at_wheel(const Layout& layout, BodyIndex body, Spot centre, double r
     return best.choice;
 }
 
-/// Beside the longest of its lines, in the middle unless another wheel lies on both sides there.
+/// Beside the longest line, at its middle unless another wheel covers both sides there.
 Stand stand_at_line(const Layout& layout, BodyIndex body, const Bar& longest) {
     constexpr double off = 2.7;
     const Spot across = (off + balloon_radius) * turned(direction(longest));
@@ -211,7 +211,7 @@ Stand stand_of(const Sketch& sketch, BodyIndex body) {
     return stand;
 }
 
-/// Its number is told from those of other bodies by the tint, unless one of them has the same.
+/// The body's tint identifies its number, unless another body has the same tint.
 BalloonGround ground_of(const Sketch& sketch, BodyIndex body) {
     const Theme& theme = sketch.theme;
     const Colour own = theme.body(body).tint;

@@ -1,4 +1,4 @@
-// Symbols of loads that belong to the mechanism's own drawing: gas springs, torsion springs, distributed loads. Owns
+// Symbols of loads that are part of the mechanism's drawing: gas springs, torsion springs, distributed loads. Owns
 // their geometry.
 #include <algorithm>
 #include <array>
@@ -50,7 +50,7 @@ void draw_distributed(Sketch& sketch, const DistributedLoad& load, std::vector<M
     const double largest = std::max(std::abs(ends[0]), std::abs(ends[1]));
     if (whole == 0 || largest == 0) return;
     const Spot along = paper_direction(direction_of(load.along, sketch.subject.solution.pose)), run = unit(to - from);
-    // Along its own line the arrows would lie on each other: they are set off sideways, one behind the other.
+    // Arrows along the loaded line would overlap, so they are displaced sideways, one behind the other.
     const bool lies = std::abs(cross(along, run)) < level;
     const BodyColour colour = sketch.theme.colour_of(load.body);
     const Pen thin{sketch.theme.thin, colour.line, {}, false};

@@ -1,4 +1,4 @@
-// Names of points, and the compass strokes that found them.
+// Names of points, and the compass arcs that determine them.
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +30,7 @@ void name_points(Sketch& sketch) {
             return label.balloon == 0 && !label.toward && coincide(label.anchor, at);
         });
         if (there != sketch.labels.end()) {
-            // An instant centre falls on the point: "B ≡ P_13".
+            // A point that coincides with an instant centre: "B ≡ P_13".
             append(text, one_piece(" ≡ "));
             append(text, there->text);
             there->text = std::move(text);

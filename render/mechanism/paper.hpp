@@ -1,5 +1,5 @@
-// Geometry of a drawing on paper (mm, y downwards): places and directions of the mechanism as spots, bars, boxes, and
-// the cheapest of several places for a symbol. Knows no mechanism.
+// Geometry on paper (mm, y downwards): conversion of the mechanism's places and directions, bars, boxes, and the choice
+// of the cheapest place for a symbol. Independent of mechanisms.
 #pragma once
 
 #include <algorithm>
@@ -16,19 +16,19 @@
 
 namespace kinegraph::render::drawing {
 
-constexpr double overshoot = 7.0;    // of a construction line, mm
-constexpr double same_place = 0.02;  // what nobody can tell apart on paper, mm
+constexpr double overshoot = 7.0;    // of a construction line beyond its ends, mm
+constexpr double same_place = 0.02;  // points nearer than this coincide on paper, mm
 constexpr double pi_number = std::numbers::pi;
 
-/// A place, y downwards.
+/// A place, with y downwards.
 inline Spot paper_spot(const Vector& v) { return {v.x.to_double(), -v.y.to_double()}; }
-/// A direction as a unit, y downwards, of whatever length it is given.
+/// A direction of any length as a unit vector, with y downwards.
 Spot paper_direction(const Vector& v);
 inline bool coincide(Spot a, Spot b) { return length(a - b) < same_place; }
 
 inline Box grown(Box box, double by) { return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}}; }
 bool contains(const Box& box, Spot spot);
-/// The part of the line from + t·along that lies in the box, as an interval of t; from > to where it misses.
+/// The part of the line from + t·along inside the box, as an interval of t; empty (from > to) if the line misses it.
 struct Interval {
     double from, to;
 };
@@ -41,10 +41,10 @@ inline double length(const Bar& bar) { return length(bar.to - bar.from); }
 inline Spot direction(const Bar& bar) { return unit(bar.to - bar.from); }
 inline Spot middle(const Bar& bar) { return 0.5 * (bar.from + bar.to); }
 double distance(Spot spot, const Bar& bar);
-/// Of equal ones the first.
+/// The longest bar; of equal ones the first.
 const Bar& longest_of(const std::vector<Bar>& bars);
 
-/// From an angle to another about a centre (radians, clockwise on paper).
+/// An arc about a centre, between two angles (radians, clockwise on paper).
 struct Arc {
     Spot centre;
     double radius = 0, from = 0, to = 0;
@@ -52,7 +52,7 @@ struct Arc {
 };
 inline Path arc(const Arc& a, Pen pen) { return render::arc(a.centre, a.radius, a.from, a.to, std::move(pen)); }
 
-/// Of what is offered the cheapest, of equal prices the first.
+/// Keeps the cheapest of the offered choices; of equal prices the first.
 template <class Choice>
 struct Cheapest {
     Choice choice{};

@@ -1,5 +1,5 @@
-// Profiles: the rims and flat faces of a body where others touch it. Owns which form a profile has on paper; that
-// bodies touch there it takes from the mechanism.
+// Profiles: rims and flat faces of a body at its contacts. Owns the form of a profile on paper; the contacts come from
+// the mechanism.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ Rim& rim_about(std::vector<Rim>& rims, Spot centre, double radius) {
     return rims.back();
 }
 
-/// What a contact makes of a rim.
+/// The form of a rim according to a contact.
 Rim::Form form_of(const Layout& layout, const Rim& rim, const Joint& joint, BodyIndex body) {
     if (joint.pair().meshes()) return Rim::Form::gear;
     if (joint.pair().slides() && rim.form == Rim::Form::wheel) return Rim::Form::cam;
@@ -27,7 +27,8 @@ Rim::Form form_of(const Layout& layout, const Rim& rim, const Joint& joint, Body
     return std::find(corners.begin(), corners.end(), centre) != corners.end() ? Rim::Form::roller : Rim::Form::arc;
 }
 
-/// Unit, into the material: away from the other body, else against its push, else towards the bulk of its own.
+/// Unit vector into the material: away from the other body, else against the contact force, else towards the bulk of
+/// its own body.
 Spot inward_of(const Layout& layout, const Joint& joint, BodyIndex body) {
     const Spot at = layout.spot(joint), inward = turned(layout.subject.tangent(joint));
     double side = dot(bulk_of(layout, joint.other_than(body), joint) - at, inward);
@@ -51,7 +52,7 @@ bool on_one_line(const Flat& known, const Flat& added) {
            dot(known.inward, added.inward) > 0;
 }
 
-/// Those on one line are one.
+/// Merges flats on one line.
 void add_flat(std::vector<Flat>& flats, Flat added) {
     const auto known =
         std::find_if(flats.begin(), flats.end(), [&](const Flat& flat) { return on_one_line(flat, added); });
@@ -110,7 +111,7 @@ std::vector<Rim> rims_of(const Layout& layout, BodyIndex body) {
         const BodyIndex other = joint.other_than(body);
         rim.touches.push_back({layout.mechanism.index_of(joint), other});
         rim.form = form_of(layout, rim, joint, body);
-        // The larger of two circles on one side of the contact lies about the smaller.
+        // If two circles lie on the same side of the contact, the larger one encloses the smaller.
         if (const auto* within = profile_of<CircleProfile>(joint, other))
             if (const Spot inner = layout.spot(within->centre) - at;
                 dot(inner, centre - at) > 0 && length(inner) < radius)

@@ -1,4 +1,4 @@
-// What each body is made of on paper: bars, plates, rods and slots. Draws nothing.
+// Shapes of the bodies on paper: bars, plates, rods and slots. Draws nothing.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace kinegraph::render::drawing {
 
 namespace {
 
-/// The farthest pair and how far the others stand off its line.
+/// The most distant pair of points, and the largest distance of the others from their line.
 struct Chord {
     Bar bar;
     double deviation = 0;
@@ -25,7 +25,7 @@ Chord longest_chord(const std::vector<Spot>& spots) {
     return chord;
 }
 
-/// A guide that the body carries: a rod (or a slot) through the joint's point, long enough to be slid upon.
+/// A guide of the body: a rod (or a slot) through the joint's point, as long as the slide requires.
 struct Rod {
     Spot at, along;
     double from, to;
@@ -33,7 +33,7 @@ struct Rod {
     Spot on(double t) const { return at + t * along; }
 };
 
-/// The shape of one moving body, piece by piece.
+/// Builds the shape of one moving body.
 class Modelling {
 public:
     Modelling(const Layout& layout, BodyIndex body) : l_(layout), body_(body) {
@@ -71,7 +71,8 @@ private:
         }
     }
 
-    /// It reaches to the corners on its line; where there are none, an arm from the nearest meets it at right angles.
+    /// The rod reaches to the corners on its line; without such corners, an arm connects the nearest corner at a right
+    /// angle.
     void add_rod(Rod rod) {
         bool carries_corner = false;
         const Interval slot{rod.from, rod.to};
@@ -110,7 +111,7 @@ private:
         if (rod.to > slot.to + 0.5) shape_.bars.push_back({rod.on(rod.to), rod.on(slot.to + side)});
     }
 
-    /// A curved slot hangs on the nearest corner by its nearer end.
+    /// Connects the nearer end of a curved slot to the nearest corner.
     void hang_curved_slots() {
         const double side = l_.measures.slot_side;
         for (const Joint& joint : l_.mechanism.joints) {
@@ -128,7 +129,7 @@ private:
         }
     }
 
-    /// A flat face reaches to the points that lie on it, else it hangs on the nearest by an arm at right angles.
+    /// A flat face reaches to the points on it; without such points, an arm at a right angle connects the nearest.
     void hang_flat(Flat& flat) {
         const Spot along = direction(flat.bar), start = flat.bar.from;
         double from = 0, to = length(flat.bar);
@@ -152,7 +153,7 @@ private:
             shape_.bars.push_back(*arm);
     }
 
-    /// A body of two guides and no pin (Oldham, trammel cross): the guides are one piece.
+    /// A body with two guides and no pin (Oldham coupling, trammel): the guides form one piece.
     void join_bare_guides() {
         if (!corners_.empty()) return;
         for (std::size_t i = 1; i < rods_.size(); ++i) {
@@ -167,7 +168,7 @@ private:
         }
     }
 
-    /// Of a cylinder one body carries the barrel, the other the rod; both hang on pins in line.
+    /// Of a cylinder, one body has the barrel and the other the rod; both are connected to pins in line.
     void add_cylinder_parts() {
         for (const Cylinder& cylinder : l_.cylinders()) {
             const Joint& joint = l_.mechanism.joint(cylinder.joint);
@@ -183,7 +184,7 @@ private:
         }
     }
 
-    /// The rest is a line or a plate through all corners (those on a guide too, or the plate would not hold together).
+    /// The remaining corners form a line or a plate, including those on a guide so that the body is connected.
     void add_body_of_corners() {
         if (off_guide_.empty() || corners_.size() < 2) return;
         const Chord chord = longest_chord(corners_);
@@ -195,7 +196,7 @@ private:
             !shape_.plate.empty() && chord.deviation < 1.8 * l_.theme.link && l_.theme.body(body_).dashes.empty();
     }
 
-    /// A bar that ends in a tip is cut short and pointed.
+    /// A bar that ends in a tip is shortened and pointed.
     void cut_knife_edges() {
         const double edge = 4.5 * l_.measures.shrink;
         for (const Joint& joint : l_.mechanism.joints) {
@@ -226,8 +227,8 @@ private:
     const Layout& l_;
     BodyIndex body_;
     Shape shape_;
-    std::vector<Spot> corners_;    // the places that its strokes join
-    std::vector<Spot> off_guide_;  // those of them on none of its guides
+    std::vector<Spot> corners_;    // the points that its strokes join
+    std::vector<Spot> off_guide_;  // those on none of its guides
     std::vector<Rod> rods_;
 };
 

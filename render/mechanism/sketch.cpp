@@ -1,4 +1,4 @@
-// The sketch as a figure: its layers in their order, each a group that says what role its marks play; scale bar and
+// Conversion of a sketch to a figure: its layers in order, each a group with the role of its marks; scale bar and
 // labels.
 #include "render/mechanism/sketch.hpp"
 
@@ -11,7 +11,7 @@ namespace kinegraph::render::drawing {
 
 std::string Sketch::id(std::string_view kind, std::string_view name) {
     std::string wanted = prefix_ + std::string(kind) + (kind.empty() ? "" : "-") + legal_id(name);
-    // "a b" and "a_x20_b" are two names and one id.
+    // Different names can give the same id, such as "a b" and "a_x20_b".
     while (!ids_.insert(wanted).second) wanted += "_";
     return wanted;
 }
@@ -36,7 +36,7 @@ Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_
     figure.id = std::move(figure_id);
     figure.scale = figure.places = scale();
     figure.unit = std::move(unit_name);
-    // Links, joints, centres and vectors have groups of their own within.
+    // Links, joints, centres and vectors have nested groups.
     struct Layer {
         const char* role;
         std::vector<Mark>& marks;
@@ -45,7 +45,7 @@ Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_
         Layer{"tint", tints},    Layer{"construction", construction}, Layer{"ground", ground},
         Layer{"links", bodies},  Layer{"construction", over_bodies},  Layer{"joints", pins},
         Layer{"arrows", arrows}, Layer{"centres", centres},           Layer{"dimensions", dimensions}};
-    std::size_t count = 2;  // with the figure's own group
+    std::size_t count = 2;  // including the figure's own group
     for (const auto& [role, marks] : layers) count += marks.size() + 2;
     figure.marks.reserve(count);
     for (const auto& [role, marks] : layers) {
@@ -61,7 +61,7 @@ Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_
 }
 
 void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit, bool strict) const {
-    // Too large already: not worth placing names, which stay as they are asked for.
+    // Already too large: labels are not placed, only requested.
     if (!fixed && (figure.box.width() > room.x || figure.box.height() > room.y)) return;
     const double target = std::min(30.0, std::max(8.0, room.x / 4));
     std::vector<Mark> bar;
@@ -79,7 +79,7 @@ void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, cons
     constexpr double above_bar = 3, under_all = 8;
     place_labels(figure, context.fonts, Spot{room.x, room.y - under_all}, strict ? Labelling::strict : Labelling::free,
                  context.theme.secondary);
-    // The bar stands where an edge of the figure is free, else under it.
+    // The scale bar stands along a free edge of the figure, or else below it.
     const std::optional<Spot> place = free_place(figure.marks, figure.box, bar_size);
     const Spot corner = place.value_or(Spot{figure.box.min.x, figure.box.max.y + above_bar});
     move(bar, corner.x - size_of_bar.min.x, corner.y - size_of_bar.min.y);

@@ -1,5 +1,5 @@
-// A mechanism being drawn at one scale: its layout on paper and the layers of marks that symbols are drawn in. What can
-// be drawn of it stands below, each in a file of its own that knows nothing of the others.
+// Sketch: a mechanism being drawn at one scale, with its layout and the layers of its marks. The drawing functions are
+// declared below; each has its own file and is independent of the others.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@
 
 namespace kinegraph::render::drawing {
 
-/// Marks by the role that they play, from the paper up.
+/// Marks by layer, bottom layer first.
 struct Layers {
     std::vector<Mark> tints, construction, ground, bodies;
-    std::vector<Mark> over_bodies;  ///< construction that a filled body would hide
+    std::vector<Mark> over_bodies;  ///< construction lines that a filled body would hide
     std::vector<Mark> pins, arrows, centres, dimensions;
     std::vector<LabelRequest> labels;
 };
@@ -30,26 +30,27 @@ public:
         : Layout(of, drawing.theme, metres_per_millimetre), context(drawing), prefix_(std::move(prefix)) {}
 
     const DrawingContext& context;
-    std::vector<Bar> arcs_of_drivers;  ///< from the pivot to the arrow: ground turns away from it
+    std::vector<Bar> arcs_of_drivers;  ///< from the pivot to the arrow; the ground symbol turns away from these
 
-    /// Legal, and met once in the figure.
+    /// A legal id that is unique within the figure.
     std::string id(std::string_view kind, std::string_view name);
     RichText name_of_point(PointIndex point) const;
-    /// Beside a place, in the usual size; what it is told further is set in the label.
+    /// Requests a label beside a place, in the usual size. Returns the request, for further settings.
     LabelRequest& add_label(RichText text, Colour colour, Spot at, double clearance, StatementIndex statement = none);
 
-    Pen thin() const { return {theme.thin, theme.secondary, {}, false}; }  ///< of construction
+    Pen thin() const { return {theme.thin, theme.secondary, {}, false}; }  ///< for construction
     Pen axis() const { return {theme.thin, theme.secondary, dash_dot(), false}; }
     Pen outline() const { return {theme.outline, theme.text, {}, false}; }
-    /// In the body's colour and line kind.
+    /// Colour and line kind of the body.
     Pen pen_of(BodyIndex body, double width) const {
         BodyColour colour = theme.colour_of(body);
         return {width, colour.line, std::move(colour.dashes), false};
     }
 
-    /// All layers as one figure.
+    /// Combines all layers into one figure.
     Figure finish(std::string kind, std::string figure_id, std::string unit_name);
-    /// Scale bar below, labels placed, all in its group, its top left corner at the origin.
+    /// Completes a figure: adds the scale bar below, places the labels, groups everything and moves the top left corner
+    /// to the origin.
     void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit,
                bool strict = false) const;
 
@@ -63,53 +64,55 @@ private:
 void draw_in_colour(Sketch& sketch);
 /// The same as a thin grey skeleton, under vectors.
 void draw_in_grey(Sketch& sketch);
-/// One body cut free, outlined; `Subject::shown` says which of its points.
+/// The outline of one free body. `Subject::shown` selects its points.
 void draw_alone(Sketch& sketch, BodyIndex body);
 
-// What is said on it.
+// Annotations.
 
-/// Names of points; those at one place share a label.
+/// Names of points; coincident points share a label.
 void name_points(Sketch& sketch);
-/// The name of a point that is shown at a place (mm).
+/// The name of a point shown at a place (mm).
 std::optional<RichText> name_of_point_at(const Sketch& sketch, Spot at);
-/// "  (AH = 2.31 m)": how far (mm) a place that the drawing cannot hold is from one that it shows.
+/// "  (AH = 2.31 m)": distance between a place outside the drawing and one inside it. The argument is in mm on paper.
 RichText how_far(const Sketch& sketch, const RichText& from, const RichText& to, double millimetres);
-/// The compass strokes that found the points.
+/// The compass arcs that determine the points.
 void draw_compass(Sketch& sketch);
-/// ω of a driven body as an arc about its pivot, the speed of a driven slide or point as an arrow beside it.
+/// ω of a driven body as an arc about its pivot; the speed of a driven slide or point as an arrow beside it.
 void draw_drivers(Sketch& sketch);
-/// What the file gives of their accelerations, as arcs and arrows of their own.
+/// Their given accelerations, as separate arcs and arrows.
 void draw_accelerations_of_drivers(Sketch& sketch);
-/// What turns, as the solution finds it: ω or α of the bodies as arcs, each with the statement that ends with it.
+/// Computed ω or α of the bodies as arcs, each with the statement that determines it.
 void draw_turnings(Sketch& sketch, Symbol::Letter letter);
-/// The statement that ends with the angular velocity (or acceleration) of a body; none: no one does.
+/// The statement that determines the angular velocity or acceleration of a body; none if there is no such statement.
 StatementIndex statement_of_turning(const Solution& solution, const Quantity& sought);
-/// Instant centres and the lines that find them. The names of those that are left out, where all of them would crowd
-/// the figure.
+/// Instant centres and the lines that determine them. Returns the names of centres that were left out because they
+/// would crowd the figure.
 std::vector<RichText> draw_centres(Sketch& sketch);
-/// An absolute centre under the velocities: a dot and its name, once; none where a pin stands.
+/// An absolute centre in the figure of velocities: a dot with its name, once. Nothing if a pin stands there.
 void draw_pole(Sketch& sketch, const InstantCentre& centre);
 Symbol symbol_of(const Mechanism& mechanism, const InstantCentre& centre);
 void draw_equivalent_linkages(Sketch& sketch);
-/// Which of the file's data become dimensions, and where they may not stand.
+/// Which given data become dimensions, and where they may stand.
 struct DimensionWish {
-    bool all = false;                  ///< even where no place is free
-    std::size_t most = 8;              ///< where not all are drawn
-    std::set<std::string> left_out{};  ///< ids of groups
-    bool sought_far = false;           ///< further out, across links and with the text outside rather than not at all
-    std::optional<Box> within{};       ///< which part of the paper they have, mm about the origin of coordinates
+    bool all = false;                  ///< draw all, even where no place is free
+    std::size_t most = 8;              ///< maximum number, unless `all`
+    std::set<std::string> left_out{};  ///< ids of groups that are not drawn
+    bool sought_far = false;      ///< extended search: further out, across links and with the text outside, rather than
+                                  ///< leave a dimension out
+    std::optional<Box> within{};  ///< the available part of the paper, mm from the origin of coordinates
 };
-/// What the file gives, as dimensions, each where it is free; within a room (mm) for all that is drawn.
+/// Draws given data as dimensions, each where its place is free. `room`: available width and height of the whole
+/// drawing, mm.
 void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish);
-/// The same beside all that the sketch's closed figure has, its names among it: where nothing is in the way, and within
-/// the room.
+/// Adds dimensions to the completed figure of the sketch, where they collide with nothing (its labels included) and
+/// stay within the room.
 void add_dimensions(Sketch& sketch, Figure& figure, Spot room, const DimensionWish& wish = {});
 /// Ids of the dimensions of a finished figure.
 std::set<std::string> dimensions_of(const Figure& figure);
-/// Ids of the dimensions of a finished figure whose text lies on a line that is not their own: on a leader, say, that a
-/// name got later. Of two dimensions in each other's way one is named.
+/// Ids of the dimensions whose text is crossed by a foreign line, such as the leader of a label placed later. Of two
+/// dimensions that collide one is returned.
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts);
-/// The number as given: six significant digits without the zeros that only fill, four where the value is not round.
+/// A given number: six significant digits without trailing zeros; four if the value is not round.
 std::string given_number(double value, Language language);
 
 }  // namespace kinegraph::render::drawing

@@ -53,7 +53,7 @@ void draw_curved_slot(Sketch& sketch, const Joint& joint, std::vector<Mark>& mar
     marks.emplace_back(std::move(path));
 }
 
-/// Open at the rod's end but for its wall.
+/// Open at the rod's end except for the end wall.
 void draw_barrel(const Sketch& sketch, const Cylinder& cylinder, std::vector<Mark>& marks) {
     const BodyIndex body = sketch.mechanism.joint(cylinder.joint).bodies[1];
     const auto& [from, to] = cylinder.barrel;

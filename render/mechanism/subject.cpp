@@ -1,4 +1,4 @@
-// The subject of a drawing: which points are shown, which of them a body's strokes join, how large it all is.
+// Subject of a drawing: shown points, the corners of each body, and the overall size.
 #include "render/mechanism/subject.hpp"
 
 namespace kinegraph::render::drawing {
@@ -12,7 +12,7 @@ std::vector<Spot> units(const std::vector<Vector>& from, std::size_t count) {
     return to;
 }
 
-/// A pin, or the moving part of a slide, or a tip: a stroke of the body leads there.
+/// Whether a stroke of the body leads to the joint: a pin, the moving part of a slide, or a tip.
 bool holds(const Joint& joint, BodyIndex body) {
     return joint.pair().has_common_point() || (joint.pair().has_guide() && joint.bodies.front() == body) ||
            is_tip(joint, body);
@@ -92,7 +92,7 @@ bool Subject::touches_there(BodyIndex body, PointIndex point) const {
     for (const Joint& joint : mechanism.joints) {
         if (!joint.connects(body) || joint.point != point) continue;
         if (joint.pair().has_common_point() || (joint.pair().has_guide() && joint.bodies.front() == body)) return false;
-        // Without a profile it is a point of the body that touches.
+        // A contact without a profile is a point of the touching body.
         if (joint.pair().touches()) touched = joint.profiles.count(body) != 0 && !is_tip(joint, body);
     }
     return touched;

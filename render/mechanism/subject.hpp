@@ -1,5 +1,5 @@
-// The subject of a drawing: what a figure takes from the solution, once, in metres with y downwards. Scales are tried
-// on it.
+// Subject of a drawing: the data that a figure takes from the solution, extracted once, in metres with y downwards, and
+// shared by all scales that are tried.
 #pragma once
 
 #include <string_view>
@@ -12,11 +12,11 @@ namespace kinegraph::render::drawing {
 
 inline bool is_fixed_pin(const Joint& joint) { return joint.pair().is_hinge() && joint.connects(frame); }
 inline bool is_slide(const Joint& joint) { return joint.pair().is_sleeve() && joint.bodies.size() == 2; }
-/// A pin-slot curved about a point, its pin on the first body.
+/// Whether the joint is a pin in a slot curved about a point, with the pin on its first body.
 inline bool is_curved_slot(const Joint& joint) {
     return joint.pair().is_slot() && joint.arc != none && joint.bodies.size() == 2;
 }
-/// The profile of a body at a contact, where it is of that form.
+/// The profile of a body at a contact, if it has that type; else null.
 template <class Form>
 const Form* profile_of(const Joint& joint, BodyIndex body) {
     const auto profile = joint.profiles.find(body);
@@ -28,20 +28,20 @@ struct Subject {
     const Solution& solution;
     const Mechanism& mechanism;
     std::vector<Spot> points;
-    std::vector<Spot> guides, normals;             // units, by joint
-    std::vector<bool> shown;                       // by point: some body carries it
+    std::vector<Spot> guides, normals;             // unit vectors, by joint
+    std::vector<bool> shown;                       // by point: some body contains it
     std::vector<bool> mass_centre;                 // by point
-    std::vector<std::vector<PointIndex>> corners;  // by body: points its strokes join
-    Box box;                                       // of the mechanism, m
-    double shortest = 1e300;                       // link, m
+    std::vector<std::vector<PointIndex>> corners;  // by body: the points that its strokes join
+    Box box;                                       // bounding box of the mechanism, m
+    double shortest = 1e300;                       // length of the shortest link, m
 
     explicit Subject(const Solution& s);
 
     double size() const { return std::max(box.width(), box.height()); }
     bool shows(PointIndex point) const { return shown[at_index(point)]; }
-    /// A point where the body only touches or is slid upon: no stroke leads there.
+    /// Whether a body only has a contact or a guide at a point, so that no stroke leads there.
     bool touches_there(BodyIndex body, PointIndex point) const;
-    /// Units of the direction of a contact's tangent.
+    /// Unit vector along the common tangent of a contact.
     Spot tangent(const Joint& joint) const {
         return paper_direction(solution.pose.tangents[at_index(mechanism.index_of(joint))]);
     }
@@ -53,7 +53,7 @@ private:
     void measure();
 };
 
-/// The scale that the file asks for a figure, SI units for each mm.
+/// The scale that the file prescribes for a figure, SI units per mm.
 std::optional<double> asked_scale(const Mechanism& mechanism, std::string_view figure);
 
 }  // namespace kinegraph::render::drawing

@@ -1,4 +1,4 @@
-// Wheels, rollers, cams, arcs on which others slide, flat faces, and the contacts of which no profile is told.
+// Wheels, rollers, cams, sliding arcs, flat faces, and contacts without a given profile.
 #include <algorithm>
 #include <cmath>
 
@@ -22,9 +22,9 @@ void draw_fixed_rim(Sketch& sketch, const Rim& rim, double radius, bool outside)
 
 namespace {
 
-constexpr double least_with_hub = 6;  // radius of a wheel with room for one, mm
+constexpr double least_with_hub = 6;  // least radius of a wheel with a hub, mm
 
-/// Whether a wheel may have its hub there: no, where its body is hinged elsewhere only (an eccentric).
+/// Whether a wheel may have its hub there; false for an eccentric, whose body is hinged only elsewhere.
 bool turns_about(const Layout& layout, Spot centre, BodyIndex body) {
     bool elsewhere = false;
     for (const Joint& joint : layout.mechanism.joints) {
@@ -35,7 +35,7 @@ bool turns_about(const Layout& layout, Spot centre, BodyIndex body) {
     return !elsewhere;
 }
 
-/// The spoke stands where nothing else does.
+/// A direction for the spoke that is free of other strokes.
 Spot free_spoke(const Layout& layout, const Rim& rim) {
     std::vector<Spot> taken;
     for (const Touch& touch : rim.touches)
@@ -55,7 +55,7 @@ Spot free_spoke(const Layout& layout, const Rim& rim) {
     return spoke.choice;
 }
 
-/// As much of the arc as the contacts on it need.
+/// The part of the arc that its contacts need.
 Arc touched_arc(const Layout& layout, const Rim& rim) {
     double middle = 0, half = 0;
     for (std::size_t t = 0; t < rim.touches.size(); ++t) {
@@ -67,7 +67,7 @@ Arc touched_arc(const Layout& layout, const Rim& rim) {
     return {rim.centre, rim.radius, middle - half, middle + half};
 }
 
-/// The body's corner that is nearest to the arc's crown, and not on it.
+/// The body's corner nearest to the middle of the arc, and not on the arc.
 std::optional<Spot> nearest_hold(const Layout& layout, BodyIndex body, Spot crown) {
     std::optional<Spot> hold;
     for (const PointIndex corner : layout.subject.corners[at_index(body)])
@@ -77,8 +77,8 @@ std::optional<Spot> nearest_hold(const Layout& layout, BodyIndex body, Spot crow
     return hold;
 }
 
-/// The arc on which another body slides, held by the body's nearest point: a sector, or a bow where the material lies
-/// outside.
+/// An arc on which another body slides, connected to the nearest corner of its body: a sector, or a bow if the material
+/// lies outside.
 void draw_arc_profile(Sketch& sketch, const Rim& rim, BodyIndex body, std::vector<Mark>& marks) {
     Arc profile = touched_arc(sketch, rim);
     if (body == frame) {
@@ -89,12 +89,12 @@ void draw_arc_profile(Sketch& sketch, const Rim& rim, BodyIndex body, std::vecto
     const Theme& theme = sketch.theme;
     const BodyColour colour = theme.colour_of(body);
     const Pen heavy{theme.link, colour.line, {}, true};
-    // The edge of the stroke, not its middle, is the profile.
+    // The edge of the stroke is the profile, not its centre line.
     profile.radius += (rim.hollow ? 0.5 : -0.5) * theme.link;
     Path stroke = arc(profile, heavy);
     const double half = 0.5 * (profile.to - profile.from);
     const std::optional<Spot> hold = nearest_hold(sketch, body, profile.at(profile.from + half));
-    // Within the sector it holds the whole arc, else one end.
+    // A corner inside the sector is connected to the whole arc, any other to one end.
     if (hold && !rim.hollow && length(*hold - rim.centre) < profile.radius - 2) {
         stroke.segments.emplace_back(LineTo{*hold});
         stroke.segments.emplace_back(Close{});
@@ -110,7 +110,7 @@ void draw_arc_profile(Sketch& sketch, const Rim& rim, BodyIndex body, std::vecto
     marks.emplace_back(std::move(stroke));
 }
 
-/// A cross where the centre of curvature is that the file names and nothing marks.
+/// A cross at a centre of curvature that the file names and nothing else marks.
 void mark_centre(Sketch& sketch, const Rim& rim) {
     for (const PointIndex point : indices_of(sketch.mechanism.points))
         if (sketch.subject.shows(point) && coincide(sketch.spot(point), rim.centre)) return;
@@ -139,7 +139,7 @@ void draw_rim(Sketch& sketch, const Rim& rim, BodyIndex body, std::vector<Mark>&
     if (!hubbed) mark_centre(sketch, rim);
 }
 
-/// A circle under the frame's wall: what bears may slide along it.
+/// Circles under the frame's wall: the supported body may slide along it.
 void draw_rollers(Sketch& sketch, Spot at, Spot tangent, Spot away) {
     const double radius = 1.6 * sketch.measures.shrink, half = sketch.theme.link / 2;
     sketch.ground.emplace_back(ring(at + (radius + half) * away, radius, sketch.theme.paper, sketch.outline()));
@@ -147,7 +147,7 @@ void draw_rollers(Sketch& sketch, Spot at, Spot tangent, Spot away) {
     draw_wall(sketch, {foot + base, foot - base}, away);
 }
 
-/// On the frame: a wall where what rolls or slides is round, else a support on rollers.
+/// A contact with the frame: a wall for a round or rolling body, else a roller support.
 void draw_bearing(Sketch& sketch, const Joint& joint, Spot tangent) {
     const BodyIndex other = joint.other_than(frame);
     const Spot at = sketch.spot(joint);
@@ -165,7 +165,7 @@ void draw_bearing(Sketch& sketch, const Joint& joint, Spot tangent) {
 
 }  // namespace
 
-/// A body with points of its own shows its turn by them, and a small roller has no room.
+/// No hub if the body's own points already show its rotation, or if the roller is small.
 bool draw_hub(const Sketch& sketch, const Rim& rim, double end, BodyIndex body, std::vector<Mark>& marks) {
     if (!turns_about(sketch, rim.centre, body) || rim.radius < least_with_hub) return false;
     const BodyColour colour = sketch.theme.colour_of(body);
@@ -183,7 +183,7 @@ void draw_profiles(Sketch& sketch, BodyIndex body, std::vector<Mark>& marks) {
     const Shape& shape = sketch.shape(body);
     for (const Rim& rim : shape.rims) draw_rim(sketch, rim, body, marks);
     for (const Flat& flat : shape.flats) {
-        // The edge of the stroke, not its middle, is the profile.
+        // The edge of the stroke is the profile, not its centre line.
         const Spot in = flat.depth * flat.inward;
         if (flat.rack)
             draw_rack(sketch, flat, body, marks);

@@ -1,4 +1,4 @@
-// The whole mechanism: in colour, as a grey skeleton under vectors, or one body cut free.
+// The whole mechanism in colour or as a grey skeleton under vectors, or one free body.
 #include <algorithm>
 
 #include "render/mechanism/symbols.hpp"
@@ -15,11 +15,11 @@ void draw_frame(Sketch& sketch) {
         if (is_curved_slot(joint) && joint.bodies[1] == frame) draw_curved_slot(sketch, joint, sketch.ground);
     }
     draw_guides(sketch);
-    std::vector<Mark> none;  // all that the frame has is ground
+    std::vector<Mark> none;  // everything on the frame is drawn in the ground layer
     draw_profiles(sketch, frame, none);
 }
 
-/// What is no joint's: mass centres and points that a body only carries.
+/// Points that belong to no joint: mass centres and other points of a body.
 void draw_free_points(Sketch& sketch) {
     const std::vector<Joint>& joints = sketch.mechanism.joints;
     for (const PointIndex point : indices_of(sketch.mechanism.points)) {
@@ -48,7 +48,7 @@ void draw_skeleton_of(Sketch& sketch, BodyIndex body, const Pen& thin) {
     for (const Bar& slot : shape.slots) draw_line(slot);
 }
 
-/// Once wide in the colour, once narrower in the tint: the outline of all that is drawn in heavy strokes together.
+/// Draws all heavy strokes twice, wide in the line colour and narrower in the tint, which gives a common outline.
 void draw_outline(Sketch& sketch, const Shape& shape, const std::vector<Path>& heavy, const BodyColour& colour) {
     const double width = 0.9 * sketch.theme.link, edge = sketch.theme.outline;
     for (const bool outside : {true, false}) {
@@ -86,7 +86,7 @@ void draw_in_colour(Sketch& sketch) {
 
 void draw_in_grey(Sketch& sketch) {
     const Pen thin{sketch.theme.outline, sketch.theme.skeleton, {}, true};
-    std::vector<Mark> none;  // all that the frame has is ground
+    std::vector<Mark> none;  // everything on the frame is drawn in the ground layer
     draw_profiles(sketch, frame, none);
     sketch.construction.clear();
     for (const BodyIndex body : drawing_order(sketch)) {

@@ -1,4 +1,4 @@
-// Blocks: what is set and measured, to be moved to its place. They know no sheet and no figure.
+// Blocks: content that is already set and measured, ready to be moved to its place. Independent of sheets and figures.
 #pragma once
 
 #include <functional>
@@ -11,39 +11,39 @@
 
 namespace kinegraph::render {
 
-/// Something set and measured, mm, its top left at the origin.
+/// Marks with their size, mm. The top left corner is at the origin.
 struct Block {
     std::vector<Mark> marks;
     double width = 0, height = 0;
 };
-/// A block with its top left at a place.
+/// Appends the block's marks with its top left corner at `at`.
 void set(std::vector<Mark>& marks, Block block, Spot at);
-/// The same text smaller or larger; figures are never scaled.
+/// Scales a block of text. Figures are never scaled.
 Block scaled(Block block, double factor);
 
-/// A block that is tried in many places before it stands in one: copies share it. Its size is known; its marks may be
-/// set only once it has come to its place.
+/// A block that is tried in many places before it is placed once; copies share its content. The size is known from the
+/// start; the marks may be computed only when the block is placed.
 class SharedBlock {
 public:
     using Set = std::function<std::vector<Mark>()>;
 
-    /// None: no marks, no size.
+    /// An empty block: no marks, size 0.
     SharedBlock() = default;
     SharedBlock(Block block);  // NOLINT(google-explicit-constructor)
     SharedBlock(double width, double height, Set set);
 
     double width() const { return kept_ ? kept_->width : 0; }
     double height() const { return kept_ ? kept_->height : 0; }
-    /// Where its marks end on the right; no marks: 0.
+    /// Right edge of its marks, mm; 0 without marks.
     double right() const;
-    /// One to put in its place.
+    /// A copy of the block, to be placed.
     Block set() const;
 
 private:
     struct Kept {
         double width, height;
         std::vector<Mark> marks;
-        Set set;  // empty: they are set
+        Set set;  // empty: the marks are computed already
         std::optional<double> right{};
     };
     std::shared_ptr<Kept> kept_;

@@ -1,4 +1,4 @@
-// Figure: what every figure shares: moving and ids. Knows no mechanics and no sheet.
+// Operations common to all figures: moving, ids, measured lengths. Independent of mechanics and sheets.
 #include "render/page/figure.hpp"
 
 #include "render/page/shapes.hpp"

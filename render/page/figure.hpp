@@ -1,5 +1,5 @@
-// A Figure: one drawing to scale, in mm of its own (y downwards, origin anywhere), with its labels placed. Sheets put
-// figures on paper by moving them, never by scaling: the scale is chosen when the figure is made.
+// Figure: one drawing to scale, in its own millimetres (y downwards, origin anywhere), with its labels placed. A sheet
+// moves figures and never scales them: the scale is chosen when the figure is made.
 #pragma once
 
 #include <optional>
@@ -11,44 +11,45 @@
 
 namespace kinegraph::render {
 
-/// What fills the circle round a body's number where it stands on a tint, which would seem to be its own.
+/// The fill of the circle round a body's number. On the tint of another body an unfilled circle would seem to belong to
+/// that body.
 struct BalloonGround {
     Colour paper{};
-    std::optional<Colour> own{};  ///< the tint that needs no ground; none where another body has the same
+    std::optional<Colour> own{};  ///< the tint that needs no fill; none if another body has the same tint
 };
 
-/// A label that wants a place near its object.
+/// A label to be placed near its object.
 struct LabelRequest {
     RichText text{};
-    double size = 11;  ///< points
+    double size = 11;  ///< points (typographic)
     Colour colour{};
     Spot anchor{};  ///< the point, or the middle of the vector or line
     std::optional<Spot>
-        toward{};  ///< for vectors and lines: the direction they run (anchor → toward), the label stands beside it
-    double clearance = 2.2;  ///< from the anchor to the nearest ink, mm
-    bool along = false;      ///< set along the line (turned with it), as direction marks are
-    std::string id{};        ///< empty, or the SVG id of the label's group
+        toward{};            ///< for vectors and lines: they run from anchor toward this; the label stands beside them
+    double clearance = 2.2;  ///< distance from the anchor to the nearest ink, mm
+    bool along = false;      ///< turned to run along the line, as direction marks are
+    std::string id{};        ///< SVG id of the label's group; may be empty
     double balloon = 0;      ///< radius of a circle round the text (body numbers), mm; 0: none
     StatementIndex statement =
-        none;  ///< of the solution, that what it names is drawn by; none: it is there from the beginning
-    std::vector<std::string> names{};       ///< as TextMark's
+        none;  ///< the statement of the solution that draws the named object; none: present from the beginning
+    std::vector<std::string> names{};       ///< see TextMark::names
     std::vector<double> dashes{};           ///< line kind of the balloon, mm
-    Holds holds{};                          ///< as a Path's
-    std::optional<BalloonGround> ground{};  ///< of the balloon; none: it has no ground on any tint
+    Holds holds{};                          ///< see Path::holds
+    std::optional<BalloonGround> ground{};  ///< fill of the balloon; none: never filled
 };
 
-/// A vector drawn to scale, where it lies on paper.
+/// The axis of a vector that is drawn to scale, on paper.
 struct DrawnAxis {
-    std::string name;  ///< its data-name
+    std::string name;  ///< its data-name attribute
     Spot tail, tip;
-    std::string detail;  ///< letter of the detail that it is drawn in; empty: the figure itself
+    std::string detail;  ///< letter of the detail in which it is drawn; empty: the figure itself
 };
 /// A vector's length on paper.
 struct Measured {
     double millimetres = 0;
-    std::string detail;  ///< as DrawnAxis's
+    std::string detail;  ///< see DrawnAxis::detail
 };
-/// A place of a figure that is drawn again beside it, larger, with a circle round it.
+/// A region of a figure that is drawn again beside it, enlarged. A circle marks the region.
 struct DetailOn {
     std::string id, letter;
     Spot circle;
@@ -59,34 +60,34 @@ struct Figure {
     std::string kind;                  ///< data-figure: mechanism, centres, velocity, acceleration, …
     std::string id;                    ///< SVG id: "velocity", "velocity-E-2"
     RichText caption;                  ///< without number and scale
-    double scale = 1;                  ///< `unit` for each mm
-    std::string unit;                  ///< SI unit of the data-value's: "m", "m/s", "m/s²"
-    std::string further_scale;         ///< of what is drawn to another one, said beside the first: "1 mm ≙ 5 N"
-    Box box;                           ///< of everything, labels included
-    Spot origin;                       ///< where the origin of its coordinates lies
-    double places = 0;                 ///< of a drawing of places: m for each mm, whatever its vectors' scale is
+    double scale = 1;                  ///< units of `unit` per mm
+    std::string unit;                  ///< SI unit of the data-value attributes: "m", "m/s", "m/s²"
+    std::string further_scale;         ///< a second scale, printed beside the first: "1 mm ≙ 5 N"
+    Box box;                           ///< bounding box of everything, labels included
+    Spot origin;                       ///< position of the origin of coordinates
+    double places = 0;                 ///< of a drawing of places: m per mm, whatever the scale of its vectors
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
-    std::vector<LabelRequest> labels;  ///< until place_labels has set them
-    std::vector<RichText> unnamed;     ///< names left out, since with all of them none could be read
-    std::size_t leaders = 0;           ///< names that one ties to what they name
-    bool has_scale = true;             ///< a diagram has none, nor has a polygon of which all vectors are zero
-    bool has_table = false;            ///< what is known of its vectors, or their powers, stands in it
-    bool has_key = false;              ///< names that found no place are listed under it
-    bool lacks_details = false;        ///< it has vectors too short to be read, and had no room to draw them again
+    std::vector<LabelRequest> labels;  ///< empty after place_labels has placed them
+    std::vector<RichText> unnamed;     ///< names left out: with all of them none could be read
+    std::size_t leaders = 0;           ///< number of names with a leader
+    bool has_scale = true;             ///< false for a diagram, and for a polygon whose vectors are all zero
+    bool has_table = false;            ///< it contains a table of its vectors or of their powers
+    bool has_key = false;              ///< a key below it lists the names that found no place
+    bool lacks_details = false;  ///< some vectors are too short to read, and there was no room for an enlarged detail
 
-    // What it shows, told by those who draw it.
-    std::vector<DrawnAxis> axes;    ///< of all vectors drawn to its scale or to a detail's
-    std::vector<DetailOn> details;  ///< in the order drawn; those within others after them
+    // Filled in by the drawing functions.
+    std::vector<DrawnAxis> axes;    ///< all vectors drawn to the figure's scale or to a detail's
+    std::vector<DetailOn> details;  ///< in drawing order; nested details after their parents
 
     void move(double dx, double dy);
     static Figure empty_at(double scale);
 };
 
-/// The longest stroke of the vector with that data-name: its detail's, where it has one. Nothing where the figure has
-/// none.
+/// The longest drawn length of the vector with that data-name, in its detail if it has one. Empty if the figure does
+/// not draw it.
 std::optional<Measured> measured_on(const Figure& figure, const std::string& name);
 
-/// SVG-legal id from a user's name: all but letters, digits, '-', '.', '_' as _xHH_ (bytes of UTF-8).
+/// Makes an SVG id from a user's name: every byte of UTF-8 except letters, digits, '-', '.', '_' becomes _xHH_.
 std::string legal_id(std::string_view name);
 
 }  // namespace kinegraph::render

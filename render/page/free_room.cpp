@@ -1,4 +1,4 @@
-// Free room: a raster of the page, the places that marks cover.
+// Free room: raster of the page, and the spots that marks cover.
 #include "render/page/free_room.hpp"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ std::pair<double, double> Occupancy::longest_run(double left, double right, doub
 
 bool Occupancy::has_free(int columns, int rows) const {
     if (columns <= 0 || rows <= 0) return true;
-    std::vector<int> above(static_cast<std::size_t>(columns_), 0);  // free cells of each column, from this row up
+    std::vector<int> above(static_cast<std::size_t>(columns_), 0);  // free cells above, by column
     for (int y = 0; y < rows_; ++y) {
         const char* const row = cells_.data() + index(0, y);
         int side_by_side = 0;
@@ -83,7 +83,7 @@ FreeBoxes::FreeBoxes(const Occupancy& page)
     }
 }
 bool FreeBoxes::has(const Box& box) const {
-    // What std::floor and std::ceil do, without a call, for what is not negative; all else is 0.
+    // std::floor and std::ceil without a function call, for non-negative values; anything else gives 0.
     const auto cell = [](int at, int most) { return static_cast<std::size_t>(std::clamp(at, 0, most)); };
     const auto down = [](double at) { return static_cast<int>(at); };
     const auto up = [](double at) { return static_cast<int>(at) + (static_cast<int>(at) < at ? 1 : 0); };
@@ -96,7 +96,7 @@ bool FreeBoxes::has(const Box& box) const {
 
 namespace {
 
-/// Shows see() the places that marks cover.
+/// Calls see() with the spots that marks cover.
 template <class See>
 void look_over(const std::vector<Mark>& marks, See see) {
     const auto fill = [&](const Box& box) {
@@ -153,7 +153,7 @@ std::vector<Spot> covered(const std::vector<Mark>& marks) {
 }
 
 std::optional<Spot> free_place(const std::vector<Mark>& marks, const Box& within, Spot size) {
-    // What is taken at the lower edge and at the upper, from the left.
+    // How far the lower and the upper edge are occupied, from the left.
     const std::array<double, 2> tops{within.max.y - size.y, within.min.y};
     std::array<std::vector<double>, 2> taken;
     look_over(marks, [&](Spot spot) {

@@ -1,4 +1,4 @@
-// Free room: where a page or a figure is inked, to about a millimetre. Knows marks and boxes only.
+// Free room: which parts of a page or a figure are inked, to about a millimetre. Depends on marks and boxes only.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,18 @@
 
 namespace kinegraph::render {
 
-constexpr double clear = 3.5;  ///< round everything that text is set beside
+constexpr double clear = 3.5;  ///< kept free round everything that text is set beside, mm
 
-/// Where a page is inked, to a millimetre.
+/// Grid of inked cells of a page, 1 mm each.
 class Occupancy {
 public:
     Occupancy(double width, double height);
     void block(const Box& box);
     void block(const std::vector<Spot>& spots);
-    /// The longest free run of rows over [left, right], `clear` kept on all sides, within [top, bottom].
+    /// The longest run of free rows over the columns [left, right], within [top, bottom], with `clear` kept on all
+    /// sides.
     std::pair<double, double> longest_run(double left, double right, double top, double bottom) const;
-    /// Whether somewhere so many columns and rows of it, millimetres, are free together.
+    /// Whether a free rectangle of that size (mm) exists anywhere.
     bool has_free(int columns, int rows) const;
 
 private:
@@ -32,7 +33,7 @@ private:
     std::vector<char> cells_;
 };
 
-/// Asked for many boxes of a page whether they are free: counts what is inked above and left of every place once.
+/// Summed-area table of an Occupancy: tests in constant time whether a box is free.
 class FreeBoxes {
 public:
     explicit FreeBoxes(const Occupancy& page);
@@ -40,14 +41,14 @@ public:
 
 private:
     int columns_, rows_;
-    std::vector<int> inked_;  // a row and a column more than the page has cells
+    std::vector<int> inked_;  // one row and one column more than the page has cells
 };
 
-/// Places that marks cover, about one each millimetre; text and filled areas as their boxes.
+/// Spots that the marks cover, about one per millimetre; text and filled areas count as their boxes.
 std::vector<Spot> covered(const std::vector<Mark>& marks);
 
-/// Where within a box a block of that size stands clear of the marks: its upper left corner, on the lower edge as far
-/// left as there is room, else on the upper; nothing where both are taken.
+/// The upper left corner at which a block of that size stands clear of the marks within a box: along the lower edge as
+/// far left as possible, else along the upper edge. Empty if neither has room.
 std::optional<Spot> free_place(const std::vector<Mark>& marks, const Box& within, Spot size);
 
 }  // namespace kinegraph::render

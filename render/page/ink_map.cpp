@@ -1,4 +1,4 @@
-// How the ink map is filled and asked: convex shapes as one run of bits in each row; paths as chords.
+// Filling of the ink map and its queries: a convex shape is one run of bits per row; paths are chords.
 #include "render/page/ink_map.hpp"
 
 #include <algorithm>
@@ -11,9 +11,9 @@ namespace kinegraph::render {
 
 namespace {
 
-constexpr double most_bits = 3000;  // on a side
+constexpr double most_bits = 3000;  // per side
 
-/// The run that a box has in each row of a map; rows are those whose middle it meets.
+/// The run of a box in each row of a map, for the rows whose centre line meets the box.
 class Runs {
 public:
     Runs(const InkBox& box, double top, double pitch, int rows) : centre_(box.centre), top_(top), pitch_(pitch) {
@@ -23,7 +23,7 @@ public:
         if (!(high >= 0 && low <= rows - 1)) return;
         first = static_cast<int>(std::ceil(std::max(0.0, low)));
         last = static_cast<int>(std::floor(std::min(rows - 1.0, high)));
-        // The box is where two strips cross; of each strip a row has a stretch as long as of any other.
+        // The box is the intersection of two strips; a strip cuts runs of equal length from all rows.
         constexpr double endless = 1e300, least = 1e-9;
         const double cosine = std::abs(box.axis.x) < least ? 0 : box.axis.x,
                      sine = std::abs(box.axis.y) < least ? 0 : box.axis.y;
@@ -34,14 +34,14 @@ public:
     }
 
     struct Run {
-        double from, to;  // blank where these are the wrong way round
+        double from, to;  // empty if from > to
     };
     Run of(int row) const {
         const double y = below_centre(row);
         return at(std::max(lean_along_ * y - along_, lean_across_ * y - across_),
                   std::min(lean_along_ * y + along_, lean_across_ * y + across_));
     }
-    /// Whether all rows have the same.
+    /// Whether all rows have the same run.
     bool is_upright() const { return lean_along_ == 0 && lean_across_ == 0; }
 
     int first = 0, last = -1;  ///< rows
@@ -57,7 +57,7 @@ private:
 
 constexpr double largest_dot = 3;  // radius, mm
 
-/// Goes along a path in straight pieces: begin(at) where the pen is set down, stroke(from, to) for each piece.
+/// Walks along a path in straight pieces: begin(at) where the pen is set down, stroke(from, to) for each piece.
 template <class Begin, class Stroke>
 void go_along(const Path& path, Begin begin, Stroke stroke) {
     Spot pen, start;
@@ -174,7 +174,7 @@ void InkMap::ink_row(int row, double from, double to) {
 }
 
 void InkMap::stroke(Spot from, Spot to, double half) {
-    // Half a bit more, so that the thinnest line leaves no gap; round ends only where they show.
+    // Half a bit more, so that the thinnest line leaves no gap. Round ends only where they are visible.
     const double reach = half + pitch_ / 2;
     const bool round = half >= 0.3;
     fill(InkBox{0.5 * (from + to), {length(to - from) / 2 + (round ? 0 : reach), reach}, unit(to - from)});
@@ -255,13 +255,13 @@ void InkMap::rows_of(const InkBox& box, Look look) const {
     const double left = (box.centre.x - box.half.x - origin_.x) / pitch_ - 0.5;
     const double right = (box.centre.x + box.half.x - origin_.x) / pitch_ - 0.5;
     if (!(last >= 0 && first <= rows_ - 1 && right >= 0 && left <= columns_ - 1)) return;
-    // Upright: the same words in every row.
+    // Axis-aligned: the same words in every row.
     const auto from = static_cast<std::size_t>(std::ceil(std::max(0.0, left)));
     const auto to = static_cast<std::size_t>(std::floor(std::min(columns_ - 1.0, right)));
     if (from > to) return;
     const auto top = static_cast<std::size_t>(std::ceil(std::max(0.0, first)));
     const auto end = static_cast<std::size_t>(std::floor(std::min(rows_ - 1.0, last))) + 1;
-    // A column of words after the other: most boxes have one or two.
+    // Column by column of words: most boxes have one or two.
     for (std::size_t word = from / 64; word <= to / 64; ++word) {
         std::uint64_t mask = ~std::uint64_t{0};
         if (word == from / 64) mask &= ~std::uint64_t{0} << (from % 64);
@@ -299,18 +299,18 @@ bool InkMap::touches(const InkBox& box) const {
 
 int InkMap::crossings(Spot from, Spot to, int most) const {
     const int steps = std::max(1, static_cast<int>(std::ceil(length(to - from) / pitch_)));
-    // In bits, and these in 2⁻³²: whole numbers add up alike everywhere.
+    // Fixed point, in units of 2⁻³² bits: integer sums are the same on every machine.
     constexpr double one = 4294967296.0, far = 1e6;
     const auto place = [&](double at, double origin) {
         return static_cast<std::int64_t>(std::clamp((at - origin) / pitch_, -far, far) * one);
     };
     std::int64_t x = place(from.x, origin_.x), y = place(from.y, origin_.y);
     const std::int64_t dx = (place(to.x, origin_.x) - x) / steps, dy = (place(to.y, origin_.y) - y) / steps;
-    bool own = true;            // what it starts in is its own object's, but it must soon get out of it
+    bool own = true;            // the ink at the start belongs to the leader's own object, but it must end soon
     constexpr double soon = 3;  // mm
     int count = 0;
-    int run = 0;                   // of ink, in steps
-    constexpr double broad = 0.8;  // mm; a link is worse to cross than a thin line
+    int run = 0;                   // length of the current ink run, in steps
+    constexpr double broad = 0.8;  // mm; crossing a broad link counts more than crossing a thin line
     const int broad_run = std::max(1, static_cast<int>(broad / pitch_));
     for (int i = 0; i <= steps && count < most; ++i, x += dx, y += dy) {
         const auto column = static_cast<std::uint64_t>(x >> 32), row = static_cast<std::uint64_t>(y >> 32);

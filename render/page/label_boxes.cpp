@@ -1,4 +1,4 @@
-// How far letters lean out of their widths, and the distance of turned boxes.
+// Overhang of letters beyond their advance widths, and the distance of turned boxes.
 #include "render/page/label_boxes.hpp"
 
 #include <limits>
@@ -7,9 +7,9 @@ namespace kinegraph::render::lettering {
 
 namespace {
 
-constexpr double forgiven = 0.3;  // of what leans out of a box: the margin has room for it
+constexpr double forgiven = 0.3;  // mm of overhang that the margin absorbs
 
-/// How far the ink of a line reaches beyond its ends: f and J lean out of their widths.
+/// How far the ink of a line extends beyond its ends: f and J overhang their advance widths.
 double overhang_of(const ShapedLine& line, const Fonts& fonts) {
     double out = 0;
     const auto look_at = [&](double x) { out = std::max({out, -x, x - line.width}); };

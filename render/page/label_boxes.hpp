@@ -1,5 +1,4 @@
-// Label boxes: the box that a label takes wherever it stands, and how boxes lie to each other. Knows no place and no
-// price.
+// Label boxes: the box of a label, and distances between boxes. Independent of places and prices.
 #pragma once
 
 #include <algorithm>
@@ -24,20 +23,20 @@ inline void enlarge(Box& box, const Box& by) {
     enlarge(box, by.min);
     enlarge(box, by.max);
 }
-/// The upright box round a turned one.
+/// The axis-aligned bounding box of a turned box.
 inline Box extent_of(const InkBox& box) {
-    const Spot reach = box.axis.y == 0 ? box.half : box.reach();  // most are upright
+    const Spot reach = box.axis.y == 0 ? box.half : box.reach();  // most boxes are not turned
     return {box.centre - reach, box.centre + reach};
 }
 
-/// Distance of two boxes, of which one at least is turned, along their worst of four separating axes.
+/// Distance of two boxes, at least one of which is turned: the largest gap along the four candidate separating axes.
 double gap_between_turned(const InkBox& a, const InkBox& b, double enough);
 
-/// Distance of two boxes along their worst separating axis; negative where they overlap. Above `enough`, only the fact
-/// is reported.
+/// Distance of two boxes: the largest gap along the candidate separating axes; negative if they overlap. Above `enough`
+/// the result is only a lower bound.
 inline double gap_between(const InkBox& a, const InkBox& b, double enough) {
     const Spot d = b.centre - a.centre;
-    // Most pairs are far apart: their circles tell.
+    // Quick test: most pairs are far apart, so compare their bounding circles first.
     const double round = a.half.x + a.half.y + b.half.x + b.half.y + enough;
     if (std::abs(d.x) > round || std::abs(d.y) > round) return enough;
     if (a.axis.y == 0 && b.axis.y == 0)
@@ -50,16 +49,16 @@ inline double distance_to_box(Spot spot, const InkBox& box) {
     return length({std::max(std::abs(at.x) - box.half.x, 0.0), std::max(std::abs(at.y) - box.half.y, 0.0)});
 }
 
-/// The letters of a label, or its number in a circle, and the box that they take.
+/// A label's shaped text, or the number in a circle, and the half extents of its box.
 class Lettered {
 public:
-    /// Text wider than `measure` ends in an ellipsis; a number in a circle never does.
+    /// Text wider than `measure` ends in an ellipsis; a number in a circle is never cut.
     Lettered(const LabelRequest& request, const Fonts& fonts, double measure);
 
     Spot half() const { return half_; }
-    /// The box of all ink where the label stands in a box: what leans out of it, the pen of the circle round a number.
+    /// The box of all ink of a label that stands in `box`: includes overhanging letters and the stroke of the circle.
     InkBox inked(InkBox box) const;
-    /// To be set, once.
+    /// Moves the shaped text out. Call once.
     ShapedLine take() { return std::move(shaped_); }
 
 private:

@@ -1,4 +1,4 @@
-// How the marks of a figure become ground, and what ink near a place and a tint under it cost.
+// Conversion of a figure's marks into obstacles, and the price of ink and tints near a place.
 #include "render/page/label_ground.hpp"
 
 #include <cmath>
@@ -10,9 +10,9 @@ namespace kinegraph::render::lettering {
 
 namespace {
 
-constexpr double breathing = 1.3;   // mm; a stroke nearer than this makes a place less wanted
-constexpr double covers_area = 15;  // for each mm² of a stroke
-constexpr double crowding = 0.5;    // for each mm² of ink within breathing distance
+constexpr double breathing = 1.3;   // mm; nearer strokes make a place less desirable
+constexpr double covers_area = 15;  // per mm² of a stroke
+constexpr double crowding = 0.5;    // per mm² of ink within breathing distance
 constexpr double most_crowding = 2.8;
 constexpr double on_a_tint = 2;
 
@@ -54,7 +54,7 @@ bool Ground::Area::holds(Spot spot) const {
 }
 
 std::optional<Colour> Ground::tint_at(Spot spot) const {
-    // What is drawn last is seen.
+    // The area drawn last is the visible one.
     const auto area = std::find_if(areas_.rbegin(), areas_.rend(), [&](const Area& each) { return each.holds(spot); });
     return area == areas_.rend() ? std::nullopt : std::optional(area->tint);
 }

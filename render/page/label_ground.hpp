@@ -1,5 +1,5 @@
-// Label ground: all that is drawn before the labels are, as far as they care. Owns the map of the ink, the tints and
-// the texts covered, and says what a place costs on them; knows no label and does not choose.
+// Obstacles for labels: ink, tints and covered text. Computes the price of a place on them; independent of the labels
+// and of the choice among places.
 #pragma once
 
 #include <algorithm>
@@ -17,22 +17,22 @@ public:
     Ground(const std::vector<Mark>& marks, const Fonts& fonts);
 
     bool is_free(const InkBox& box) const { return !map_.touches(box.grown(ink_margin)); }
-    /// No ink under it, however near. Grown so far that a corner which reaches into a slanting stroke does not slip
-    /// between bits.
+    /// Whether no ink lies under the box itself, however near. The box is grown a little, so that a corner which
+    /// reaches into a slanting stroke does not slip between bits.
     bool is_bare(const InkBox& box) const { return !map_.touches(box.grown(0.7 * InkMap::pitch)); }
-    /// Whether a leader there would run over letters that are drawn already.
+    /// Whether a leader there would cross existing text.
     bool covers_text(const InkBox& thread) const;
-    /// What a label there costs: ink within the margin is forbidden, ink within breathing distance and a tint are a
-    /// pity.
+    /// Price of a label there: prohibitive for ink within the margin, small for ink within breathing distance and for a
+    /// tint.
     double price(const InkBox& box, bool free) const;
-    /// Strokes that a leader would cross, counted no further than `most` of them.
+    /// Number of strokes that a leader would cross, counted up to `most`.
     int crossed(Spot from, Spot to, int most = InkMap::all) const { return map_.crossings(from, to, most); }
 
-    /// The tint that a spot is seen on, if it is on one.
+    /// The tint at a spot, if any.
     std::optional<Colour> tint_at(Spot spot) const;
 
 private:
-    /// A tinted area: a label may stand in it, but rather not.
+    /// A tinted area. A label may stand in it, at a small price.
     struct Area {
         std::vector<Spot> corners;
         Box box;

@@ -7,11 +7,11 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double one_place = 3;      // mm: what is nearer is one place to the eye
+constexpr double one_place = 3;      // mm; nearer numbers share one place
 constexpr double number_size = 7.5;  // points
 constexpr double entry_size = 9;
-constexpr double clear_of_point = 1;                 // mm between a number and what it stands at
-constexpr double least_ring = 1.9, ring_pen = 0.25;  // of a body's number, mm
+constexpr double clear_of_point = 1;                 // mm between a number and its object
+constexpr double least_ring = 1.9, ring_pen = 0.25;  // of the circle round a body's number, mm
 constexpr double after_number = 1.2, between_labels = 2.4, between_entries = 4, between_lines = 0.8;
 
 }  // namespace
@@ -19,7 +19,7 @@ constexpr double after_number = 1.2, between_labels = 2.4, between_entries = 4, 
 RichText LabelKey::number(int count) { return one_piece(std::to_string(count) + ")", Face::bold); }
 
 void LabelKey::take(std::vector<LabelRequest>& requests, const std::vector<std::size_t>& placeless) {
-    // The numbers are the last of the requests, one for each entry that has one.
+    // The numbers are the last requests, one per entry that has one.
     std::vector<Entry*> numbered;
     for (Entry& entry : entries_)
         if (entry.numbered) numbered.push_back(&entry);
@@ -74,7 +74,7 @@ std::vector<LabelKey::Word> LabelKey::words(double measure) const {
     return words;
 }
 
-/// As many words as a line holds; a number stays with what follows it.
+/// As many words as fit into a line; a number stays with the word after it.
 std::size_t LabelKey::end_of_line(const std::vector<Word>& words, std::size_t first, double measure) {
     double x = words[first].width();
     std::size_t end = first + 1;
@@ -87,7 +87,7 @@ std::size_t LabelKey::end_of_line(const std::vector<Word>& words, std::size_t fi
     return end;
 }
 
-/// `origin`: of its letters; `looks`: the label that it is, or that it is a number of.
+/// `origin`: of its letters. `looks`: the label itself, or the label whose number it is.
 void LabelKey::set_word(std::vector<Mark>& marks, const Word& word, const LabelRequest& looks, Spot origin) {
     const std::size_t own = marks.size();
     const bool grouped = word.label && !word.label->id.empty();

@@ -1,5 +1,5 @@
-// The key of a figure: what has no room beside its object gets a number there, and under the figure stands what the
-// number is for. Owns the numbers and the lines of the key; places nothing in the figure itself.
+// Key of a figure: a name that has no room beside its object is replaced by a number there, and listed below the
+// figure. Owns the numbers and the lines of the key; places nothing in the figure itself.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,12 @@ class LabelKey {
 public:
     explicit LabelKey(const Fonts& fonts) : fonts_(fonts) {}
 
-    /// Moves the requests with these indices (increasing) to the key. Those near each other share a number, which is
-    /// asked for in their stead; a number that is itself moved goes, and the key lists what it was for without one.
+    /// Moves the requests with these indices (increasing) to the key. Neighbouring ones share a number, whose request
+    /// replaces theirs. If a number itself is moved, it is dropped, and the key lists its names without one.
     void take(std::vector<LabelRequest>& requests, const std::vector<std::size_t>& placeless);
     bool empty() const { return entries_.empty(); }
 
-    /// The lines, their top left corner at a place, no wider than `measure` mm, and what they take.
+    /// The lines with their top left corner at a given place, no wider than `measure` mm, and their size.
     struct Lines {
         std::vector<Mark> marks;
         double width = 0, height = 0;
@@ -34,9 +34,9 @@ private:
     };
     struct Word {
         ShapedLine shaped;
-        const LabelRequest* label = nullptr;  ///< none: a number
-        double before = 0;                    ///< from the word before, where they share a line
-        double ring = 0;                      ///< radius, round a body's number
+        const LabelRequest* label = nullptr;  ///< null: a number
+        double before = 0;                    ///< gap to the previous word of the line, mm
+        double ring = 0;                      ///< radius of the circle round a body's number, mm
         double width() const { return shaped.width > 2 * ring ? shaped.width : 2 * ring; }
     };
     static RichText number(int count);

@@ -1,4 +1,4 @@
-// How places are proposed, priced and put into the order of price.
+// Proposal of places, their pricing and their order by price.
 #include "render/page/label_places.hpp"
 
 #include <algorithm>
@@ -13,14 +13,14 @@ namespace kinegraph::render::lettering {
 
 namespace {
 
-constexpr double beside_price = 2.5;       // of a vector's name beyond its ends
-constexpr double upright_price = 8;        // of a direction mark that leaves its line
-constexpr double foreign_tint_price = 34;  // of a number: a leader out of the wheel is better
+constexpr double beside_price = 2.5;       // for the name of a vector beyond its ends
+constexpr double upright_price = 8;        // for a direction mark that leaves its line
+constexpr double foreign_tint_price = 34;  // for a body number on another's tint; a leader is better
 constexpr double leaves_room = 30;
-constexpr double least_of_far = 11;  // leader and distance: no far place costs less
+constexpr double least_of_far = 11;  // leader plus distance: lower bound for all distant places
 constexpr double unlimited = 1e300;
-constexpr double kept_apart = line_gap / 2;  // half of what two labels keep between them side by side
-// What covers ink costs more than all that makes less wanted places worth a thought.
+constexpr double kept_apart = line_gap / 2;  // half of the distance between two labels side by side
+// A place that covers ink costs more than every surcharge for less desirable places.
 static_assert(covers_stroke > std::max({beside_price, upright_price, least_of_far}));
 
 enum class Distance { nearest, near, far };
@@ -29,7 +29,7 @@ void sort_by_bound(std::vector<Seed>& seeds) {
     std::stable_sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) { return a.bound < b.bound; });
 }
 
-/// On rings about an anchor. A number in a circle is tied to what it names sooner.
+/// Seeds on rings about an anchor. A number in a circle gets a leader at a shorter distance.
 std::vector<Seed> seeds_around(Distance distance, bool balloon) {
     constexpr int count = 24;
     using enum Distance;
@@ -43,7 +43,7 @@ std::vector<Seed> seeds_around(Distance distance, bool balloon) {
             if (leader && k % 2 != 0) continue;
             const double angle = 2 * std::numbers::pi * k / count;
             const Spot u{std::cos(angle), -std::sin(angle)};
-            // Upper right is read first, then upper left, right, below.
+            // Order of preference: upper right, upper left, right, below.
             const double turned_away = 0.45 * (1 - (u.x - u.y) * std::numbers::sqrt2 / 2) + (k % 6 == 0 ? 0 : 0.05);
             seeds.push_back({.bound = far_price * extra + turned_away + (leader ? leader_price : 0),
                              .extra = extra,
@@ -54,8 +54,8 @@ std::vector<Seed> seeds_around(Distance distance, bool balloon) {
     return seeds;
 }
 
-/// Beside a line on both sides, from its middle on. Only a mark that is turned with its line can stand before or behind
-/// it.
+/// Seeds beside a line on both sides, from its middle outwards. Only a mark that is turned with its line may stand
+/// before or behind it.
 std::vector<Seed> seeds_beside(Distance distance, bool turned_with_it) {
     constexpr double past_the_end = 1.1;
     const std::vector<double> rows = distance == Distance::nearest ? std::vector{0.0} : std::vector{0.7, 1.5, 3.0};
@@ -71,7 +71,7 @@ std::vector<Seed> seeds_beside(Distance distance, bool turned_with_it) {
     return seeds;
 }
 
-/// All seeds, made once.
+/// All seeds, computed once.
 const std::vector<Seed>& seeds_of(bool beside, Distance distance, bool turned_or_balloon) {
     static const auto all = [] {
         std::array<std::vector<Seed>, 12> made;
@@ -84,22 +84,22 @@ const std::vector<Seed>& seeds_of(bool beside, Distance distance, bool turned_or
     return all[4 * static_cast<std::size_t>(distance) + (beside ? 2 : 0) + (turned_or_balloon ? 1 : 0)];
 }
 
-/// How far along u the box's centre is when its nearest ink is `distance` from the origin.
+/// Distance along u of the box's centre, if the ink nearest to the origin is `distance` away from it.
 double centre_distance(const InkBox& box, Spot u, double distance) {
     const Spot v{std::abs(u.x), std::abs(u.y)}, h = box.half;
     if (const double t = (distance + h.x) / std::max(v.x, 1e-12); t * v.y <= h.y) return t;
     if (const double t = (distance + h.y) / std::max(v.y, 1e-12); t * v.x <= h.x) return t;
-    // Past both sides: the corner is nearest.
+    // Past both sides, the corner is nearest.
     const double b = dot(v, h), c = dot(h, h) - distance * distance;
     return b + std::sqrt(std::max(0.0, b * b - c));
 }
 
-/// Whether the box round the line that a request's label names tells that the line is farther away.
+/// Quick test by the bounding box: whether the line that a request's label names is farther away than `distance`.
 bool is_beyond(const LabelRequest& request, Spot spot, double distance) {
     const Spot half = *request.toward - request.anchor, d = spot - request.anchor;
     return std::abs(d.x) > std::abs(half.x) + distance || std::abs(d.y) > std::abs(half.y) + distance;
 }
-/// From the line that a request's label names (its anchor in the middle).
+/// Distance from the line that a request's label names (its anchor is the middle of the line).
 double distance_to_line(const LabelRequest& request, Spot spot) {
     const Spot half = *request.toward - request.anchor, d = spot - request.anchor;
     const double t = std::clamp(dot(d, half) / std::max(dot(half, half), 1e-12), -1.0, 1.0);
@@ -114,7 +114,7 @@ void Candidate::add_leader(const LabelRequest& request) {
         box.centre + Spot{std::clamp(at.x, -box.half.x, box.half.x), std::clamp(at.y, -box.half.y, box.half.y)};
     const Spot back = unit(foot - request.anchor);
     leader = true;
-    // To a link's number the leader begins on the link itself.
+    // The leader of a link's number begins on the link itself.
     const bool on_it = request.toward && !request.along;
     leader_from = request.anchor + (on_it ? 0 : std::max(0.6, request.clearance - 0.9)) * back;
     leader_to = foot - 0.5 * back;
@@ -134,7 +134,7 @@ void Candidate::close_extent(const Box& of_box) {
 
 LabelPlaces::LabelPlaces(const LabelSetting& setting, std::size_t label, Spot half)
     : setting_(setting), request_(setting.requests[label]), label_(label), half_(half) {
-    // Memory that grows step by step takes twice as much of it, and a place is no small thing.
+    // Reserved at once: growing step by step takes twice the memory, and candidates are large.
     constexpr std::size_t often_met = 96, most_batches = 5;
     all_.reserve(often_met);
     batches_.reserve(most_batches);
@@ -144,8 +144,8 @@ LabelPlaces::LabelPlaces(const LabelSetting& setting, std::size_t label, Spot ha
     } else {
         propose(seeds_of(false, Distance::nearest, request_.balloon > 0), 0, false, unlimited);
     }
-    // How free a label is, the nearest places and the better half of the near ones tell: fewer take labels in a worse
-    // order, so that figures come smaller.
+    // All of the nearest places are evaluated first: the number of free ones determines the order of the labels. With
+    // fewer places the order is worse and figures become smaller.
     while (batches_.front().has_seeds()) place_next(batches_.front());
     propose_more(unlimited);
     while (batches_.back().next < batches_.back().seeds->size() / 2) place_next(batches_.back());
@@ -156,7 +156,7 @@ bool LabelPlaces::is_beside_line() const { return request_.toward && length(*req
 
 bool LabelPlaces::propose_more(double least) {
     const bool balloon = request_.balloon > 0;
-    // A vector shorter than its name has room beyond its ends; a direction mark stays on its line if it can.
+    // A vector shorter than its name has room beyond its ends; a direction mark should stay on its line.
     const double beyond = !beside_ ? 0 : request_.along ? upright_price : beside_price;
     using enum Distance;
     const auto may_help = [&](const std::vector<Seed>& seeds, double penalty) {
@@ -198,7 +198,7 @@ void LabelPlaces::propose(const std::vector<Seed>& seeds, double penalty, bool b
     batches_.back().free.waiting.reserve(often_free);
     batches_.back().free.met.reserve(often_met);
     batches_.back().covering.waiting.reserve(often_covering);
-    // Wherever its places stand, they are within this.
+    // Upper bound of the extent of all its places.
     double extra = 0, at = 0;
     for (const Seed& seed : seeds) extra = std::max(extra, seed.extra), at = std::max(at, std::abs(seed.at));
     const double reach =
@@ -213,7 +213,7 @@ LabelPlaces::Beside LabelPlaces::beside_of(Spot toward) const {
     beside.axis = {1, 0};
     if (request_.along) {
         beside.axis = beside.along;
-        // Read from below or from the right, never upside-down; what is nearly upright reads upwards.
+        // Text reads from below or from the right, never upside down; nearly vertical text reads upwards.
         constexpr double nearly = 0.17;
         if (beside.axis.x < -nearly || (beside.axis.x < nearly && beside.axis.y > 0)) beside.axis = -1.0 * beside.axis;
     }
@@ -244,12 +244,12 @@ inline void LabelPlaces::stand_around(const Seed& seed, Candidate& candidate) co
     if (seed.leader) candidate.add_leader(request_);
 }
 
-/// Prices a place as far as its own position goes.
+/// Computes the price that depends on the place's own position.
 inline void LabelPlaces::finish(Candidate& candidate) const {
     const Box of_box = extent_of(candidate.box);
     const Spot out = setting_.outside(of_box);
     candidate.price += 0.06 * (out.x + out.y);
-    // Out of the room means that the whole drawing must shrink: dearer than a leader, cheaper than covering a stroke.
+    // Leaving the room would force the whole drawing to shrink: dearer than a leader, cheaper than covering a stroke.
     if (out.x > setting_.spare.x || out.y > setting_.spare.y) {
         candidate.price += setting_.strict ? covers_label : leaves_room;
         candidate.covered = setting_.strict;
@@ -282,7 +282,8 @@ void LabelPlaces::Queue::wait(Ranked place) {
     std::push_heap(waiting.begin(), waiting.end(), std::greater<>());
 }
 
-/// What stands about a place is looked at only when it is its turn; it then makes room for those that now cost less.
+/// The surroundings of a place are examined only when it comes first; its price may then rise, so that others overtake
+/// it.
 bool LabelPlaces::is_met(Batch& batch, Queue& queue, std::size_t rank, double least) {
     while (queue.met.size() <= rank) {
         if (queue.waiting.empty() && !batch.has_seeds()) return false;
@@ -306,7 +307,7 @@ bool LabelPlaces::is_met(Batch& batch, Queue& queue, std::size_t rank, double le
     return queue.met[rank].price < least;
 }
 
-/// Adds what the marks about a place cost, and the objects that it might seem to name.
+/// Adds the price of nearby marks, and of objects that the label might seem to name.
 void LabelPlaces::look_about(Candidate& candidate) const {
     const Ground& ground = setting_.ground;
     candidate.price += ground.price(candidate.box, candidate.free);
@@ -317,7 +318,7 @@ void LabelPlaces::look_about(Candidate& candidate) const {
         candidate.price += crossing_price * ground.crossed(candidate.leader_from, candidate.leader_to);
 }
 
-/// Whether the number of a body stands on another's tint, or half on it: it would seem to be that one's.
+/// Whether the number of a body stands, even partly, on the tint of another body, to which it would seem to belong.
 bool LabelPlaces::is_on_foreign_tint(const Candidate& candidate) const {
     if (!request_.ground || request_.balloon <= 0) return false;
     const double off = request_.balloon;
@@ -328,7 +329,7 @@ bool LabelPlaces::is_on_foreign_tint(const Candidate& candidate) const {
     return false;
 }
 
-/// A name must not seem to belong to a neighbour …
+/// Price of a name that might seem to belong to a neighbouring point.
 double LabelPlaces::near_other_points(const Candidate& candidate) const {
     double price = 0;
     const Spot reach = candidate.box.reach(), centre = candidate.box.centre;
@@ -344,7 +345,7 @@ double LabelPlaces::near_other_points(const Candidate& candidate) const {
     return price;
 }
 
-/// … nor a vector's name to the vector beside it.
+/// Price of a vector's name that might seem to belong to the vector beside it.
 double LabelPlaces::near_other_lines(const Candidate& candidate) const {
     if (request_.along) return 0;
     double price = 0;

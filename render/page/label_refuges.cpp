@@ -1,4 +1,4 @@
-// How the nearest free place is looked for: on square rings about the anchor, as far as a better place may be.
+// Search for the nearest free place, on square rings about the anchor, until no farther place can be better.
 #include "render/page/label_refuges.hpp"
 
 #include <algorithm>
@@ -11,17 +11,17 @@ namespace kinegraph::render::lettering {
 
 namespace {
 
-constexpr double longest_leader = 40;  // mm; beyond it nobody sees what is named
-constexpr double farthest = 80;        // mm out of the figure's box, where no room is given
-constexpr double unruly_price = 12;    // of a leader, for each other that it crosses
-constexpr int most_looks = 30000;      // for better places, in a figure; then the first that is free will do
+constexpr double longest_leader = 40;  // mm; with a longer leader the named object is hard to find
+constexpr double farthest = 80;        // mm beyond the figure's box, if no room is given
+constexpr double unruly_price = 12;    // per leader that this leader crosses
+constexpr int most_looks = 30000;      // per figure; beyond it the first free place is taken
 
-/// How far a label that finds no place may go out of the figure's box.
+/// How far beyond the figure's box a label without a place may go.
 Spot reach_of(const LabelSetting& setting) {
     return {std::min(setting.spare.x, farthest), std::min(setting.spare.y, farthest)};
 }
 
-/// All that labels can take.
+/// The area that labels can occupy.
 Box area_of(const LabelSetting& setting, const std::vector<Lettered>& letters) {
     Spot most = reach_of(setting);
     for (const Lettered& label : letters) {
@@ -68,7 +68,8 @@ std::optional<Candidate> Refuges::nearest(std::size_t label) {
     return nearest(label, {box.min - further, box.max + further});
 }
 
-/// The nearest with its middle in a box; of those about as near the one whose leader crosses least.
+/// The nearest free place whose middle lies in a box; of places at about the same distance, the one whose leader
+/// crosses least.
 std::optional<Candidate> Refuges::nearest(std::size_t label, const Box& middles) {
     const double step = looks_left_ > 0 ? 1 : 2;
     const LabelRequest& request = setting_.requests[label];
@@ -101,7 +102,7 @@ std::optional<Candidate> Refuges::nearest(std::size_t label, const Box& middles)
     return found;
 }
 
-/// Keeps a place that covers no stroke and no label, if it is better than what was found.
+/// Keeps a place that covers no stroke and no label, if it is better than the best so far.
 void Refuges::look_at(std::size_t label, Spot centre, double step, std::optional<Candidate>& found) {
     const LabelRequest& request = setting_.requests[label];
     const InkBox box{centre, letters_[label].half()};
@@ -120,7 +121,7 @@ void Refuges::look_at(std::size_t label, Spot centre, double step, std::optional
     if (!found || candidate.price < found->price) found = candidate;
 }
 
-/// The price of what a leader crosses, counted until it is more than `enough`.
+/// The price of what a leader crosses, counted until it exceeds `enough`.
 double Refuges::crossings_of(const Candidate& candidate, double enough) const {
     double price = 0;
     const auto count = [&](double each, const auto& crossings) {

@@ -1,5 +1,5 @@
-// Label refuges: where a label goes that found no place. Owns the maps of what labels and their leaders take, and finds
-// the nearest room that is free, with a leader; does not know which label had better go.
+// Fallback places: where a label goes that found no place near its object. Owns maps of the area that labels and
+// leaders occupy, and finds the nearest free place, connected by a leader. Does not choose which label to move.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@ namespace kinegraph::render::lettering {
 
 class Refuges {
 public:
-    /// Beside labels that all stand somewhere, be it for now. What is given must outlive it.
+    /// Every label already has a provisional place. The arguments must outlive this object.
     Refuges(const LabelSetting& setting, const std::vector<Lettered>& letters, const std::vector<Candidate>& chosen);
 
-    /// What a label takes where it stands is no longer free …
+    /// Marks the place of a label as occupied.
     void take(std::size_t label);
-    /// … and is free again, while another place is looked for.
+    /// Marks it as free, while another place is searched for that label.
     void give_back(std::size_t label);
-    /// The nearest free place in the figure or at its edge, further out where the room is not strict.
+    /// The nearest free place in the figure or at its edge; beyond the edge as well unless the room is strict.
     std::optional<Candidate> nearest(std::size_t label);
 
 private:
@@ -32,7 +32,7 @@ private:
     const LabelSetting& setting_;
     const std::vector<Lettered>& letters_;
     const std::vector<Candidate>& chosen_;
-    InkMap taken_, threads_;  // what labels take, and their leaders
+    InkMap taken_, threads_;  // areas occupied by labels and by their leaders
     int looks_left_;
 };
 

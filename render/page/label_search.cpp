@@ -1,4 +1,4 @@
-// How labels settle among themselves: what two of them cost each other, who moves for whom, and who goes.
+// Assignment of labels to places: mutual prices of two labels, improvement by eviction, and which label is dropped.
 #include "render/page/label_search.hpp"
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace kinegraph::render::lettering {
 
 namespace {
 
-constexpr double least_measure = 45;  // mm, of a label, before it is shortened
-constexpr double least_gain = 1e-6;   // of a move
+constexpr double least_measure = 45;  // least width of a label before it is shortened, mm
+constexpr double least_gain = 1e-6;   // least improvement for a move
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 LabelSetting setting_of(const std::vector<LabelRequest>& requests, const Box& box, const Ground& ground,
@@ -22,10 +22,10 @@ LabelSetting setting_of(const std::vector<LabelRequest>& requests, const Box& bo
     return setting;
 }
 
-/// Whether two labels would be read as one: they stand side by side, hardly farther apart than two words, and one of
-/// them tells a value. Two letters alone are told apart sooner.
+/// Whether two labels would read as one: they stand side by side, hardly farther apart than two words, and one of them
+/// has a value. Two single letters are distinguished at a smaller distance.
 bool read_as_one(const Candidate& a, const Candidate& b) {
-    constexpr double letter = 4;  // half of the longest
+    constexpr double letter = 4;  // half the width of the longest single symbol, mm
     if (a.ringed || b.ringed || a.box.axis.y != 0 || b.box.axis.y != 0 || std::max(a.box.half.x, b.box.half.x) < letter)
         return false;
     const Spot d = b.box.centre - a.box.centre;
@@ -52,7 +52,7 @@ bool clash(const Candidate& a, const Candidate& b) {
     return !apart(a.extent, b.extent) && price_between(a, b) >= covers_stroke;
 }
 
-/// Whether ink meets ink.
+/// Whether the ink of two labels meets.
 bool meet(const Candidate& a, const Candidate& b) {
     constexpr double apart_enough = 0.15;
     return gap_between(a.box, b.box, apart_enough) < apart_enough ||
@@ -80,7 +80,7 @@ bool LabelSearch::place(const std::optional<Spot>& only_within) {
     return true;
 }
 
-/// Ties in the figure's order.
+/// Ties keep the figure's order.
 std::vector<std::size_t> LabelSearch::least_free_first() const {
     std::vector<std::pair<int, std::size_t>> ranked;
     ranked.reserve(places_.size());
@@ -93,7 +93,7 @@ std::vector<std::size_t> LabelSearch::least_free_first() const {
 }
 
 void LabelSearch::improve(const std::vector<std::size_t>& order) {
-    int looks_left = 30 + static_cast<int>(order.size());  // where there is no room at all, looking on finds none
+    int looks_left = 30 + static_cast<int>(order.size());  // a limit, for figures without any room
     for (int round = 0; round < 4; ++round) {
         bool changed = false;
         for (const std::size_t i : order) {
@@ -107,8 +107,8 @@ void LabelSearch::improve(const std::vector<std::size_t>& order) {
     }
 }
 
-/// Nothing may stay covered: far away there is room, in the figure or at its edge. Labels that keep a leader from
-/// getting there are moved next.
+/// Final repair: a label that covers something moves to a free fallback place, in the figure or at its edge. Labels
+/// that block a leader to it are moved next.
 void LabelSearch::repair(const std::vector<std::size_t>& order) {
     std::vector<std::size_t> waiting;
     for (const std::size_t i : order)
@@ -130,7 +130,7 @@ void LabelSearch::repair(const std::vector<std::size_t>& order) {
     }
 }
 
-/// The labels that some place of label i may meet.
+/// Collects the labels that some place of label i may touch.
 void LabelSearch::look_around(std::size_t i) {
     around_.clear();
     for (std::size_t j = 0; j < chosen_.size(); ++j)
@@ -144,7 +144,7 @@ double LabelSearch::price_now(std::size_t i) const {
     return price;
 }
 
-/// The cheapest place that costs less than `least`, other labels standing where they do.
+/// The cheapest place that costs less than `least`, with the other labels where they are.
 std::optional<Candidate> LabelSearch::best(std::size_t i, double least) {
     LabelPlaces& places = places_[i];
     std::optional<std::size_t> found;
@@ -169,7 +169,7 @@ std::optional<Candidate> LabelSearch::best(std::size_t i, double least) {
     return places[*found];
 }
 
-/// For each label that keeps label i from a cheaper place than its own (which costs `now`), the cheapest of these.
+/// For each label that blocks a cheaper place of label i than its present one (price `now`), the cheapest such place.
 void LabelSearch::find_wishes(std::size_t i, double now) {
     wishes_.clear();
     look_around(i);
@@ -211,7 +211,7 @@ void LabelSearch::wish_for(std::size_t i, std::size_t place, double now) {
     }
 }
 
-/// Takes a better place from another label where that one can move at less cost.
+/// Takes a better place from another label, if that label can move at a smaller loss.
 bool LabelSearch::evict(std::size_t i, int& looks_left) {
     const double now = price_now(i);
     if (now < leader_price || looks_left <= 0) return false;
@@ -244,7 +244,7 @@ bool LabelSearch::leaves_the_room(const Candidate& candidate) const {
     return out.x > setting_.spare.x + grace || out.y > setting_.spare.y + grace;
 }
 
-/// Whether the label covers something, or its leader another label, or where it may not stand.
+/// Whether the label covers something, its leader crosses another label, or it stands where it may not.
 bool LabelSearch::is_in_the_way(std::size_t i) const {
     if (chosen_[i].covered || (chosen_[i].leader && setting_.ground.covers_text(chosen_[i].thread))) return true;
     for (std::size_t j = 0; j < chosen_.size(); ++j)
@@ -273,7 +273,7 @@ std::vector<std::size_t> LabelSearch::placeless() const {
         std::size_t most = 0, worst = 0;
         for (std::size_t i = 0; i < count; ++i)
             if (!gone[i] && met[i].size() >= std::max<std::size_t>(most, 1)) {
-                // A leader is no loss.
+                // Prefer to drop a label with a leader.
                 if (met[i].size() == most && chosen_[worst].leader && !chosen_[i].leader) continue;
                 most = met[i].size(), worst = i;
             }

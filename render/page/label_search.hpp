@@ -1,9 +1,8 @@
-// Label search: which of its places each label of a figure takes. Owns who stands where, and settles it among the
-// labels; knows no ink, and does not set what it has placed. Deterministic: all orders are those of the figure, all
-// ties go to the first.
+// Label search: chooses a place for each label of a figure. Owns the assignment of places; independent of the ink, and
+// does not draw the labels. Deterministic: every order is that of the figure, and ties go to the first.
 //
-// Method: the least free label first, each at its cheapest place, then rounds of improvement with evictions. What still
-// covers something then is moved to the nearest room that is free, with a leader.
+// Method: greedy, the label with the fewest free places first, each at its cheapest place; then rounds of improvement
+// with evictions. A label that still covers something moves to the nearest free fallback place, with a leader.
 #pragma once
 
 #include <cstddef>
@@ -20,23 +19,23 @@ namespace kinegraph::render::lettering {
 
 class LabelSearch {
 public:
-    /// For labels of a figure with that box on that ground, where they have a room (width and height) of that size;
-    /// strict: none may leave it. Requests and ground must outlive it.
+    /// `box`: of the figure. `room`: available width and height. `strict`: no label may leave the room. Requests and
+    /// ground must outlive this object.
     LabelSearch(const std::vector<LabelRequest>& requests, const Box& box, const Fonts& fonts, const Ground& ground,
                 const std::optional<Spot>& room, bool strict);
-    LabelSearch(const LabelSearch&) = delete;  // its places refer to it
+    LabelSearch(const LabelSearch&) = delete;  // the places refer to members
     LabelSearch& operator=(const LabelSearch&) = delete;
 
-    /// False where `only_within` (the width and height of a room) is given and they do not fit into it.
+    /// Places all labels. False if `only_within` (width and height of a room, mm) is given and they do not fit into it.
     bool place(const std::optional<Spot>& only_within);
 
-    /// To be set, once.
+    /// Moves the shaped text out. Call once per label.
     ShapedLine take_shaped(std::size_t label) { return letters_[label].take(); }
     const Candidate& chosen(std::size_t label) const { return chosen_[label]; }
     /// Whether some label is in the way.
     bool is_crowded() const;
-    /// The labels for which no place was found: they cover something, or stand where they may not, or in each other's
-    /// way. Of two that do the one goes that frees more of the others.
+    /// Labels without an acceptable place: they cover something, leave the room or overlap another label. Of two that
+    /// overlap, the one whose removal frees more of the others is listed.
     std::vector<std::size_t> placeless() const;
 
 private:
@@ -48,7 +47,7 @@ private:
     double price_now(std::size_t i) const;
     std::optional<Candidate> best(std::size_t i, double least);
 
-    /// A place that would cost less if one other label were not there.
+    /// A place that would cost less without one particular other label.
     struct Wish {
         std::size_t other;
         std::size_t place;
@@ -66,7 +65,7 @@ private:
     std::vector<Lettered> letters_;
     std::vector<LabelPlaces> places_;
     std::vector<Candidate> chosen_;
-    // Of one look at one label, kept for their memory.
+    // Scratch buffers, members only to reuse their memory.
     std::vector<std::size_t> around_;
     std::vector<std::pair<std::size_t, double>> met_;
     std::vector<Wish> wishes_;

@@ -1,6 +1,5 @@
-// Labels: sets every label of a figure, or lists it in a key below, and takes leaders off again. Owns the marks of a
-// label that has its place; where that is the search knows (label_search), what it costs the ground (label_ground) and
-// the places (label_places). Knows no mechanics, only marks.
+// Labels: draws every label of a figure or lists it in a key below, and removes leaders. Owns the marks of a placed
+// label; label_search chooses the place, label_ground and label_places compute its price. Independent of mechanics.
 #include "render/page/labels.hpp"
 
 #include <algorithm>
@@ -24,7 +23,7 @@ using lettering::LabelSearch;
 
 namespace {
 
-constexpr double wide_key = 90;  // mm, of a key's lines under a narrow figure
+constexpr double wide_key = 90;  // width of a key's lines under a narrow figure, mm
 constexpr double above_key = 2.5;
 
 }  // namespace
@@ -42,7 +41,7 @@ double room_of_names(const Figure& figure, const Fonts& fonts) {
 
 namespace {
 
-/// Whether all groups of a figure are within its own, which is closed.
+/// Whether the figure's own group, which contains all others, is closed.
 bool is_closed(const Figure& figure) {
     const auto begun = std::count_if(figure.marks.begin(), figure.marks.end(),
                                      [](const Mark& mark) { return std::holds_alternative<GroupBegin>(mark); });
@@ -54,14 +53,14 @@ bool is_closed(const Figure& figure) {
 
 constexpr double leader_dot = 0.38;  // its radius, mm
 
-/// It runs onto a line that it names, and as far as the symbol of a point.
+/// The leader ends on a named line, or at the edge of a point's symbol.
 void draw_leader(std::vector<Mark>& marks, const Candidate& place, Colour colour) {
     const Spot from = place.leader_from;
     marks.emplace_back(line(from, place.leader_to, {0.18, colour, {}, false}));
     marks.emplace_back(disc(from, leader_dot, colour));
 }
 
-/// The circle round a number. On the tint of another body it has the paper as its ground.
+/// The circle round a number. On the tint of another body it is filled with the paper colour.
 Path balloon_of(const LabelRequest& request, Spot centre, const Ground& ground) {
     Pen pen{0.35, request.colour, going_round(request.dashes, 2 * std::numbers::pi * request.balloon), false};
     const std::optional<Colour> tint = request.ground ? ground.tint_at(centre) : std::nullopt;
@@ -86,7 +85,7 @@ void set_label(Figure& figure, const LabelRequest& request, const Candidate& pla
         text.angle = std::atan2(place.box.axis.y, place.box.axis.x);
         text.names = request.names;
         text.holds = request.holds;
-        if (k > first) text.cls = "text";  // one label, one aria-label
+        if (k > first) text.cls = "text";  // one aria-label per label
     }
     if (!request.id.empty()) figure.marks.emplace_back(GroupEnd{});
     belong(figure.marks, own, request.statement);
@@ -128,7 +127,7 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
                                        figure.labels.begin() + static_cast<std::ptrdiff_t>(names));
     LabelKey key(fonts);
     std::optional<LabelSearch> search;
-    // With labels gone others may find a place; a number that finds none is no longer tried.
+    // Removing labels may free places for others. A number without a place is dropped for good.
     for (;;) {
         std::optional<Spot> left = room;
         if (left && !key.empty())
@@ -140,7 +139,7 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
         if (placeless.empty()) break;
         key.take(requests, placeless);
     }
-    // Into the figure's group, where that is closed already.
+    // Inside the figure's group, if that is closed already.
     const bool closed = is_closed(figure);
     if (closed) figure.marks.pop_back();
     for (std::size_t i = 0; i < requests.size(); ++i)

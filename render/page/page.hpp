@@ -1,10 +1,10 @@
-// A Page: one sheet with nothing left to decide. Flat, in drawing order, every length in millimetres,
-// the origin at the top left, y downwards, as the backends want it. It knows nothing of mechanics.
+// Page: one sheet, completely laid out. Flat, in drawing order, lengths in millimetres, origin at the top left, y
+// downwards, as the backends expect. Independent of mechanics.
 //
-// What a Page promises:
-//  - coordinates are snapped to 1e-8 mm, so that the same page is the same bytes everywhere;
-//  - text is shaped: a backend fills outlines and never looks for a font;
-//  - groups nest properly, ids are unique within the page, and attribute values are still unescaped text.
+// Invariants:
+//  - coordinates are snapped to 1e-8 mm, so that the same page gives the same bytes everywhere;
+//  - text is shaped: a backend fills outlines and never searches for a font;
+//  - groups nest properly, ids are unique within the page, and attribute values are unescaped text.
 #pragma once
 
 #include <cstdint>
@@ -19,27 +19,26 @@
 
 namespace kinegraph::render {
 
-/// The invisible axis of a vector from tail to tip (`<line class="axis" stroke="none">`): the drawing is measured
-/// there.
+/// The invisible axis of a vector from tail to tip (`<line class="axis" stroke="none">`). Programs measure the drawing
+/// by it.
 struct Axis {
     Spot tail, tip;
 };
 
-/// Shaped text in one colour, turned about nothing: glyphs stand where they say. A line in several colours is several
-/// marks, the first of which has the words and the rich text of all. `angle` turns them all (radians, clockwise on
-/// paper) about `pivot`.
+/// Shaped text in one colour, with absolute glyph positions. A line in several colours is several marks; the first one
+/// carries the words and the rich text of all. `angle` (radians, clockwise on paper) rotates the mark about `pivot`.
 struct TextMark {
     std::vector<Glyph> glyphs;
     Colour colour;
-    std::string words;  ///< what the text says, for `aria-label`
-    RichText text;      ///< with its faces and scripts, for a backend that sets type itself or speaks
+    std::string words;  ///< the text for `aria-label`
+    RichText text;      ///< with faces and scripts, for backends that typeset it themselves or provide readable text
     std::string cls;    ///< "label" for labels of a drawing; "text" for prose and tables
     double angle = 0;
     Spot pivot;
     std::vector<Path> extras;          ///< dots over letters, fraction bars
-    StatementIndex statement = none;   ///< as a Path's
-    std::vector<std::string> names{};  ///< of the quantities that a label names, as `data-name` has them
-    Holds holds{};                     ///< as a Path's
+    StatementIndex statement = none;   ///< see Path::statement
+    std::vector<std::string> names{};  ///< the quantities that a label names, as in `data-name`
+    Holds holds{};                     ///< see Path::holds
 };
 
 /// Opens a group (`<g>`): class, id (already legal), title and data attributes in order.
@@ -48,10 +47,10 @@ struct GroupBegin {
     std::string id;
     std::string title;
     std::vector<std::pair<std::string, std::string>> attributes;
-    StatementIndex statement = none;  ///< as a Path's; of all that is in the group and has none of its own
-    Holds holds{};                    ///< as a Path's, of all that is in the group
+    StatementIndex statement = none;  ///< see Path::statement; for everything in the group that has none of its own
+    Holds holds{};                    ///< see Path::holds; for everything in the group
 
-    /// The value of the attribute of that name, if there is one.
+    /// The value of an attribute; null if absent.
     const std::string* attribute(std::string_view name) const {
         for (const auto& [own, value] : attributes)
             if (own == name) return &value;
@@ -70,7 +69,7 @@ struct Page {
     std::string title;
     std::string language = "en";
     std::vector<Mark> marks;
-    bool tells_holds = false;  ///< an SVG of it says what its marks go with (`data-on`)
+    bool tells_holds = false;  ///< its SVG contains bindings (`data-on`)
 };
 
 }  // namespace kinegraph::render

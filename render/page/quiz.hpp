@@ -1,5 +1,5 @@
-// A quiz item: an exercise as a learning platform asks it, with nothing left to decide. Text is rich, numbers are as
-// they are written; it knows no platform and no mechanics.
+// Quiz item: an exercise for learning platforms, completely prepared. Text is rich, numbers are decimal strings.
+// Independent of platforms and of mechanics.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace kinegraph::render {
 
-/// A number that is asked for.
+/// A number that the student must enter.
 struct QuizBlank {
-    std::string name;       ///< of the result, as the file asks for it: "omega 3"
-    RichText words;         ///< what it is: "the angular velocity of body 3"
+    std::string name;       ///< of the result, as in the file: "omega 3"
+    RichText words;         ///< description: "the angular velocity of body 3"
     RichText symbol;        ///< ω_3
-    std::string value;      ///< a decimal, in `unit`; rounded far below the tolerance
-    std::string tolerance;  ///< by how much a right answer may be off, in `unit`: a decimal, "0" where it is exact
-    std::string unit;       ///< empty: a bare number
+    std::string value;      ///< decimal, in `unit`; rounding is far below the tolerance
+    std::string tolerance;  ///< accepted deviation, in `unit`: decimal, "0" if exact
+    std::string unit;       ///< empty: dimensionless
 };
 
 struct QuizSection {
@@ -28,17 +28,17 @@ struct QuizSection {
 struct QuizItem {
     std::string number;  ///< of the variant: "007"
     std::string title;   ///< of the exercise
-    std::string owner;   ///< whose it is; may be empty
+    std::string owner;   ///< name of the student; may be empty
     std::string language = "en";
     Page figure;
-    std::vector<QuizSection> question;  ///< what is given
+    std::vector<QuizSection> question;  ///< the given data
     std::string blanks_heading;
     std::vector<QuizBlank> blanks;
-    std::vector<RichText> notes;        ///< how the blanks are to be filled in
-    std::vector<QuizSection> solution;  ///< by step, said when it is answered
+    std::vector<RichText> notes;        ///< instructions for filling in the blanks
+    std::vector<QuizSection> solution;  ///< by step; shown after the answer
 };
 
-/// The name of an item's figure, beside it.
+/// File name of an item's figure, in the same folder.
 inline std::string figure_file(const QuizItem& item) { return item.number + "-figure.png"; }
 
 }  // namespace kinegraph::render

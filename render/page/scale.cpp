@@ -10,7 +10,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// The numbers a scale may have, within one decade.
+/// The mantissas of scales within one decade.
 constexpr double steps[] = {1, 2, 2.5, 5};
 
 }  // namespace

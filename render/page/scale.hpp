@@ -1,4 +1,4 @@
-// Scales: the round numbers that a drawing is scaled by. Knows no drawing.
+// Scales: the round numbers that drawings use. Independent of any drawing.
 #pragma once
 
 #include <limits>
@@ -6,17 +6,17 @@
 
 namespace kinegraph::render {
 
-/// m · 10^exponent, the double nearest to the decimal (10^-3 is not 1/1000 by repeated products).
+/// mantissa · 10^exponent, as the double nearest to that decimal (repeated products would not give 1/1000 for 10^-3).
 double decimal(double mantissa, int exponent);
 
-/// The largest scale of 1-2-2.5-5 × 10ⁿ units per mm at which `extent` units fit into `room` mm; the file's own where
-/// it asks one.
+/// The smallest number of units per mm, of the series 1-2-2.5-5 × 10ⁿ, at which `extent` units fit into `room` mm. If
+/// the file gives a scale (`asked`), that one.
 double choose_scale(double extent_x, double extent_y, double room_x, double room_y, std::optional<double> asked);
-/// The next coarser one of these after any scale.
+/// The next coarser scale of the series.
 inline double next_scale(double scale) { return choose_scale(1.001 * scale, 0, 1, 1, std::nullopt); }
 
-/// Of the figures that take a `coarsest` scale (units per mm): one that would have to be drawn coarser, or leave its
-/// room, comes empty and at any_scale; whoever sets such a limit has no use for it.
+/// Marks an empty figure. Drawing functions that take a `coarsest` scale (units per mm) return an empty figure at
+/// any_scale if the drawing would have to be coarser or would exceed its room.
 constexpr double any_scale = std::numeric_limits<double>::infinity();
 
 }  // namespace kinegraph::render

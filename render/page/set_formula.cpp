@@ -15,7 +15,7 @@ constexpr double bar_gap = 0.14, bar_pen = 0.045;                   // of fracti
 constexpr double thin = 0.17;                                       // between factors, em
 constexpr double column_gap = 0.9, row_gap = 0.32, bracket = 0.22, inside = 0.22;
 
-/// Marks about a baseline at (0, 0), y downwards.
+/// Marks relative to a baseline at (0, 0), y downwards.
 struct Typeset {
     double width = 0, ascent = 0, descent = 0;
     std::vector<Mark> marks{};
@@ -55,7 +55,7 @@ public:
         }
         return all;
     }
-    /// Factors stand a thin space apart, a matrix and its column two.
+    /// A thin space between factors, two between a matrix and its column.
     static double air_before(std::span<const Formula> parts, std::size_t i, double size) {
         const auto is = [&](std::size_t part, Formula::Kind kind) { return parts[part].kind == kind; };
         if (i == 0 || is(i, Formula::Kind::sign) || is(i - 1, Formula::Kind::sign) || parts[i].stands_close()) return 0;
@@ -116,7 +116,7 @@ private:
     }
     Typeset fence(Typeset within, double size) const {
         const double em = millimetres(size), tall = within.ascent + within.descent;
-        // Round brackets grow with what they hold, a little.
+        // Round brackets grow a little with their content.
         const double grown = size * std::clamp(tall / (0.95 * em), 1.0, 1.8);
         Typeset open = words(one_piece("("), grown), close = words(one_piece(")"), grown);
         const double drop =
@@ -174,7 +174,7 @@ private:
     Colour colour_;
 };
 
-/// The parts of a row in lines, each begun at a sign or at the beginning.
+/// The parts of a row, in lines that begin at a sign or at the start.
 std::vector<Typeset> lines_of(const Formula& formula, const Setter& setter, double size, double measure) {
     if (formula.kind != Formula::Kind::row) return {setter.set(formula, size)};
     const std::span<const Formula> parts = formula.parts;
@@ -182,7 +182,7 @@ std::vector<Typeset> lines_of(const Formula& formula, const Setter& setter, doub
     for (const Formula& part : parts) boxes.push_back(setter.set(part, size));
     for (std::size_t first = 0; first < parts.size();) {
         const double indent = lines.empty() ? 0 : millimetres(size);
-        // As far as the measure goes, back to the last sign before.
+        // As far as the measure allows, then back to the last sign before.
         std::size_t end = first, last_sign = first;
         for (double x = indent; end < parts.size(); ++end) {
             if (end > first + 1 && parts[end].kind == Formula::Kind::sign) last_sign = end;

@@ -1,4 +1,4 @@
-// Formulas set in type: boxes with a baseline, put together from the inside out. Knows no equation.
+// Typesetting of formulas: boxes with a baseline, composed from the inside out. Independent of equations.
 #pragma once
 
 #include "render/page/block.hpp"
@@ -7,11 +7,12 @@
 
 namespace kinegraph::render {
 
-/// A formula at `size` points, broken before its signs where it is wider than `measure` mm; what cannot be broken (a
-/// matrix) is set smaller, at most to three fifths, so that it stands within.
+/// A formula at `size` points. If it is wider than `measure` mm, it is broken before its signs. What cannot be broken
+/// (a matrix) is set smaller, down to three fifths of the size.
 Block formula_block(const Formula& formula, const Fonts& fonts, double size, double measure, Colour colour);
 
-/// On one line, however wide, with how far its baseline lies below its top (mm): for what stands beside others.
+/// A formula on one line, of any width, with the distance of its baseline below its top (mm), to be aligned with
+/// others.
 struct SetLine {
     Block block;
     double baseline = 0;

@@ -1,4 +1,4 @@
-// Shapes: lines, discs, arrows, text, the scale bar, and what they cover.
+// Shapes: lines, discs, arrows, text, the scale bar, and bounding boxes.
 #include "render/page/shapes.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-/// As std::round, which is a call, where the number is no larger than its integers are exact.
+/// std::round without a function call, in the range where doubles represent integers exactly.
 double rounded(double value) {
     if (!(std::abs(value) < 4e15)) return std::round(value);
     const auto whole = static_cast<double>(static_cast<std::int64_t>(value));
@@ -92,8 +92,8 @@ struct Bounds {
             look_round(arc.from, arc.to, add_on);
         }
     }
-    /// An arc of radius 1 in steps of a tenth, of which only those count that are next to its ends and to where it
-    /// crosses an axis.
+    /// Extreme points of an arc of radius 1: in steps of 0.1 rad, only the points next to its ends and to its axis
+    /// crossings matter.
     template <class See>
     static void look_round(double from, double to, See see) {
         const double sweep = to - from;
@@ -112,26 +112,26 @@ struct Bounds {
             look_at(before + 1);
         }
     }
-    /// Most arcs are the whole circles of pins and dots.
+    /// Most arcs are full circles, of pins and dots.
     static constexpr double whole_turn = 2 * std::numbers::pi;
     static std::vector<Spot> outermost_of_a_turn() {
         std::vector<Spot> all;
         look_round(0, whole_turn, [&](Spot on) { all.push_back(on); });
         return all;
     }
-    static constexpr double letter_wide = 0.62;  ///< of its em box
+    static constexpr double letter_wide = 0.62;  ///< width of a letter's em box
     void add(const TextMark& text) {
         if (text.angle == 0) return add_upright(text);
         const double c = std::cos(text.angle), s = std::sin(text.angle);
         for (const Glyph& glyph : text.glyphs)
-            // The letter's em box is near enough for a figure's edge; labels are placed by their true ink.
+            // For the edge of a figure the em box is accurate enough; labels use the true ink.
             for (const Spot corner : {Spot{0, -letter_over}, Spot{letter_wide, -letter_over}, Spot{0, letter_under},
                                       Spot{letter_wide, letter_under}}) {
                 const Spot at = glyph.origin + glyph.size * corner - text.pivot;
                 add(text.pivot + Spot{at.x * c - at.y * s, at.x * s + at.y * c});
             }
     }
-    /// The same without turning: two corners say all.
+    /// The same for text that is not turned: two corners suffice.
     void add_upright(const TextMark& text) {
         for (const Glyph& glyph : text.glyphs)
             for (const Spot corner : {Spot{0, -letter_over}, Spot{letter_wide, letter_under}})
@@ -148,7 +148,7 @@ Head head_for(double width) {
     return {3.0, 1.0};
 }
 
-constexpr double notch = 0.18;  // of the head's length
+constexpr double notch = 0.18;  // as a fraction of the head's length
 
 void draw_head(std::vector<Mark>& marks, Spot tip, Spot along, Head head, Colour colour) {
     const Spot across = (head.width / 2) * turned(along), back = tip - head.length * along;
@@ -289,7 +289,8 @@ void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double
                     Colour colour) {
     const Head head{3.2, 1.15};
     const double turn = to > from ? 1 : -1;
-    // The head is a straight chord: it leaves the arc where its back lies on it, so the tip stays on the arc too.
+    // The head is a straight chord: it leaves the arc where its back lies on the arc, so that the tip is on the arc as
+    // well.
     const double chord = 2 * std::asin(std::min(1.0, head.length / (2 * radius)));
     const auto on_arc = [&](double angle) { return centre + radius * Spot{std::cos(angle), std::sin(angle)}; };
     const double back = to - turn * std::min(chord, std::abs(to - from));
@@ -327,7 +328,7 @@ void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& t
                     double scale, double unit_in_si, const std::string& unit_symbol, Language language) {
     KG_ASSERT(scale > 0 && unit_in_si > 0, "a scale bar needs a scale");
     constexpr double height = 1.1;
-    // The longest 1-2-5 length of the printed unit that fits; halved without ugly numbers, so 2.5 is left out.
+    // The longest 1-2-5 length of the printed unit that fits. 2.5 is left out: half of it is not a round number.
     const double most = target * scale / unit_in_si;
     int exponent = static_cast<int>(std::floor(std::log10(most)));
     double value = decimal(1, exponent);
@@ -393,8 +394,8 @@ void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Col
     const double whole = length(tip - tail);
     if (!(whole > 0)) return;
     Head head = head_for(width);
-    // A short vector keeps at least two fifths of shaft; the shaft grows thin with the head, or it would show beside
-    // the tip.
+    // A short vector keeps at least two fifths of its shaft. The shaft gets thinner with the head, or it would be
+    // visible beside the tip.
     const double shrink = std::min(1.0, 0.6 * whole / head.length);
     head = {head.length * shrink, head.width * std::max(shrink, 0.35)};
     const double shaft = std::min(width, 0.5 * head.width);

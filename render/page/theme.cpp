@@ -1,4 +1,4 @@
-// The built-in themes, and the reading of the user's: what a theme file may say, and what is wrong with one.
+// The built-in themes, and the reader of user themes with its error messages.
 #include "render/page/theme.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// Black, one grey and the paper, for a copier or a book in one ink: a body's tint is the paper's.
+/// Black, one grey and the paper colour, for copiers and books in one ink: the tint of a body is the paper colour.
 Theme print() {
     constexpr Colour black{0x00, 0x00, 0x00}, grey{0x6E, 0x6E, 0x6E}, white{0xFF, 0xFF, 0xFF};
     Theme theme;
@@ -28,8 +28,8 @@ Theme print() {
     return theme;
 }
 
-/// Light on a dark ground, for slides. The lines keep the distances of the colour theme for colour-blind eyes and in
-/// grey.
+/// Light on a dark ground, for slides. The lines are as distinct as in the colour theme, for colour-blind readers and
+/// in grey.
 Theme dark() {
     Theme theme;
     theme.paper = {0x15, 0x17, 0x1C};
@@ -57,7 +57,7 @@ std::string listed(const Names& names) {
     return list;
 }
 
-/// What a misspelt word may have meant, or all that it could be.
+/// Suggests a correction of a misspelt word, or lists all possibilities.
 Words remedy(std::string_view word, const Names& names, const Words& all) {
     constexpr std::size_t near = 2;
     std::size_t least = near + 1;
@@ -138,7 +138,7 @@ private:
             fault(list, {"1 to 24 bodies are wanted here, as an array", "qui servono da 1 a 24 corpi, in un array"});
             return;
         }
-        // What a body does not say it has from the theme that this one is based on.
+        // Properties missing from a body come from the base theme.
         std::vector<BodyColour> bodies;
         for (const JsonValue each : list) {
             bodies.push_back(theme_.body(BodyIndex(bodies.size() + 1)));

@@ -13,7 +13,7 @@ const TrussStructure::Bar* bar_of(const TrussStructure& truss, BodyIndex body) {
     return found == truss.bars.end() ? nullptr : &*found;
 }
 
-/// A force at a joint is asked for from body to body.
+/// Whether a requested force at a joint refers to bars by their body numbers.
 bool are_asked_by_number(const Mechanism& mechanism, const TrussStructure& truss) {
     const std::vector<Column> columns = asked_columns(mechanism);
     return std::any_of(columns.begin(), columns.end(), [&](const Column& column) {

@@ -1,4 +1,4 @@
-// Bars of a truss by their names: what a reader calls them by instead of the numbers of the file.
+// Names of the bars of a truss, for readers instead of the body numbers of the file.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace kinegraph::render {
 
-/// A bar by its pins, "AB"; null where the body is no bar of a truss, or where what is asked for calls bars by their
-/// numbers.
+/// The name of a bar by its pins, "AB". Null if the body is not a bar of a truss, or if the file's questions refer to
+/// bars by number.
 const std::string* name_of_bar(const Solution& solution, BodyIndex body);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,5 @@
-// What everything that is drawn or set from a Solution is given: the Solution, the look, the type, the language.
+// Drawing context: the common inputs of all drawing and typesetting of a Solution, namely the Solution, theme, fonts
+// and language.
 #pragma once
 
 #include "engine/solution/solution.hpp"
@@ -8,8 +9,8 @@
 
 namespace kinegraph::render {
 
-/// Whether the mechanism figure shows the given lengths, radii and angles as dimensions: each that finds a free place,
-/// all, none.
+/// Whether the mechanism figure shows the given lengths, radii and angles as dimensions. automatic: those that find a
+/// free place.
 enum class Dimensions { automatic, on, off };
 
 struct DrawingContext {

@@ -9,7 +9,7 @@ namespace {
 bool holds(const std::vector<BodyIndex>& bodies, BodyIndex body) {
     return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
 }
-/// All that move with a body's point.
+/// All bodies that share the motion of a body's point.
 std::vector<BodyIndex> pinned_to(const Solution& solution, BodyIndex body, PointIndex point) {
     for (const PointMotion& motion : solution.points)
         if (motion.point == point && holds(motion.bodies, body)) return motion.bodies;

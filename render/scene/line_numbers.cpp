@@ -8,12 +8,12 @@
 namespace kinegraph::render {
 namespace {
 
-// As many as the type has in circles.
+// The font has circled digits up to 9.
 constexpr std::array<const char*, 9> circled{"①", "②", "③", "④", "⑤", "⑥", "⑦", "⑧", "⑨"};
 
 constexpr const char* unbroken_blank = "\u00A0";
 
-/// The same direction through the same places is the same line, whoever draws it again.
+/// Lines with the same direction through the same point are one line, whichever statement draws them.
 bool is_same(const SceneLine& a, const SceneLine& b, double size) {
     constexpr double coincident = 1e-6;
     const auto near = [&](Place p, Place q) {

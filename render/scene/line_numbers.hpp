@@ -1,5 +1,5 @@
-// Line numbers: the numbers ①, ②, … that the lines of a polygon's construction carry, in the order drawn, on the figure
-// and where a sentence names them. Owns which line has which; draws and says nothing.
+// Line numbers: the numbers ①, ②, … of the construction lines of a polygon, in drawing order. The figure and the
+// sentences share them.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@ namespace kinegraph::render {
 
 class LineNumbers {
 public:
-    /// Of one polygon. A line that stands alone has no number; nor has what is known, and so draws no line of its own.
+    /// For one polygon. A single line gets no number; nor does a known quantity, which needs no line.
     explicit LineNumbers(const PolygonScene& scene);
 
-    /// "②" and a blank that does not break, before the name of a line; empty: it has none.
+    /// "②" and a no-break space, before the name of a line; empty if it has no number.
     std::string before(StatementIndex statement, const LineReason& reason) const;
 
 private:
     struct Numbered {
         StatementIndex statement = none;
         LineReason reason;
-        std::size_t number = 0;  // from 0
+        std::size_t number = 0;  // counted from 0
     };
     std::vector<Numbered> lines_;
 };

@@ -10,7 +10,7 @@ Solution under_loads_alone(const Solution& solution, std::size_t part) {
     alone.free_bodies = solution.superposition->parts[part].bodies;
     alone.taken_together = solution.superposition->parts[part].together;
     alone.superposition.reset();
-    alone.forces.clear();  // these are of all loads
+    alone.forces.clear();  // these belong to all loads
     alone.resultants.clear();
     return alone;
 }

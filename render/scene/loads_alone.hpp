@@ -1,5 +1,5 @@
-// Loads alone: a solution by superposition as it is while only the loads of one body act, so that every figure of
-// forces shows these as it shows all. Computes nothing.
+// Superposition: a copy of the solution with the loads of one body only, so that the figures of forces apply to it
+// unchanged. Computes nothing.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace kinegraph::render {
 
-/// The same mechanism with the bodies cut free under the loads of `part` of its superposition alone.
+/// The mechanism with its free bodies under the loads of `part` of its superposition only.
 Solution under_loads_alone(const Solution& solution, std::size_t part);
-/// The part of the superposition that a sentence is about; nothing: it is about all loads.
+/// The part of the superposition that a statement belongs to. Empty: it refers to all loads.
 std::optional<std::size_t> part_of(const Solution& solution, StatementIndex statement);
-/// Of the body or the pin whose loads act: "3", "K".
+/// Name of the body or the pin whose loads act: "3", "K".
 const std::string& name_of(const Mechanism& mechanism, const Superposition::Part& part);
-/// Bodies balanced as one: "3 + 4", or the first and the last of more than four.
+/// Bodies that are balanced together: "3 + 4"; of more than four only the first and the last.
 std::string names_of(const Mechanism& mechanism, const TakenTogether& together);
 
 }  // namespace kinegraph::render

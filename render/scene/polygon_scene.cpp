@@ -1,4 +1,5 @@
-// Polygon scene: read off the protocol, each element turned to doubles once, for the rationals are long.
+// Polygon scene: extracted from the protocol. Each element is converted to doubles only once, because the rationals are
+// long.
 #include "render/scene/polygon_scene.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// A direction as a unit, whatever the size of its coordinates.
+/// A direction as a unit vector, whatever the size of its coordinates.
 Place direction(const Vector& vector) {
     const Exact largest = std::max(abs(vector.x), abs(vector.y));
     if (largest.is_zero()) return {1, 0};
@@ -82,7 +83,7 @@ private:
         return found->second;
     }
 
-    /// Of a polygon of motion the pole, at the origin, belongs to it.
+    /// In a polygon of motion the pole, at the origin, is part of the polygon.
     void measure() {
         bool any = of_motion();
         const auto add = [&](ElementIndex element) {
@@ -113,7 +114,7 @@ private:
                 if (Exact own = dot(exact, exact); !longest || square < own) longest = exact, square = std::move(own);
             const double value =
                 kinegraph::length(si_is_one_ ? exact : Vector{exact.x / scene_.unit.si, exact.y / scene_.unit.si});
-            if (!(value > scene_.size() * 1e-12)) continue;  // nothing to draw: the tables say that it is zero
+            if (!(value > scene_.size() * 1e-12)) continue;  // zero vectors are not drawn; the tables state them
             const std::string base = name_of(vector.symbol);
             if (!seen.emplace(vector.tail, vector.tip, base).second) continue;
             SceneVector& shown = scene_.vectors.emplace_back();
@@ -137,7 +138,7 @@ private:
         if (guide == none || !solution_.bodies[at_index(guide)].omega) return;
         SceneCoriolis& shown = scene_.coriolis.emplace_back();
         shown.coriolis = vector.symbol;
-        // The observer's own term has its velocity beside it: a^cor, v^rel; at a joint v_AA* is the relative one.
+        // The velocity that belongs to a Coriolis term: v^rel for a^cor; at a joint v_AA* is the relative velocity.
         shown.velocity = velocity_of_coriolis(vector.symbol, polygon_.kind == Polygon::Kind::relative_motion);
         shown.omega = {Symbol::Letter::omega, solution_.mechanism.bodies[at_index(guide)].name, ""};
         shown.counter_clockwise = solution_.bodies[at_index(guide)].omega->sign() > 0;
@@ -147,7 +148,8 @@ private:
         shown.guide = guide;
         shown.statement = statement_of(vector);
     }
-    /// A force is drawn by what finds it; the polygon of one body by what closes it, with all its sides.
+    /// A force is drawn by the statement that finds it; the polygon of one body by the statement that closes it, with
+    /// all its sides.
     StatementIndex statement_of(const DrawnVector& vector) const {
         if (of_motion()) return vector.statement;
         if (scene_.kind == PolygonScene::Kind::closure) return statement_of_force(solution_, vector.quantity);
@@ -181,7 +183,7 @@ private:
         }
     }
 
-    /// As far as it lies near the solution.
+    /// Trial lines are clipped to the neighbourhood of the solution.
     void add_trials() {
         const Trials& trials = protocol_.trials;
         const double near = 0.5 * scene_.size();
@@ -224,7 +226,8 @@ private:
                 {SceneImage::Kind::image, image.symbol, place(image.point), 0, statement_of(image)});
         }
     }
-    /// An image stands once a vector ends in it; where none does, once its point is found.
+    /// The statement that draws an image: the first with a vector that ends in it; otherwise the one that finds its
+    /// point.
     StatementIndex statement_of(const Image& image) const {
         for (const int index : polygon_.vectors) {
             const DrawnVector& vector = protocol_.vectors[at_index(index)];
@@ -233,7 +236,7 @@ private:
         return image.statement;
     }
 
-    /// A body of three points or more has an image like itself.
+    /// A body with three or more points has a similar image.
     void add_images_of_bodies() {
         std::map<ElementIndex, StatementIndex> statements;  // by point
         for (const int index : polygon_.images) {

@@ -1,5 +1,5 @@
-// Polygon scene: what a polygon of the solution shows, in which role, of which quantity and drawn by which statement.
-// Places are values of its plane; no millimetre, no colour, no word.
+// Polygon scene: the content of a polygon of the solution, namely its vectors and lines, their roles, their quantities
+// and the statements that draw them. In values of the polygon's plane; no millimetres, colours or words.
 #pragma once
 
 #include <string>
@@ -9,35 +9,34 @@
 
 namespace kinegraph::render {
 
-/// A place of a polygon's plane from its pole, in the unit that its values are told in, y upwards; or a direction
-/// there, as a unit.
+/// A point of the polygon's plane relative to its pole, in the unit of its values, y upwards; or a unit vector.
 struct Place {
     double x = 0, y = 0;
 };
 
 struct SceneVector {
     Symbol symbol;
-    std::string name;  ///< unique in the polygon
+    std::string name;  ///< unique within the polygon
     Place tail, tip;
-    double value = 0;  ///< the double nearest to its exact length
+    double value = 0;  ///< the double nearest to the exact length
     BodyIndex body = none;
-    bool falls_out = false;           ///< an inner side of joined polygons
-    bool has_right_angles = false;    ///< a line ⟂ to it through one of its ends is so by construction
-    StatementIndex statement = none;  ///< none: it is given
+    bool falls_out = false;           ///< an inner side of joined polygons, which cancels
+    bool has_right_angles = false;    ///< a line through one of its ends is perpendicular to it by construction
+    StatementIndex statement = none;  ///< none: given
 };
-/// A line of the construction: through a support, as far as the meet that it is drawn for.
+/// A construction line: through a support, up to the intersection that it is drawn for.
 struct SceneLine {
     LineReason reason;
     Place support, meet, along;
     StatementIndex statement = none;
 };
-/// What was drawn from a trial value on the way.
+/// An element drawn from a trial value.
 struct SceneTrial {
     Place from, to;
-    bool is_line = false;  ///< it runs on; else a vector
+    bool is_line = false;  ///< a line; else a vector
     StatementIndex statement = none;
 };
-/// By how much a trial misses a line: from the tip to the foot of its perpendicular.
+/// The error of a trial: from the tip of the vector to the foot of its perpendicular on the line.
 struct SceneMiss {
     Symbol symbol;
     Place through, foot, tip;
@@ -47,29 +46,30 @@ struct SceneImage {
     enum class Kind { pole, image, trial } kind = Kind::image;
     Symbol symbol;
     Place at;
-    int trial = 0;  ///< 1, 2: of which trial value
+    int trial = 0;  ///< 1 or 2: the trial value it comes from
     StatementIndex statement = none;
 };
-/// The polygon of one body within a force polygon, in order; in one of motion the images of its points, in any.
+/// In a force polygon, the polygon of one body, in order. In a polygon of motion, the images of a body's points, in any
+/// order.
 struct SceneFace {
     BodyIndex body = none;
     std::vector<Place> corners;
-    StatementIndex statement = none;  ///< after which all its corners stand
+    StatementIndex statement = none;  ///< the statement that completes its corners
 };
 
-/// What gives a Coriolis term its direction: the relative velocity, turned a quarter as ω turns.
+/// The direction of a Coriolis term: the relative velocity, rotated by 90° in the sense of ω.
 struct SceneCoriolis {
     Symbol coriolis, velocity, omega;
-    Place along;  ///< of the velocity, a unit
+    Place along;  ///< direction of the velocity, a unit vector
     bool counter_clockwise = true;
-    BodyIndex body = none, guide = none;  ///< whose colours they have
+    BodyIndex body = none, guide = none;  ///< their colours are used
     StatementIndex statement = none;
 };
 
 struct PolygonScene {
     enum class Kind { velocity, acceleration, forces, closure } kind = Kind::velocity;
     std::string id;
-    std::string point, observer;  ///< as Polygon's
+    std::string point, observer;  ///< see Polygon
     bool translating = false;
     Unit unit;
     std::vector<SceneVector> vectors;
@@ -79,19 +79,19 @@ struct PolygonScene {
     std::vector<SceneImage> images;
     std::vector<SceneFace> faces;
     std::vector<SceneCoriolis> coriolis;
-    Place least, most;  ///< round its vectors; round pole and images too where it is one of motion
+    Place least, most;  ///< bounding box of its vectors; in a polygon of motion also of the pole and the images
     Place along;        ///< direction of the longest vector
 
     double width() const { return most.x - least.x; }
     double height() const { return most.y - least.y; }
     double size() const { return width() > height() ? width() : height(); }
-    /// All its vectors are zero.
+    /// Whether all its vectors are zero.
     bool empty() const { return !(size() > 0); }
 };
 
-/// One polygon of the protocol, by its index.
+/// The scene of a polygon of the protocol, by its index.
 PolygonScene polygon_scene(const Solution& solution, int polygon);
-/// Indices of the force polygons in which those of several bodies are joined.
+/// Indices of the force polygons that join those of several bodies.
 std::vector<int> closed_polygons(const Solution& solution);
 
 }  // namespace kinegraph::render

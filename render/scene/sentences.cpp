@@ -1,4 +1,4 @@
-// Sentences, by kind.
+// Classes of sentences: see sentences.hpp.
 #include "render/scene/sentences.hpp"
 
 #include <algorithm>
@@ -44,13 +44,13 @@ bool carries_on(Sentence sentence) {
         case Sentence::centre_by_rigidity:
         case Sentence::centre_from_velocities:
         case Sentence::second_way:
-        case Sentence::known_resultant:  // the sentence that needs it says so, and it is drawn
+        case Sentence::known_resultant:  // drawn, and stated by the sentence that needs it
             return true;
         default: return false;
     }
 }
 
-/// Whether another sentence speaks of the resultant that this one adds up.
+/// Whether another sentence mentions the resultant that this one adds up.
 bool is_spoken_of(const std::vector<Statement>& statements, std::size_t which) {
     if (statements[which].message.sentence != Sentence::known_resultant) return false;
     const Symbol& sum = std::get<Symbol>(statements[which].message.arguments[2]);
@@ -67,7 +67,7 @@ bool is_spoken_of(const std::vector<Statement>& statements, std::size_t which) {
     });
 }
 
-/// Whether it finds what another sentence's equation has as known: its ✓ came from here.
+/// Whether it determines a term that another sentence's equation marks as known (✓).
 bool leads_to_known_term(const std::vector<Statement>& statements, std::size_t which) {
     const auto speaks_of = [&](const Symbol& term) {
         const std::vector<Argument>& arguments = statements[which].message.arguments;

@@ -1,4 +1,4 @@
-// Sentences by kind: which of a solution the list of centres says as well. Says nothing in words and computes nothing.
+// Classes of sentences, for shortening a solution. Produces no text and computes nothing.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace kinegraph::render {
 
-/// It only names the pair that a centre lies at.
+/// Whether it only states that a centre lies at a pair.
 bool names_a_pair(Sentence sentence);
-/// The list of centres says it as well.
+/// Whether the list of centres contains the same information.
 bool told_by_list(Sentence sentence);
 
-/// Whether a sentence only carries on what another has decided (images, equal turnings), so that a brief solution does
-/// without it; not one that gives a name which another uses.
+/// Whether a statement only follows from another (images, equal rotations), so that a brief solution omits it. False if
+/// it introduces a name that another statement uses.
 bool is_incidental(const std::vector<Statement>& statements, std::size_t which);
 
 }  // namespace kinegraph::render

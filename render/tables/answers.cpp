@@ -1,4 +1,5 @@
-// Answers: see answers.hpp. Tolerances are those of products and quotients of two readings, each half a millimetre off.
+// Answers: see answers.hpp. The tolerance of a product or quotient follows from its two readings, each with an error of
+// half a millimetre.
 #include "render/tables/answers.hpp"
 
 #include <algorithm>
@@ -20,13 +21,13 @@ namespace {
 
 using Kind = Quantity::Kind;
 
-/// From 0 to 360.
+/// To the range from 0 to 360.
 double whole_turn(double degrees) { return degrees < 0 ? degrees + 360 : degrees; }
 double degrees_of(const Vector& vector) {
     return whole_turn(std::atan2(vector.y.to_double(), vector.x.to_double()) * 180 / std::numbers::pi);
 }
 
-/// What the file's drivers give.
+/// Whether the file's drivers give the quantity.
 bool is_driven(const Mechanism& mechanism, const Quantity& quantity) {
     return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
         const auto* spin = std::get_if<SpinDriver>(&driver);
@@ -34,7 +35,7 @@ bool is_driven(const Mechanism& mechanism, const Quantity& quantity) {
     });
 }
 
-/// The bodies that turn as one does, itself first: sleeves, guides and clamps let them not turn against each other.
+/// The bodies with the same rotation as `body`, itself first: sleeves, guides and clamps prevent relative rotation.
 std::vector<BodyIndex> turning_with(const Mechanism& mechanism, BodyIndex body) {
     std::vector<BodyIndex> all{body};
     for (std::size_t known = 0; known < all.size(); ++known)
@@ -125,8 +126,8 @@ private:
         return std::nullopt;
     }
 
-    /// From the vector and the length of which ω or α is the quotient: the pair that is read best, on whichever of the
-    /// bodies that turn together.
+    /// Tolerance of ω or α as the quotient of a vector and a length: the pair that reads most accurately, on any of the
+    /// bodies that rotate together.
     void read_turning(const ResultRow& row, Answer& answer) const {
         if (!length_scale_ || row.drawing == 0) return;
         const bool is_omega = row.quantity.kind == Kind::omega;
@@ -157,8 +158,9 @@ private:
         answer.read_off = best->symbol;
         answer.detail = best->detail;
     }
-    /// Whether a part of a motion is that of one point of a body against another of the same. (A pin is told by one of
-    /// its bodies: a pin of coupler and rocker turns about the rocker's pivot, and with the rocker.)
+    /// Whether a component of a motion is that of one point of the body relative to another point of the same body. (A
+    /// pin is attributed to one of its bodies, but a pin of coupler and rocker turns about the rocker's pivot with the
+    /// rocker.)
     bool is_across(BodyIndex body, const Quantity& part) const {
         const bool has_tip = part.body == body || carries(body, part.point);
         return has_tip && (part.seen_from == none || part.other == body || carries(body, part.seen_from));
@@ -172,7 +174,7 @@ private:
         const std::vector<PointIndex>& points = mechanism_.body(body).points;
         return point != none && std::find(points.begin(), points.end(), point) != points.end();
     }
-    /// Of a point of a body that turns about a pin of the frame, m; 0: it is none.
+    /// Distance (m) of a point from the frame pin about which its body rotates; 0 if there is none.
     double distance_from_pivot(BodyIndex body, const Quantity& velocity) const {
         const PointIndex point = velocity.point;
         if (velocity.body != body && !carries(body, point)) return 0;
@@ -185,8 +187,7 @@ private:
     void add_force(const ResultRow& row) {
         const Kind kind = row.quantity.kind;
         if (kind != Kind::force && kind != Kind::couple && kind != Kind::effort && kind != Kind::bar) return;
-        if (row.symbol.letter == Symbol::Letter::length)
-            return;  // how far aside a force is moved follows from the couple
+        if (row.symbol.letter == Symbol::Letter::length) return;  // the displacement of a force follows from its couple
         Answer answer{row.symbol, Topic::forces, row.drawing, row.unit};
         answer.quantity = row.quantity;
         if (row.group.couples) {
@@ -206,14 +207,14 @@ private:
         if (kind == Kind::effort && !row.group.couples) count_along_its_line(answer);
         answers_.push_back(std::move(answer));
     }
-    /// What balances as a force is asked for by its sense, so it is told in that, not by its length.
+    /// A balancing force is requested with its sense, so the answer is its signed component, not its magnitude.
     void count_along_its_line(Answer& answer) const {
         const std::size_t e = at_index(answer.quantity.given);
         if (e >= solution_.efforts.size() || !solution_.efforts[e].value) return;
         answer.value = std::copysign(answer.value, solution_.efforts[e].value->to_double());
         answer.direction = sense_of(mechanism_.efforts[e]);
     }
-    /// Degrees; nothing of a couple.
+    /// Degrees; empty for a couple.
     std::optional<double> sense_of(const Effort& effort) const {
         if (const auto* force = std::get_if<ForceEffort>(&effort))
             return degrees_of(direction_of(force->along, solution_.pose));
@@ -223,7 +224,8 @@ private:
         }
         return std::nullopt;
     }
-    /// Those that virtual work found without reactions: positive along their lines, and calculated rather than read.
+    /// Input forces and couples that virtual work found without reactions: positive along their lines, and calculated
+    /// rather than read.
     void add_efforts() {
         const std::vector<EffortValue> efforts = efforts_found(solution_);
         for (std::size_t e = 0; e < efforts.size(); ++e) {
@@ -237,13 +239,13 @@ private:
             answers_.push_back(std::move(answer));
         }
     }
-    /// As it is read best, in a detail or not.
+    /// The row that reads most accurately, in a detail or not.
     const ResultRow* row_of_force(const std::string& name) const {
         for (const ResultRow& row : forces_)
             if (row.name == name && !row.group.couples && tolerance_of_vector(row)) return &row;
         return nullptr;
     }
-    /// M = F·h with the largest force on the body: both are read.
+    /// M = F·h with the largest force on the body; both are read.
     void read_couple(const ResultRow& row, Answer& answer) const {
         if (!length_scale_ || !force_scale_) return;
         const AppliedForce* largest = nullptr;
@@ -269,12 +271,12 @@ private:
     const Solution& solution_;
     const Mechanism& mechanism_;
     std::vector<ResultRow> motion_, forces_;
-    std::optional<double> length_scale_;  // m for each mm
-    std::optional<double> force_scale_;   // N for each mm, the coarsest
+    std::optional<double> length_scale_;  // m per mm
+    std::optional<double> force_scale_;   // N per mm, the coarsest
     std::vector<Answer> answers_;
 };
 
-/// Digits after the point that a tolerance leaves meaning to.
+/// The significant decimals for a tolerance.
 int decimals_of(double tolerance) {
     return std::clamp(static_cast<int>(-std::floor(std::log10(tolerance) + 1e-9)), 0, 9);
 }
@@ -329,7 +331,7 @@ private:
         RichText name = answer.words.empty() ? typeset(answer.symbol, language) : answer.words;
         if (!answer.at)
             for (Piece& piece : name)
-                if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the length of the vector
+                if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the magnitude of the vector
         AnswerCells cells;
         cells.all[0] = context_.fonts.shape(name, size + 0.5);
         const auto value = [&](double v) {
@@ -373,7 +375,8 @@ private:
     std::vector<AnswerCells> lines_;
 };
 
-/// Whether an answer is the result, or the vector of which it is a component; action and reaction are one.
+/// Whether an answer is the requested result, or the vector of which it is a component. Action and reaction count as
+/// one.
 bool is_of(const Answer& answer, const Column& column, const Mechanism& mechanism) {
     if (column.kind != Column::Kind::result && column.kind != Column::Kind::along) return false;
     const Quantity wanted = column.quantity.along(Quantity::Component::whole);
@@ -383,7 +386,7 @@ bool is_of(const Answer& answer, const Column& column, const Mechanism& mechanis
         return is_of_sliding(own, wanted.joint, wanted.kind == Kind::sliding_acceleration, mechanism);
     if (own.kind != wanted.kind) return false;
     if (own.kind == Kind::velocity || own.kind == Kind::acceleration) {
-        own.body = wanted.body;  // whichever body carries the point, as long as only one vector has its name
+        own.body = wanted.body;  // any body that contains the point, if only one vector has this name
         return own == wanted;
     }
     if (own.kind != Kind::force && own.kind != Kind::couple) return false;
@@ -391,12 +394,12 @@ bool is_of(const Answer& answer, const Column& column, const Mechanism& mechanis
     return own == wanted;
 }
 
-/// Of half a millimetre on the first figure that is drawn to a scale of the kind; 0: there is none.
+/// The value of half a millimetre on the first figure with a scale of that kind; 0 if there is none.
 double half_a_millimetre(const std::vector<Figure>& drawn, QuantityKind kind, const Units& units) {
     for (const Figure& figure : drawn) {
         if (!figure.has_scale) continue;
         const bool forces = figure.kind == "forces" || figure.kind == "closure";
-        // Of polygons in the file's unit for each millimetre.
+        // Polygons: in the file's unit per millimetre.
         const Unit* unit = forces                          ? &units.force
                            : figure.kind == "velocity"     ? &units.velocity
                            : figure.kind == "acceleration" ? &units.acceleration
@@ -411,7 +414,7 @@ double half_a_millimetre(const std::vector<Figure>& drawn, QuantityKind kind, co
     return 0;
 }
 
-/// Velocities that are found for the sake of what `find` asks for alone.
+/// Whether the velocities or accelerations of a section are only intermediate results of what `find` requests.
 bool is_on_the_way(const Find& find, Topic section) {
     if (!find.stated) return false;
     const bool later = find.acceleration || find.forces;
@@ -419,7 +422,7 @@ bool is_on_the_way(const Find& find, Topic section) {
            (section == Topic::acceleration && !find.acceleration && find.forces);
 }
 
-/// Where results of a kind stand in the key.
+/// The section of the key that lists results of this kind.
 Topic section_of(const Column& column) {
     switch (column.unit) {
         case QuantityKind::velocity:
@@ -447,7 +450,7 @@ Answer told_by_name(const DrawingContext& context, const std::vector<Answer>& an
     return answer;
 }
 
-/// A force or a couple as it acts on the body for which it is asked; any other answer as it is.
+/// A force or a couple as it acts on the body for which it is requested; other answers unchanged.
 Answer as_asked(Answer answer, const Column& column, const Solution& solution) {
     const Quantity& wanted = column.quantity;
     if (wanted.kind != Kind::force && wanted.kind != Kind::couple) return answer;
@@ -462,7 +465,7 @@ Answer as_asked(Answer answer, const Column& column, const Solution& solution) {
     return answer;
 }
 
-/// Where a section stands among those of a solution; what is of none comes first.
+/// Rank of a section among those of a solution; results without a section come first.
 int order_of(Topic section) {
     switch (section) {
         case Topic::unnamed: return 0;
@@ -517,7 +520,7 @@ std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figu
         std::erase_if(answers, [&](const Answer& each) { return is_on_the_way(mechanism.find, each.section); });
         return answers;
     }
-    // Section by section; in each a component follows its vector, and what belongs to none stands first.
+    // Section by section: a component follows its vector, and results without a vector come first.
     std::vector<std::pair<std::pair<int, std::ptrdiff_t>, Answer>> placed;
     const auto put = [&](std::ptrdiff_t place, Answer answer) {
         const int section = order_of(answer.section);

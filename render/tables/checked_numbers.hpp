@@ -1,5 +1,5 @@
-// Checked numbers: what the check says of quantities, of the vectors drawn and of the forces, SI units. What is
-// rounding beside the largest of its kind is nothing here. Looks up and computes no mechanics.
+// Checked numbers: the results of the numerical check for quantities, drawn vectors and forces, SI units. Values that
+// are rounding noise relative to the largest of their kind become 0. Only looks up; computes no mechanics.
 #pragma once
 
 #include <cmath>
@@ -22,7 +22,7 @@ public:
         return found == rows_.end() ? std::nullopt
                                     : clean(quantity, found->second.numeric, found->second.graphical == 0);
     }
-    /// The modulus of one of Protocol::vectors.
+    /// The modulus of a vector, by its index in Protocol::vectors.
     std::optional<double> of_vector(int vector) const {
         const auto index = static_cast<std::size_t>(vector);
         if (index >= solution_.numeric_moduli.size()) return std::nullopt;
@@ -41,8 +41,8 @@ public:
     }
 
 private:
-    /// `vanishes`: by the construction, on rounded data within their precision; the check's number then shows no more
-    /// than that.
+    /// `vanishes`: zero by the construction. With rounded data, a number of the check within their precision is then 0
+    /// too.
     std::optional<double> clean(const Quantity& quantity, std::optional<double> value, bool vanishes) const {
         if (!value || magnitudes_.is_noise(quantity, *value)) return value ? 0 : value;
         const bool within = vanishes && solution_.pose.is_rounded() &&

@@ -13,7 +13,7 @@ std::vector<double> values_of(const CycleTable& table, std::size_t column) {
     return values;
 }
 
-/// The extreme near row i, if the rows about it lie on a smooth curve.
+/// The extreme near row i, refined by a parabola if the neighbouring rows lie on a smooth curve.
 Extreme refined(const CycleTable& table, const std::vector<double>& y, std::size_t i) {
     const auto at = [&](std::size_t k) { return table.rows[k][table.over()]; };
     const Extreme as_it_is{at(i), y[i]};
@@ -61,7 +61,7 @@ std::vector<double> zeros_of(const CycleTable& table, std::size_t column) {
     const double way =
         table.rows.empty() ? 0 : std::abs(table.rows.back()[table.over()] - table.rows.front()[table.over()]);
     std::vector<double> zeros;
-    // Where a law jumps two rows lie at one place: what is zero on both is zero once.
+    // At a jump of a law, two rows have the same position; a zero of both is one zero.
     const auto add = [&](double zero) {
         const double at_place = std::abs(zero) < 1e-9 * way ? 0 : zero;
         if (zeros.empty() || zeros.back() != at_place) zeros.push_back(at_place);

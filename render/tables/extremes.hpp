@@ -1,5 +1,4 @@
-// Extremes of a cycle: where a column is least, greatest and zero, between the rows as well as on them. Knows no
-// drawing.
+// Extremes of a cycle: minimum, maximum and zeros of a column, interpolated between the rows. Independent of drawing.
 #pragma once
 
 #include <utility>
@@ -9,23 +8,23 @@
 
 namespace kinegraph::render {
 
-/// A value of a column, SI, and where: the driver's coordinate, or the time where it has a law.
+/// A value of a column, SI, and its position: the driver's coordinate, or the time if the driver has a law.
 struct Extreme {
     double at = 0, value = 0;
 };
 
-/// The least and the greatest value; between three rows by the parabola through them, where their neighbours bend alike
-/// (so not at a jump), and at the limits, where the place alone gives it. Of a table without rows: zeros.
+/// Minimum and maximum. Each is refined by the parabola through three rows if the neighbouring second differences are
+/// similar (so not at a jump). At a limit position the value there is used. Zeros for an empty table.
 std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, std::size_t column);
-/// The same of any values, one a row.
+/// The same for any values, one per row.
 std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, const std::vector<double>& values);
 
-/// Where it passes zero, in the order of the rows; not where it stays there.
+/// Positions of its zeros, in the order of the rows; not intervals on which it stays zero.
 std::vector<double> zeros_of(const CycleTable& table, std::size_t column);
 
-/// Beside what is this large a value of the column is rounding: 1e-9 of the largest of the columns of its unit.
+/// Rounding level of a column: values up to 1e-9 of the largest value of all columns with its unit count as zero.
 double rounding_of(const CycleTable& table, std::size_t column);
-/// It does not change, or by rounding only.
+/// Whether the column varies by no more than rounding.
 bool is_constant(const CycleTable& table, std::size_t column);
 
 }  // namespace kinegraph::render

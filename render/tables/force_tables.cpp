@@ -1,4 +1,5 @@
-// Force tables: see force_tables.hpp. Numbers come from the Solution and its checks; here they are only paired and set.
+// Force tables: see force_tables.hpp. All numbers come from the Solution and its checks; here they are only paired and
+// typeset.
 #include "render/tables/force_tables.hpp"
 
 #include <algorithm>
@@ -25,13 +26,13 @@ RichText point(const Mechanism& mechanism, PointIndex p, Language language) {
 }
 bool is_load(ForceKind kind) { return kind != ForceKind::reaction && kind != ForceKind::effort; }
 
-/// What is given on it does not close: there is nothing to be found.
+/// The given loads are not in equilibrium, and nothing is unknown.
 bool is_open(const FreeBody& body) {
     return std::any_of(body.forces.begin(), body.forces.end(),
                        [](const AppliedForce& each) { return each.kind == ForceKind::resultant; });
 }
 
-/// The free body on which the other end of a reaction acts; none for the frame.
+/// The free body on which the opposite of a reaction acts; none for the frame.
 const FreeBody* opposite(const Solution& solution, const FreeBody& body, const AppliedForce& applied) {
     for (const FreeBody& other : solution.free_bodies) {
         if (&other == &body) continue;
@@ -43,13 +44,13 @@ const FreeBody* opposite(const Solution& solution, const FreeBody& body, const A
     return nullptr;
 }
 
-/// As a share of the drawing's size, of a force: what is this small beside it is zero, on rounded data to their
-/// precision, amplified a little.
+/// Relative threshold for lengths (of the drawing's size) and forces: anything smaller is zero. On rounded data it is
+/// their precision, with some amplification.
 double least_share(const Pose& pose, double least) {
     constexpr double amplified = 64;
     return std::max(least, amplified * pose.rounding());
 }
-/// Whether a place lies on the line of action, to what a drawing can show.
+/// Whether a place lies on the line of action, within the accuracy of a drawing.
 bool on_line(const AppliedForce& applied, const Vector& place, const Pose& pose) {
     const Vector d = place - applied.at;
     const double away =
@@ -57,7 +58,7 @@ bool on_line(const AppliedForce& applied, const Vector& place, const Pose& pose)
     return away < least_share(pose, 1e-7) * pose.size.to_double();
 }
 
-/// The line of a force as the table names it; nothing: any line, none was deduced.
+/// The line of a force for the table. Empty: any line, none was deduced.
 std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
@@ -68,12 +69,12 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
     if (applied.kind == ForceKind::effort) return one_piece("∥ " + word("guide", language));
     if (joint.pair().is_sleeve()) return one_piece("⟂ " + word("guide", language));
-    // Teeth press at the pressure angle, not along the common normal of the pitch curves.
+    // Teeth transmit force at the pressure angle, not along the common normal of the pitch curves.
     if (joint.pair().meshes()) return one_piece(word("line of the teeth", language));
     if (!joint.pair().holds_point()) return one_piece(word("normal", language));
     const Vector& own = solution.pose.at(joint.point);
     RichText text = point(mechanism, joint.point, language);
-    // Along a two-force body: its other joint lies on the line.
+    // A two-force body: the line passes through its other joint.
     if (applied.from > frame)
         for (const Joint& other : mechanism.joints) {
             if (other.point == joint.point || (solution.pose.at(other.point) - own).is_zero()) continue;
@@ -82,7 +83,7 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
             append_point(text, point(mechanism, other.point, language));
             return text;
         }
-    // Its own concurrency, or that of the body it comes from.
+    // The concurrency of the forces on this body, or on the body that the force comes from.
     std::vector<FreeBody::Meet> meets = body.meets;
     for (const FreeBody& other : solution.free_bodies)
         if (other.body == applied.from && applied.from > frame)
@@ -96,7 +97,7 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     return std::nullopt;
 }
 
-/// Forces of one direction are found by moments: no triangle to be closed.
+/// Parallel forces are found by moments; there is no triangle to close.
 bool are_parallel(const Solution& solution, const FreeBody& body) {
     return std::all_of(body.forces.begin(), body.forces.end(), [&](const AppliedForce& each) {
         const Vector& first = body.forces.front().force;
@@ -105,7 +106,7 @@ bool are_parallel(const Solution& solution, const FreeBody& body) {
     });
 }
 
-/// A force of the equation with what is known of it.
+/// A force of the equation, with its known and sought properties.
 struct EquationColumn {
     ShapedLine symbol, line;
     bool magnitude = false, direction = true;
@@ -118,7 +119,8 @@ EquationColumn equation_column(const DrawingContext& context, const FreeBody& bo
     column.magnitude = is_load(applied.kind);
     if (applied.kind == ForceKind::reaction)
         if (const FreeBody* other = opposite(context.solution, body, applied)) column.magnitude = other < &body;
-    // A hinge whose line nothing gave: both are sought, the polygon has them at once.
+    // Nothing determines the line of this hinge force: magnitude and direction are both sought, and the polygon gives
+    // them together.
     const std::optional<RichText> line = line_of(context, body, applied);
     column.direction = column.magnitude || applied.kind != ForceKind::reaction || line;
     column.symbol = context.fonts.shape(typeset(symbol, context.language), context.theme.equation);
@@ -128,8 +130,8 @@ EquationColumn equation_column(const DrawingContext& context, const FreeBody& bo
     return column;
 }
 
-/// In the order of the polygon; nothing where a side of it is no force of the body, or where there are more forces or
-/// unknowns than one polygon gives.
+/// In the order of the polygon. Empty if a side of it is not a force of the body, or if there are more forces or
+/// unknowns than one polygon can give.
 std::optional<std::vector<EquationColumn>> equation_columns(const DrawingContext& context, const FreeBody& body) {
     const Protocol& protocol = context.solution.protocol;
     std::vector<EquationColumn> columns;
@@ -149,7 +151,7 @@ std::optional<std::vector<EquationColumn>> equation_columns(const DrawingContext
 
 constexpr std::array<const char*, 3> equation_rows{"magnitude", "direction", "line"};
 
-/// The equation F_g + F_01 + F_21 = 0, and below it the rows of what is known of each force.
+/// The equation F_g + F_01 + F_21 = 0, with rows of known and sought properties below it.
 class ForceEquation {
 public:
     ForceEquation(const DrawingContext& context, std::vector<EquationColumn> columns, bool with_names)
@@ -224,7 +226,7 @@ private:
 };
 
 std::optional<Measured> measured(const std::vector<Figure>& figures, const std::string& name) {
-    std::optional<Measured> longest;  // the first one, or where it has a detail
+    std::optional<Measured> longest;  // the first, unless it has a detail
     for (const Figure& figure : figures) {
         if (figure.kind != "forces" && figure.kind != "closure") continue;
         auto found = measured_on(figure, name);
@@ -281,7 +283,7 @@ RichText beside_guide(const DrawingContext& context, const FreeBody& body, const
     const auto along = [&](const Vector& place) { return dot(place - own, guide).to_double() / unit_length; };
     const double at = along(applied.at), small = 1e-9 * solution.pose.size.to_double();
     if (std::abs(at) <= small) return {};
-    // What the guide holds of the slider: its points on the guide's line.
+    // The range of the slider's points on the guide's line.
     double least = 0, most = 0;
     for (const PointIndex p : mechanism.bodies[at_index(joint.bodies[0])].points) {
         const Vector& place = solution.pose.at(p);
@@ -300,7 +302,7 @@ RichText beside_guide(const DrawingContext& context, const FreeBody& body, const
 
 namespace {
 
-/// Rows of forces and couples, each action and its reaction once.
+/// Rows of forces and couples; each action and its reaction appear once.
 class ForceRows {
 public:
     ForceRows(const DrawingContext& context, const std::vector<Figure>& figures, bool at_pairs)
@@ -331,7 +333,7 @@ public:
     }
 
 private:
-    /// Sought efforts that come out as nothing act on no body, and are answers all the same.
+    /// Sought input forces and couples that are zero act on no body, but are answers as well.
     void add_idle_efforts() {
         for (std::size_t e = 0; e < solution_.efforts.size(); ++e) {
             const EffortValue& effort = solution_.efforts[e];
@@ -348,13 +350,13 @@ private:
             (couple ? couples_ : forces_).push_back(std::move(row));
         }
     }
-    /// Of an action on two bodies, of a mass's force and couple.
+    /// Whether this is the first occurrence of an action on two bodies, or of a mass's force and couple.
     bool is_first(const FreeBody& body, const AppliedForce& applied) {
         Quantity quantity = quantity_of(body, applied);
         if (quantity.body > quantity.other) std::swap(quantity.body, quantity.other);
         return seen_.emplace(quantity, applied.force.is_zero()).second;
     }
-    /// A couple between two bodies is told as it acts on the one that the file names first.
+    /// A couple between two bodies is listed as it acts on the body that the file names first.
     std::pair<const FreeBody*, const AppliedForce*> own_end(const FreeBody& body, const AppliedForce& applied) const {
         const auto* couple = applied.kind == ForceKind::effort
                                  ? std::get_if<CoupleEffort>(&mechanism_.efforts[at_index(applied.given)])
@@ -366,7 +368,7 @@ private:
                     return {&other, &its};
         return {&body, &applied};
     }
-    /// Where only the reverse is drawn, that is measured.
+    /// If only the reverse is drawn, its length is measured.
     Symbol symbol_measured(const FreeBody& body, const AppliedForce& applied) const {
         if (applied.kind != ForceKind::reaction || measured(figures_, name_of(applied.symbol))) return applied.symbol;
         if (const FreeBody* other = opposite(solution_, body, applied))
@@ -404,7 +406,7 @@ private:
         return row;
     }
 
-    /// By how much the one force lies beside the pair: d = M/F.
+    /// The displacement of the single force from the pair: d = M/F.
     ResultRow shift_row(const FreeBody& body, const AppliedForce& applied) const {
         ResultRow row = couple_row(body, applied);
         const Unit& unit = mechanism_.units.length;

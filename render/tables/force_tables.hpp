@@ -1,5 +1,5 @@
-// Force tables: what is known of each force of a polygon, the forces as drawn beside the numbers of the check, active
-// forces and reactions body by body. Owns their columns; computes no statics.
+// Force tables: known and sought properties of the forces of a polygon; drawn forces beside the numbers of the check;
+// active forces and reactions body by body. Owns their columns; computes no statics.
 #pragma once
 
 #include <vector>
@@ -9,32 +9,32 @@
 
 namespace kinegraph::render {
 
-/// The couple of an applied force or couple, as it is written: M_12 beside F_12.
+/// The symbol of the couple that belongs to a force: M_12 beside F_12.
 Symbol couple_symbol(const AppliedForce& applied);
 
-/// The bodies whose polygons a statement closes: nothing of theirs is left to be found by a later one.
+/// The bodies whose force polygons a statement closes; no later statement finds a force on them.
 std::vector<const FreeBody*> closed_by(const Solution& solution, StatementIndex statement);
 
-/// F_g + F_01 + F_21 = 0 above its table: magnitude and direction known or sought, and the line. Empty (no width) where
-/// the forces were not found by closing this polygon alone.
+/// F_g + F_01 + F_21 = 0 above its table: magnitude and direction known or sought, and the line. An empty block (no
+/// width) if the forces were not found by closing this polygon alone.
 Block force_equation_block(const DrawingContext& context, const FreeBody& body, bool with_names);
-/// The names of the rows alone, for several tables in a row.
+/// Only the names of the rows, to stand before several tables side by side.
 Block force_row_names(const DrawingContext& context);
 
-/// The same reaction reduced to its pair's point, where it has a couple there (a sleeve, a clamp): the force with that
-/// couple is the single force of `applied`, moved aside by d = M/F. Null where there is none.
+/// The reaction reduced to its pair's point, if it has a couple there (a sleeve, a clamp). The force with that couple
+/// is equivalent to the single force of `applied`, displaced by d = M/F. Null without a couple.
 const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, const AppliedForce& applied);
 
-/// Where a slider's reaction passes beside its guide: how far from the joint's point, or that it is outside of the
-/// points of slider that the guide holds, so that it tips. Empty where it passes through the joint's point.
+/// Where a slider's reaction passes its guide: the distance from the joint's point, or a note that it lies outside the
+/// slider's points on the guide, so that the slider tips. Empty if it passes through the joint's point.
 RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied);
 
-/// Rows for the results table: loads, reactions once for each joint, efforts; their axes on `figures` are measured.
-/// `at_pairs`: the couples of sleeves and clamps beside their forces, too.
+/// Rows for the results table: loads, reactions once per joint, input forces and couples. Their lengths are measured on
+/// `figures`. `at_pairs`: also the couples of sleeves and clamps beside their forces.
 std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures,
                                   bool at_pairs = true);
 
-/// Active forces and reactions, body by body, the frame last; head and rows, `width` mm wide.
+/// Active forces and reactions, body by body, the frame last; the head and the rows of a table `width` mm wide.
 std::vector<Block> reaction_lines(const DrawingContext& context, double width);
 
 }  // namespace kinegraph::render

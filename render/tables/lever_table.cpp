@@ -1,4 +1,4 @@
-// The table of Joukowsky's lever. Takes forces, velocities and powers from the Solution, computes no statics.
+// The table of Joukowsky's lever. Forces, velocities and powers come from the Solution; computes no statics.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// F, h, M and ω of a sentence are set as what they are: quantities.
+/// Typesets F, h, M and ω in a sentence as quantities.
 RichText with_quantities(const std::string& words) {
     RichText text;
     std::string rest = words;
@@ -34,14 +34,14 @@ RichText with_quantities(const std::string& words) {
     return text;
 }
 
-/// A quantity in a table is a scalar.
+/// Table cells show scalars.
 RichText scalar(RichText text) {
     for (Piece& piece : text)
         if (piece.face == Face::bold_italic) piece.face = Face::italic;
     return text;
 }
 
-/// Its lines: force, how much, arm or ω, power.
+/// The lines of the table: force, magnitude, arm or ω, power.
 class LeverTable {
 public:
     explicit LeverTable(const DrawingContext& context)
@@ -150,7 +150,7 @@ private:
                           theme_.colour_of(entry.body).letter});
     }
 
-    /// Where they end.
+    /// Right edges of the columns.
     std::array<double, 4> columns(double most) const {
         std::array<double, 4> widths{};
         const auto measure = [&](const Line& each) {
@@ -169,7 +169,7 @@ private:
     const Units& units_;
     const Theme& theme_;
     const VirtualWork& work_;
-    double largest_ = 0;  // power, that the others are printed against
+    double largest_ = 0;  // largest power, which fixes the decimals of all
     bool plain_powers_ = true;
     int decimals_ = 0;
     Line head_, sum_;

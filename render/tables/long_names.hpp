@@ -1,5 +1,4 @@
-// Long names in tables: what a cell has no room for is broken, set smaller, and in the end cut short, so that columns
-// keep to themselves.
+// Long names in table cells: broken, set smaller and finally shortened, so that columns do not overlap.
 #pragma once
 
 #include <vector>
@@ -8,9 +7,9 @@
 
 namespace kinegraph::render {
 
-/// One line no wider than `room` mm: smaller as far as it can be read, then with an ellipsis.
+/// One line no wider than `room` mm: first smaller, down to a readable size, then with an ellipsis.
 ShapedLine line_in_cell(const RichText& text, double size, const Fonts& fonts, double room);
-/// The same on as many lines as it takes.
+/// The same on as many lines as necessary.
 std::vector<ShapedLine> lines_in_cell(const RichText& text, double size, const Fonts& fonts, double room);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,4 @@
-// Pairs as JSON: one line a pair, a body, a scheme.
+// Pairs as JSON: one line per pair, body or scheme.
 #include <array>
 #include <map>
 #include <sstream>
@@ -23,7 +23,7 @@ std::string object_of(const Members& members) {
     for (const auto& [key, value] : members) json += (json.empty() ? "{" : ", ") + json_text(key) + ": " + value;
     return json.empty() ? "{}" : json + "}";
 }
-/// One entry a line.
+/// One entry per line.
 std::string lines_of(const std::vector<std::string>& values) {
     std::string json;
     for (const std::string& each : values) json += (json.empty() ? "[\n    " : ",\n    ") + each;
@@ -35,7 +35,7 @@ std::string file_of(const Members& members) {
         json += (json.size() > 1 ? ",\n  " : "\n  ") + json_text(key) + ": " + value;
     return json + "\n}\n";
 }
-/// Words parted by spaces and commas.
+/// Words separated by spaces and commas.
 std::string words_of(std::string_view text) {
     std::vector<std::string> words;
     std::string part;

@@ -16,7 +16,7 @@ using Cells = std::vector<std::string>;
 
 std::string signed_text(int value) { return (value < 0 ? "−" : "") + std::to_string(std::abs(value)); }
 
-/// Headings, tables and lines, in either form.
+/// Writes headings, tables and lines in either text form.
 class Writer {
 public:
     explicit Writer(TextForm form) : form_(form) {}
@@ -34,7 +34,7 @@ public:
     void note(const std::string& text) {
         text_ += form_ == TextForm::markdown ? "\n" + text + "\n" : "  " + text + "\n";
     }
-    /// Left aligned; the first row is the head.
+    /// Left aligned, with the first row as the head.
     void table(const std::vector<Cells>& rows) {
         std::vector<std::size_t> widths(rows.front().size(), 0);
         for (const Cells& row : rows)
@@ -57,7 +57,7 @@ public:
             text_ += each + "\n";
         }
     }
-    /// One thing with what there is to say of it, each under its own word.
+    /// One item with its properties, each under its own label.
     void entry(const std::string& name, const std::vector<std::array<std::string, 2>>& facts) {
         if (form_ == TextForm::markdown) {
             text_ += "### " + name + "\n\n";
@@ -105,16 +105,16 @@ std::string spelt(const BinaryScheme& scheme, const std::vector<std::string>& bo
     return text;
 }
 
-/// n^(n−2), as a number while it is short.
+/// n^(n−2): the number while it is short, otherwise the power.
 std::string schemes_of(int bodies) {
     std::size_t count = 1;
-    constexpr int longest = 9;  // 9^7 is the last below ten millions
+    constexpr int longest = 9;  // 9^7 is the last one below ten million
     if (bodies > longest) return std::to_string(bodies) + "^" + std::to_string(bodies - 2);
     for (int i = 0; i < bodies - 2; ++i) count *= static_cast<std::size_t>(bodies);
     return std::to_string(count);
 }
 
-/// "unary", "binary" …; of more than four the number alone.
+/// "unary", "binary" …; above four only the number.
 Words arity(int pairs) {
     static const std::array<Words, 5> names{
         Words("bodies without pairs", "membri senza coppie"), Words("unary bodies", "membri unari"),
@@ -124,7 +124,7 @@ Words arity(int pairs) {
     return {"bodies with {0} pairs", "membri con {0} coppie", std::to_string(pairs)};
 }
 
-/// The chain that they make, and its bodies by the number of their pairs.
+/// The chain that the pairs form, and its bodies by number of pairs.
 void write_chain(Writer& page, const Mechanism& mechanism, Language language) {
     const KinematicChain chain = chain_of(mechanism);
     const Words kind = chain.kind() == KinematicChain::Kind::open     ? Words("open", "aperta")

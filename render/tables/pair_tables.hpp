@@ -13,11 +13,11 @@ namespace kinegraph::render {
 
 enum class TextForm { plain, markdown, json };
 
-/// All pairs that a file may use, the lower pairs in space, and the binary schemes of a multiple hinge.
+/// All pairs that a file may use, the lower pairs in space, and the equivalent binary schemes of a multiple hinge.
 std::string pair_catalogue(Language language, TextForm form);
 
-/// The pairs of a mechanism, its bodies by the number of their pairs and the chain they make, Grübler's count both
-/// ways, the verdict of the rank, and what there is to remark.
+/// The pairs of a mechanism, its bodies by number of pairs and the chain they form, Grübler's count both ways, the
+/// verdict of the rank, and remarks.
 std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, const std::vector<Message>& remarks,
                         Language language, TextForm form);
 

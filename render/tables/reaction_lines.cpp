@@ -14,7 +14,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// Texts with commas between them; a dash for none.
+/// Texts joined by commas; a dash if there are none.
 RichText with_commas(const std::vector<RichText>& parts) {
     RichText all;
     for (const RichText& part : parts) {
@@ -24,7 +24,7 @@ RichText with_commas(const std::vector<RichText>& parts) {
     return parts.empty() ? one_piece("–") : all;
 }
 
-/// What acts on a body, as the row shows it.
+/// The forces on a body, as shown in its row.
 struct ActingForces {
     std::vector<RichText> active, reactions;
 };
@@ -54,7 +54,7 @@ public:
 private:
     using Kind = AppliedForce::Kind;
 
-    /// A reaction between two bodies, on which the note explains action and reaction.
+    /// A reaction between two bodies, which the note uses to explain action and reaction.
     struct Example {
         RichText symbol;
         BodyIndex from, on;
@@ -66,7 +66,7 @@ private:
         if (body.body != none) return name_of(body.body);
         return word_for("pin") + " " + mechanism_.points[at_index(body.pin)].name;
     }
-    /// "1 frame"; its name alone where that says so itself.
+    /// "1 frame"; only its name if that contains the number or the word.
     std::string name_of_frame() const {
         const std::string& name = name_of(frame);
         const bool says_so = name == word("frame", Language::en) || name == word("frame", Language::it);
@@ -77,7 +77,7 @@ private:
     }
     double width_of(const RichText& text, double size) const { return context_.fonts.shape(text, size).width; }
 
-    /// As wide as the words ask, and no name takes the room of what acts.
+    /// Column widths follow the words, but names may not take the room of the forces.
     void measure_columns() {
         constexpr double most_of_name = 0.3, most_of_active = 0.4, gap = 4;
         double active_width = width_of(one_piece(word_for("active forces")), theme_.small);
@@ -92,7 +92,7 @@ private:
         active_room_ = std::min(active_width + 0.5, most_of_active * width_);
         reactions_left_ = active_left_ + active_room_ + gap;
     }
-    /// The active forces with a letter for the joint of each, which is about as wide as any.
+    /// The active forces with a placeholder letter for each joint, of about average width.
     std::vector<RichText> measured_forces(const FreeBody& body) const {
         std::vector<RichText> active;
         for (const AppliedForce& applied : body.forces)
@@ -129,11 +129,12 @@ private:
         return order;
     }
 
-    /// Notes beside it what acts on the frame, and the first reaction between two bodies.
+    /// The forces on a body. Also collects, for the last row and the note, the actions on the frame and the first
+    /// reaction between two bodies.
     ActingForces forces_on(const FreeBody& body) {
         ActingForces forces;
         for (const AppliedForce& applied : body.forces) {
-            if (applied.kind == Kind::resultant) continue;  // it acts on nothing
+            if (applied.kind == Kind::resultant) continue;  // not an acting force
             const bool is_reaction = applied.kind == Kind::reaction;
             RichText text = symbol_of(applied);
             if (is_reaction && !example_ && applied.from != none && body.body != none)
@@ -182,8 +183,8 @@ private:
         };
         fill(broken(one_piece(name), name_width_), 0, colour);
         fill(broken(active, active_room_), active_left_, theme_.text);
-        // Reactions that would have to shrink in a narrow column leave it, by which it is known to be too narrow for
-        // the table.
+        // In a narrow column the reactions would have to shrink. They overflow instead, and the caller sees that the
+        // column is too narrow for the table.
         constexpr double narrow = 60;
         const double room = width_ - reactions_left_;
         fill(width_ < narrow ? context_.fonts.wrap(reactions, theme_.body_text, room) : broken(reactions, room),

@@ -1,4 +1,4 @@
-// Tables: see tables.hpp. Columns are as wide as their words ask; rules 0.35 / 0.18 / 0.35, no verticals.
+// Tables: see tables.hpp. Column widths follow the words; horizontal rules of 0.35 / 0.18 / 0.35 mm, no vertical ones.
 #include "render/tables/tables.hpp"
 
 #include <algorithm>
@@ -35,20 +35,20 @@ void set_centred(std::vector<Mark>& marks, ShapedLine shaped, double middle, dou
     set_text(marks, std::move(shaped), {left, baseline}, colour, "text");
 }
 
-/// Decimals that show five digits of the largest value of a column; nothing where plain decimals would be too long.
+/// Decimals that show five digits of the largest value of a column. Empty if plain decimals would be too long.
 std::optional<int> decimals_for(double largest) {
     if (!(largest > 0)) return 1;
     if (largest >= 1e6 || largest < 1e-3) return std::nullopt;
     const int leading = static_cast<int>(std::floor(std::log10(largest))) + 1;
     return std::clamp(5 - leading, 0, 7);
 }
-/// What is read off the drawing to 0.1 mm, times its scale, and the decimals that such a reading has.
+/// A length read off the drawing to 0.1 mm times its scale, with the decimals that such a reading justifies.
 struct Reading {
     double value = 0;
     int decimals = 0;
 };
-/// What a millimetre is worth to a row that is read off. Seven digits are the scale, the rest is how places on paper
-/// are rounded: with it 34.3 mm × 25 N would be now 857 N, now 858 N.
+/// Value of one millimetre for a row that is read off. Rounded to seven digits, because positions on paper are rounded:
+/// otherwise 34.3 mm × 25 N would give sometimes 857 N, sometimes 858 N.
 std::optional<double> scale_of(const ResultRow& row) {
     if (!row.millimetres || !(*row.millimetres > 0) || row.drawing == 0) return std::nullopt;
     const double scale = std::abs(row.drawing) / *row.millimetres;
@@ -59,14 +59,14 @@ std::optional<double> scale_of(const ResultRow& row) {
 std::optional<Reading> reading_of(const ResultRow& row) {
     const std::optional<double> known = scale_of(row);
     if (!known) return std::nullopt;
-    // The sign is no length: compression, and turning clockwise.
+    // A length has no sign: apply that of compression or clockwise rotation.
     const double sign = row.drawing < 0 ? -1 : 1, scale = *known;
-    // Half of the last digit is rounded up, as by hand, though 0.23175 as a double is a hair less.
+    // Halves round up, as by hand, although 0.23175 as a double is slightly less.
     constexpr double a_hair_more = 1 + 1e-12;
     return Reading{sign * std::round(*row.millimetres * 10) * scale / 10 * a_hair_more,
                    std::clamp(static_cast<int>(-std::floor(std::log10(0.1 * scale) + 1e-9)), 0, 9)};
 }
-/// A scale, without zeros that say nothing: 0.005.
+/// A scale without trailing zeros: 0.005.
 std::string round_number(double value, Language language) {
     std::string text = number(value, 3, language);
     const char point = notation(language).decimal_mark;
@@ -75,7 +75,7 @@ std::string round_number(double value, Language language) {
     if (text.back() == point) text.pop_back();
     return text;
 }
-/// What a millimetre is worth to all rows that are read off; nothing where that differs.
+/// The common value of one millimetre of all rows that are read off; empty if they differ.
 std::optional<double> scale_of(const std::vector<ResultRow>& rows) {
     constexpr double equal = 1e-4;
     std::optional<double> common;
@@ -91,14 +91,15 @@ std::string cell(double value, std::optional<int> decimals, Language language) {
     return decimals ? fixed(value, *decimals, language) : number(value, 5, language);
 }
 
-/// An equation in the making: its terms as columns, what stands before each, and how it is set.
+/// An equation under construction: its terms as columns, the operator before each, and its typographic setting.
 class EquationTable {
 public:
     struct Setting {
         double size, line_size, least_column, gap, operation;
     };
 
-    /// `most`: mm, of a term beside the names of the rows; its line is broken then, its symbol smaller.
+    /// `most`: maximum width of a term beside the row names, mm. Beyond it the line of the term is broken and its
+    /// symbol set smaller.
     EquationTable(const DrawingContext& context, const Equation& equation, const Setting& setting,
                   std::optional<double> most = std::nullopt)
         : context_(context), setting_(setting) {
@@ -130,13 +131,13 @@ public:
         }
     }
 
-    /// What the names of the rows and a sign take beside a term.
+    /// The width beside a term for row names and operator.
     double beside_terms() const { return names_width_ + 2.0 + 1.1 * setting_.operation + setting_.gap / 2; }
-    /// What each of two terms in a row has of the room of one.
+    /// The width available to each of two terms in a row.
     double half_of(double room) const { return (room - 1.1 * setting_.operation - setting_.gap / 2) / 2; }
-    /// Of all terms in one row.
+    /// Width with all terms in one row.
     double width() const { return width(0, columns_.size()); }
-    /// In rows none of which is wider than `most` mm, as far as one term a row allows.
+    /// Sets it in rows no wider than `most` mm; a row has at least one term.
     Block set(double most) const {
         Block block;
         for (std::size_t from = 0; from < columns_.size();) {
@@ -155,7 +156,7 @@ public:
 private:
     struct Column {
         const Term* term = nullptr;
-        std::string operation;  // what stands before it
+        std::string operation;  // operator before it
         ShapedLine symbol;
         std::vector<ShapedLine> lines;
         double width = 0;
@@ -172,7 +173,7 @@ private:
         for (std::size_t c = from; c < to; ++c) x += before(c) + columns_[c].width;
         return x;
     }
-    /// As many terms as there is room for; rather before an equals sign than before a plus.
+    /// As many terms as fit; a break before an equals sign is preferred to one before a plus.
     std::size_t end_of_row(std::size_t from, double most) const {
         std::size_t to = from + 1;
         while (to < columns_.size() && width(from, to + 1) <= most) ++to;
@@ -245,7 +246,7 @@ private:
 }  // namespace
 
 Block equation_block(const DrawingContext& context, const Equation& equation, double most, double least) {
-    // Set as in the book; where that is too wide, closer and then smaller; where that is, too, in rows.
+    // The normal setting first; if it is too wide, closer, then smaller; if that is still too wide, in several rows.
     using Setting = EquationTable::Setting;
     constexpr std::array settings{Setting{12, 8.5, 11.2, 2.2, 4.4}, Setting{12, 8, 8.5, 1.6, 3.6},
                                   Setting{11, 7.5, 7, 1.3, 3.2}, Setting{10, 7, 6, 1.2, 3.0}, Setting{9, 6, 5, 1, 2.8}};
@@ -255,8 +256,8 @@ Block equation_block(const DrawingContext& context, const Equation& equation, do
     const EquationTable in_rows(context, equation, settings[1]);
     Block block = in_rows.set(most);
     if (block.width <= most) return block;
-    // A single term is wider: names of words. Under each other they may be too high for a page: then two stand in a
-    // row.
+    // A single term is too wide, for its name is a word. One term per row might be too high for a page; then two stand
+    // in a row.
     constexpr double highest = 90;  // mm
     const double room = most - in_rows.beside_terms();
     Block broken = EquationTable(context, equation, settings[1], room).set(most);
@@ -266,7 +267,7 @@ Block equation_block(const DrawingContext& context, const Equation& equation, do
 
 namespace {
 
-/// Rows of motion: what is drawn, by polygon, and ω and α by body.
+/// Rows of motion: drawn vectors by polygon, and ω and α by body.
 class MotionRows {
 public:
     MotionRows(const DrawingContext& context, const std::vector<Figure>& figures)
@@ -307,7 +308,7 @@ private:
         }
     }
 
-    /// Radii of the paths that are not known beforehand.
+    /// Radii of curvature of paths that are not known in advance.
     void add_curvature(const Curvature& found) {
         const Unit& unit = units_.length;
         const double si = unit.si.to_double();
@@ -388,15 +389,15 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
     return MotionRows(context, figures).rows();
 }
 
-/// What its rows say, and how wide its columns are.
+/// The texts of its rows and the widths of its columns.
 struct ResultsTable::Parts {
     static constexpr double least_gap = 1.6, name_pitch = 3.9;  // mm
     static constexpr std::size_t columns = 6;                   // quantity, mm, drawing, numeric, unit, difference
     using Widths = std::array<double, columns>;
     struct Line {
         std::array<RichText, columns> cells;
-        bool begins = false;  ///< a group, with a rule over it
-        double name = 0;      ///< mm, of the first cell
+        bool begins = false;  ///< first of a group, with a rule above it
+        double name = 0;      ///< width of the first cell, mm
     };
 
     Parts(const DrawingContext& drawing, const std::vector<ResultRow>& rows) : context(drawing) {
@@ -409,7 +410,7 @@ struct ResultsTable::Parts {
                       small(word("unit", language)),
                       small(word("difference", language) + " %")};
         measure(head, context.theme.small, context.theme.small);
-        // The arithmetic of the readings, "mm × 0.005", where one scale holds.
+        // The arithmetic of the readings, "mm × 0.005", if all rows share one scale.
         if (const auto scale = scale_of(rows)) product = small("mm × " + round_number(*scale, language));
         std::map<std::pair<RowGroup, std::string>, double> largest;  // by group and unit
         for (const ResultRow& row : rows) {
@@ -432,8 +433,8 @@ struct ResultsTable::Parts {
             widths[c] = std::max(widths[c], width);
         }
     }
-    /// What the names may take of `width` mm beside the numbers; a longer one stands over them. That is for words:
-    /// symbols rather ask for a wider column.
+    /// Width available to names beside the numbers, out of `width` mm. Longer names, which are words, stand above their
+    /// numbers; symbols get a wider column instead.
     double room_of_names(double width) const {
         constexpr double of_symbols = 22;
         double rest = width - least_gap * (columns - 1);
@@ -442,15 +443,15 @@ struct ResultsTable::Parts {
     }
     /// `most`: the largest number of its group.
     Line line_of(const ResultRow& row, double most) const;
-    /// The marks of a line whose columns begin at `left`.
+    /// Sets the marks of a line whose columns begin at `left`.
     void set(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const;
-    /// … and of one whose name stands over its numbers, in `whole` mm.
+    /// The same for a line whose name stands above its numbers, within `whole` mm.
     void set_over(std::vector<Mark>& marks, const Line& line, const Widths& left, double whole, double baseline) const;
     void set_numbers(std::vector<Mark>& marks, const Line& line, const Widths& left, double baseline) const;
 
     const DrawingContext& context;
     Line head;
-    RichText product{};  ///< said in the head where it has room for it; none: there are several scales
+    RichText product{};  ///< shown in the head if there is room; empty if there are several scales
     std::vector<Line> lines{};
     Widths widths{};
 };
@@ -461,18 +462,19 @@ ResultsTable::Parts::Line ResultsTable::Parts::line_of(const ResultRow& row, dou
     const bool is_scalar = row.quantity.kind == Quantity::Kind::omega || row.quantity.kind == Quantity::Kind::alpha;
     const auto value = [&](double v) {
         std::string text = cell(v, decimals, language);
-        // Positive turns are said to be so.
+        // Counter-clockwise rotations get an explicit plus sign.
         return is_scalar && v > 0 && text.find_first_of("123456789") != std::string::npos ? "+" + text : text;
     };
     RichText quantity = typeset(row.symbol, language);
     for (Piece& piece : quantity)
-        if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the length of the vector, a scalar
+        if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the magnitude of the vector, a scalar
     if (!row.detail.empty()) quantity.push_back(one_piece(" (" + row.detail + ")").front());
-    // A length is what was read; what has no length in a figure (ω, α, couples) is as the construction gives it.
+    // Lengths are shown as read; quantities without a length in a figure (ω, α, couples) as the construction gives
+    // them.
     const std::optional<Reading> reading = reading_of(row);
     const double drawn = reading ? reading->value : row.drawing;
     std::string difference = "–";
-    // Read to 0.1 mm, what is shorter than this is off by a fifth and more.
+    // With an accuracy of 0.1 mm, a shorter length has a relative error of a fifth or more.
     constexpr double readable = 0.5;
     const bool too_short_to_read = reading && row.millimetres && !(*row.millimetres >= readable);
     if (row.numeric && !too_short_to_read) {
@@ -544,7 +546,7 @@ std::vector<SharedBlock> ResultsTable::lines(double width) const {
     const auto line = [parts = parts_, left, whole, is_over](const Parts::Line& each, double height, bool is_last) {
         const Theme& theme = parts->context.theme;
         std::vector<Mark> marks;
-        marks.reserve(Parts::columns + 3);  // with rules
+        marks.reserve(Parts::columns + 3);  // including rules
         const bool is_head = &each == &parts->head;
         if (is_head) marks.emplace_back(rule(0, whole, 0, theme.outline, theme.text));
         if (each.begins) marks.emplace_back(rule(0, whole, over_group, theme.thin, theme.secondary));
@@ -575,7 +577,7 @@ Symbol symbol_of(const InstantCentre& centre, const Mechanism& mechanism) {
     return centre_symbol(mechanism, centre.first, centre.second, centre.at && centre.at->at_infinity());
 }
 
-/// The joint that holds two bodies, if one does.
+/// The joint between two bodies, if any.
 const Joint* joint_of(const InstantCentre& centre, const Mechanism& mechanism) {
     const auto holds = [](const Joint& joint, BodyIndex body) {
         return std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end();
@@ -589,7 +591,7 @@ const std::string& point_name(const Mechanism& mechanism, PointIndex point) {
     return mechanism.points[at_index(point)].name;
 }
 
-/// A centre inside the name of a line: its hinge where it has one, else its symbol.
+/// A centre in the name of a line: its hinge if it has one, else its symbol.
 RichText in_a_line(const InstantCentre& centre, const Mechanism& mechanism, Language language) {
     const Joint* joint = centre.how == InstantCentre::How::primary ? joint_of(centre, mechanism) : nullptr;
     if (joint && centre.at && !centre.at->at_infinity())
@@ -654,7 +656,7 @@ RichText where_found(const InstantCentre& centre, const Solution& solution, Lang
     return {};
 }
 
-/// The hinges of a body that has two, and no other joint.
+/// The hinges of a body that has exactly two, and no other joint.
 std::vector<const Joint*> two_hinges_of(BodyIndex body, const Mechanism& mechanism) {
     std::vector<const Joint*> found;
     for (const Joint& joint : mechanism.joints) {
@@ -667,8 +669,8 @@ std::vector<const Joint*> two_hinges_of(BodyIndex body, const Mechanism& mechani
 }
 BodyIndex other_of(const Joint& joint, BodyIndex body) { return joint.bodies[joint.bodies[0] == body ? 1 : 0]; }
 
-/// Hinged on the frame, and on a wheel that rolls or meshes on another: nothing but the wheel turns it, all the way
-/// round.
+/// Whether it is hinged on the frame and on a wheel that rolls or meshes with another, so that only the wheel drives
+/// it, through full turns.
 bool carries_wheel(BodyIndex body, const Solution& solution) {
     const std::vector<Joint>& joints = solution.mechanism.joints;
     const auto rolls = [&](BodyIndex wheel) {
@@ -689,12 +691,11 @@ bool carries_wheel(BodyIndex body, const Solution& solution) {
     return on_frame && on_wheel && !on_other;
 }
 
-/// The follower of a four-bar linkage, hinged on the frame, that goes round with its crank (Grashof): of the four
-/// lengths the shortest and the longest are together no longer than the others, and the frame's or its own is the
-/// shortest.
+/// Whether the follower of a four-bar linkage, hinged on the frame, makes full turns as its crank does (Grashof):
+/// shortest plus longest length does not exceed the sum of the others, and the frame or the follower is the shortest.
 bool goes_round(BodyIndex follower, const Solution& solution) {
     const Mechanism& mechanism = solution.mechanism;
-    std::vector<const Joint*> hinges;  // round the linkage, from the follower's on the frame
+    std::vector<const Joint*> hinges;  // round the linkage, beginning with the follower's hinge on the frame
     BodyIndex body = follower;
     for (int side = 0; side < 3; ++side) {
         auto own = two_hinges_of(body, mechanism);
@@ -718,7 +719,7 @@ bool goes_round(BodyIndex follower, const Solution& solution) {
     return *least + longest <= sum / 2 && std::min(lengths[0], lengths[3]) <= *least * (1 + rounding);
 }
 
-/// What drives a slide between two moving bodies, or an actuator there, is a cylinder with its rod.
+/// A driven slide or an actuator between two moving bodies is a cylinder with its rod.
 bool is_cylinder(JointIndex slide, const Mechanism& mechanism) {
     if (mechanism.joint(slide).connects(frame)) return false;
     const auto drives = [&](const Driver& driver) {
@@ -733,7 +734,7 @@ bool is_cylinder(JointIndex slide, const Mechanism& mechanism) {
            std::any_of(mechanism.efforts.begin(), mechanism.efforts.end(), pushes);
 }
 
-/// The points of a body that polygons tell from those of another at the same place: "A* at A".
+/// Points of a body that polygons distinguish from a coincident point of another body: "A* at A".
 std::vector<RichText> coincident_points(BodyIndex body, const Solution& solution, Language language) {
     std::vector<RichText> all;
     std::set<std::string> told;
@@ -743,7 +744,7 @@ std::vector<RichText> coincident_points(BodyIndex body, const Solution& solution
     };
     for (const Image& image : solution.protocol.images) {
         const std::string& name = image.symbol.about;
-        std::string place = name;  // a file's own names may end with stars
+        std::string place = name;  // names in a file may end with stars
         while (!is_of_the_file(place) && place.ends_with('*')) place.pop_back();
         if (image.body == body && place != name && is_of_the_file(place) && told.insert(name).second)
             all.push_back(word("coincident point", {point(name), point(place)}, language));
@@ -751,7 +752,7 @@ std::vector<RichText> coincident_points(BodyIndex body, const Solution& solution
     return all;
 }
 
-/// What the joints of a body make of it.
+/// Properties of a body that follow from its joints.
 struct RolesOfBody {
     std::vector<PointIndex> hinges;
     bool on_frame = false, slides_on_frame = false, slides = false, carries_guide = false, driven = false;
@@ -781,7 +782,7 @@ RolesOfBody roles_of(BodyIndex index, const Mechanism& mechanism) {
     return roles;
 }
 
-/// The key of the word for what textbooks call a body with these roles.
+/// The key of the textbook term for a body with these roles.
 const char* kind_of_body(BodyIndex index, const RolesOfBody& roles, const Solution& solution) {
     return solution.mechanism.bodies[at_index(index)].circle ? "disc"
            : roles.slides_on_frame                           ? "slider"
@@ -797,7 +798,7 @@ const char* kind_of_body(BodyIndex index, const RolesOfBody& roles, const Soluti
                                                              : "link";
 }
 
-/// "80 mm". A length that the file gives shows as given; one that follows, to four digits.
+/// "80 mm". A given length is shown as given, a derived one to four digits.
 std::string length_between(PointIndex a, PointIndex b, const Solution& solution, Language language) {
     const Unit& unit = solution.mechanism.units.length;
     const Vector between = solution.pose.at(b) - solution.pose.at(a);
@@ -844,7 +845,7 @@ struct CentresTable::Parts {
         RichText name;
         ShapedLine symbol;
         RichText how;
-        double how_wide;  // in one line
+        double how_wide;  // width on one line, mm
         ShapedLine where;
         StatementIndex statement;
     };
@@ -883,7 +884,7 @@ struct CentresTable::Parts {
                  line.symbol.width > width ? line_in_cell(line.name, theme.derived, context.fonts, width) : line.symbol,
                  {0, 3.2}, theme.text, "text");
         for (std::size_t k = 0; k < wrapped.size(); ++k) {
-            // The coordinates end the last line, or stand on their own.
+            // The coordinates end the last line, or stand on a line of their own.
             const bool goes_on = k + 1 < wrapped.size() || wrapped[k].width + between + line.where.width > room;
             set_text(block.marks, std::move(wrapped[k]), {indent(width), baseline}, theme.text, "text");
             if (goes_on) baseline += lead;
@@ -908,7 +909,7 @@ std::vector<SharedBlock> CentresTable::lines(double width) const {
     const double room = width - parts_->indent(width);
     constexpr double rounding = 1e-6;
     for (const Parts::Line& line : parts_->lines)
-        // What one line holds is as high as that; it is set where it comes to stand.
+        // A short entry takes one line, and is set only when its place is final.
         if (line.how_wide + Parts::between + line.where.width < room - rounding)
             lines.emplace_back(width, Parts::height(parts_->first_baseline(line, width)),
                                [parts = parts_, &line, width] { return parts->set(line, width).marks; });
@@ -922,7 +923,7 @@ struct BodiesTable::Parts {
         BodyIndex body;
         ShapedLine name;
         RichText what;
-        double what_wide;  // in one line
+        double what_wide;  // width on one line, mm
         double left() const { return 11 + std::max(4.5, name.width + 2); }
     };
     explicit Parts(const DrawingContext& drawing) : context(drawing) {

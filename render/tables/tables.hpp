@@ -1,6 +1,6 @@
-// Tables: vector equations with what is known of each term, the results table, the list of centres and the key of
-// bodies, as marks with a size, their origin at the top left. Owns columns and rules; chooses no place on the sheet and
-// computes no mechanics beyond moduli of what was found.
+// Tables: vector equations with the known and sought properties of each term, results, instant centres, and the key of
+// bodies, as marks with a size and the origin at the top left. Owns columns and rules; independent of positions on the
+// sheet, and computes no mechanics beyond moduli of results.
 #pragma once
 
 #include <memory>
@@ -14,40 +14,40 @@
 
 namespace kinegraph::render {
 
-/// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. Not wider than
-/// `most` mm: its terms are set closer and smaller, down to `least` points, and where that is not enough it goes on in
-/// a further row.
+/// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. To fit into `most`
+/// mm, its terms are set closer and smaller, down to `least` points, and then continued in further rows.
 Block equation_block(const DrawingContext& context, const Equation& equation, double most, double least = 9);
 
-/// What stands between two rules of the table of results.
+/// The rows between two rules of the results table.
 struct RowGroup {
     Topic section = Topic::unnamed;
-    int polygon = -1;      ///< relative motion: one of Protocol::polygons
-    bool couples = false;  ///< after the forces
+    int polygon = -1;      ///< relative motion: index in Protocol::polygons
+    bool couples = false;  ///< couples follow the forces
 
     // clang-tidy 14 takes the 0 that the compiler compares with for a pointer.
     friend auto operator<=>(const RowGroup&, const RowGroup&) = default;  // NOLINT(modernize-use-nullptr)
 };
-/// One row of the results: a vector as drawn or a scalar of a body.
+/// One row of the results: a drawn vector or a scalar of a body.
 struct ResultRow {
     Quantity quantity;
     Symbol symbol;
-    std::string name;                   ///< plain, for the tests and the terminal
+    std::string name;                   ///< plain text, for the tests and the terminal
     std::optional<double> millimetres;  ///< measured on the drawing
-    std::string detail;                 ///< letter of the detail that it was measured in; empty: the figure itself
+    std::string detail;                 ///< letter of the detail in which it was measured; empty: the figure itself
     double drawing = 0;                 ///< by the construction, in `unit`
     std::optional<double> numeric;      ///< by the check, in `unit`
     std::string unit;
     RowGroup group;
 };
-/// Rows for the vectors drawn on `figures` (their axes are measured) and for ω and α of the bodies.
+/// Rows for the vectors drawn on `figures` (measured along their axes) and for ω and α of the bodies.
 std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures);
-/// Rows as a table: read off the drawing to 0.1 mm, that times the scale, the number of the check, and by how much the
-/// reading misses it. Its words are measured once, for the widths at which it is tried; its context outlives it.
+/// The results as a table: the length read off the drawing to 0.1 mm, that times the scale, the number of the check,
+/// and the deviation of the reading. Words are measured once, so several widths can be tried. The context must outlive
+/// the table.
 class ResultsTable {
 public:
     ResultsTable(const DrawingContext& context, const std::vector<ResultRow>& rows);
-    /// Its lines where it stands in `width` mm, the head first.
+    /// Its lines for a width of `width` mm, head first.
     std::vector<SharedBlock> lines(double width) const;
 
 private:
@@ -55,7 +55,8 @@ private:
     std::shared_ptr<const Parts> parts_;
 };
 
-/// Instant centres in the order in which they were found: symbol, how, where. Shaped once; their context outlives them.
+/// Instant centres in the order in which they were found: symbol, construction, position. Shaped once; the context must
+/// outlive the table.
 class CentresTable {
 public:
     explicit CentresTable(const DrawingContext& context);
@@ -65,7 +66,7 @@ private:
     struct Parts;
     std::shared_ptr<const Parts> parts_;
 };
-/// Key of the bodies: colour, number, what it is. Said once; their context outlives it.
+/// Key of the bodies: colour, number, description. Shaped once; the context must outlive the table.
 class BodiesTable {
 public:
     explicit BodiesTable(const DrawingContext& context);
@@ -76,8 +77,8 @@ private:
     std::shared_ptr<const Parts> parts_;
 };
 
-/// The table of Joukowsky's lever: force, its arm h about the pole by the scale of velocities, power; couples with ω;
-/// the sum, and what it says. Not wider than `most` mm as far as its columns can be set closer.
+/// The table of Joukowsky's lever: force, arm h about the pole at the velocity scale, power; couples with ω; the sum
+/// and the conclusion. As narrow as `most` mm if its columns can be set that close.
 Block joukowsky_block(const DrawingContext& context, double most);
 
 }  // namespace kinegraph::render

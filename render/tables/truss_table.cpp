@@ -11,7 +11,8 @@
 namespace kinegraph::render {
 namespace {
 
-/// Bar, spaces, force, sense: their left edges as shares of the width; the force ends where its column does.
+/// Left edges of the columns bar, spaces, force, sense as fractions of the width; the force is right-aligned in its
+/// column.
 struct Columns {
     double spaces, force_end, sense;
 };
@@ -20,7 +21,7 @@ RichText head_of_force(const DrawingContext& context) {
     append(force, one_piece(" " + context.solution.mechanism.units.force.symbol));
     return force;
 }
-/// In a narrow column the heads keep apart.
+/// Keeps the heads apart in a narrow column.
 Columns columns_of(const DrawingContext& context, double width) {
     constexpr double widest = 96, apart = 1.6;
     const double used = std::min(width, widest);
@@ -79,7 +80,7 @@ std::vector<Block> bar_lines(const DrawingContext& context, double width) {
     const Theme& theme = context.theme;
     const Columns columns = columns_of(context, width);
     const double si = context.solution.mechanism.units.force.si.to_double();
-    // A name that has no room before the numbers stands over them.
+    // A name too long to stand before the numbers stands above them.
     constexpr double first_baseline = 3.6, pitch = 3.9, apart = 0.5, room_of_force = 16;
     std::vector<Block> lines{head_of(context, width)};
     for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {
@@ -136,7 +137,7 @@ std::vector<ResultRow> truss_rows(const DrawingContext& context, const std::vect
     };
     for (const Truss::External& external : truss.externals) {
         if (external.joint == none) continue;
-        // The check has it as the action on the frame.
+        // The check lists it as the action on the frame.
         const Joint& joint = solution.mechanism.joint(external.joint);
         const BodyIndex from =
             joint.has_own_node() && joint.pair().is_hinge() ? BodyIndex(none) : joint.other_than(frame);

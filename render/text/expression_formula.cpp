@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    /// Whole, a small fraction, a decimal, or the fraction that it is.
+    /// An integer, a small fraction, a decimal, or else the exact fraction.
     Formula number(const Exact& value) const {
         const Exact size = abs(value);
         const mpq_class& q = size.rational();
@@ -58,7 +58,7 @@ private:
         }
         return made;
     }
-    /// Whether a minus leads, and what follows it.
+    /// Whether a minus sign leads, and the expression without it.
     static std::pair<bool, Expression> without_sign(const Expression& of) {
         if (of.kind == Kind::number && of.value.sign() < 0) return {true, Expression::number(-of.value)};
         if (of.kind != Kind::product || of.parts[0].kind != Kind::number || of.parts[0].value.sign() >= 0)
@@ -69,7 +69,7 @@ private:
         return {true, bare.parts.size() == 1 ? bare.parts[0] : bare};
     }
 
-    /// Factors above and below the bar.
+    /// The factors of numerator and denominator.
     struct Fraction {
         std::vector<Formula> above, below;
         bool negative = false;
@@ -88,7 +88,7 @@ private:
         for (Formula& factor : factors) made += std::move(factor);
         return made;
     }
-    /// What stands alone over or under a bar needs no brackets.
+    /// A single term above or below the bar needs no brackets.
     static Formula alone(std::vector<Formula> factors) {
         if (factors.size() == 1 && factors[0].kind == Formula::Kind::fence) return factors[0].parts[0];
         return row(std::move(factors));

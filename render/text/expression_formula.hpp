@@ -1,4 +1,4 @@
-// Expressions of laws as formulas: fractions, roots, powers, Greek letters.
+// Expressions of motion laws as formulas: fractions, roots, powers, Greek letters.
 #pragma once
 
 #include <string_view>
@@ -9,10 +9,10 @@
 
 namespace kinegraph::render {
 
-/// "v_0 cos(α) t": what is divided by stands below a bar, e^u is a power, the letters of constants as a file names them
+/// "v_0 cos(α) t": divisors stand below a bar, e^u is a power, and constants are typeset by their names in the file
 /// ("omega1" is ω₁).
 Formula formula_of(const Expression& of, const NamedConstants& constants, std::string_view variable, Language language);
-/// The letter of a constant, or a quantity with its unit.
+/// The letter of a named constant; the value with its unit if it has no name.
 Formula formula_of(const NamedConstant& constant, Language language);
 
 }  // namespace kinegraph::render

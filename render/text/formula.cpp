@@ -9,7 +9,7 @@ namespace kinegraph::render {
 namespace {
 
 bool is_upright(std::string_view index) {
-    // Numbers, and words such as max; single letters are variables.
+    // Numbers and words such as max are upright; single letters are variables.
     return index.size() > 2 || std::any_of(index.begin(), index.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
@@ -32,7 +32,7 @@ Piece symbol(std::string_view name) {
     return piece;
 }
 
-/// Without the zeros that nobody wrote, and without the last bits of a division.
+/// Without trailing zeros, and without the rounding noise of a division.
 std::string given(double value, Language language) {
     const double power = std::pow(10.0, 9 - std::floor(std::log10(std::abs(value))));
     const double round = value == 0 ? 0 : std::round(value * power) / power;
@@ -57,7 +57,7 @@ RichText formula(std::string_view text) {
             plain += text[at++];
         } else if (power) {
             const std::string exponent(text.substr(at + 2, end - at - 2));
-            // Of the bracket or letter before it.
+            // An exponent of the bracket or letter before it.
             Piece base;
             if (!plain.empty()) {
                 base.text = plain.back();
@@ -89,7 +89,7 @@ Unit suitable_unit(double si, QuantityKind kind, const Units& units) {
                 return {"µm", Exact::ratio(1, 1000000)};
             return units.length;
         case QuantityKind::pressure:
-            // Moduli are thousands of the pressures that go with them.
+            // Elastic moduli are some thousand times larger than pressures in the same problem.
             if (units.pressure.symbol == "MPa" && size >= 1e10) return {"GPa", 1000000000};
             if (units.pressure.symbol != "Pa") return units.pressure;
             if (size >= 1e9) return {"GPa", 1000000000};

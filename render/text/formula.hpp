@@ -1,4 +1,5 @@
-// Formulas: scalar equations as they are typed, with letters in italics and their indices. Knows no quantity.
+// Formulas in running text: scalar equations with italic letters and subscripts, and quantities with their units.
+// Independent of the quantities of a solution.
 #pragma once
 
 #include <string>
@@ -10,22 +11,22 @@
 
 namespace kinegraph::render {
 
-/// Text in which {p_0} is the letter p with the subscript 0, {a^2} with an exponent, and ^{1/3} an exponent of what
-/// stands before it; digits of indices are upright, letters in italics.
+/// Rich text from a template: {p_0} is the letter p with the subscript 0, {a^2} has an exponent, ^{1/3} is an exponent
+/// of what precedes it. Letters are italic, digits of subscripts upright.
 RichText formula(std::string_view text);
-/// A symbol as results name it: "p_0", "τ_max".
+/// A symbol by its name in results: "p_0", "τ_max".
 RichText symbol_of(const std::string& name);
 
-/// Digits of a number that is said as the file gives it.
+/// For `digits`: print the number as the file gives it.
 constexpr int as_given = 0;
-/// A quantity for readers, in the file's unit; pressures where the file has them in Pa, and very small lengths, in the
-/// one that suits.
+/// A quantity for readers, in the file's unit. Pressures of a file in Pa, and very small lengths, use a prefix that
+/// suits the value.
 std::string amount(double si, QuantityKind kind, const Units& units, Language language, int digits = 4);
-/// The unit in which amount() says it.
+/// The unit that amount() uses.
 Unit suitable_unit(double si, QuantityKind kind, const Units& units);
-/// The same in all languages, for sentences.
+/// The same in every language, for sentences.
 Words amount(double si, QuantityKind kind, const Units& units, int digits = 4);
-/// A bare number in all languages.
+/// A dimensionless number in every language.
 Words numeral(double value, int digits = 4);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,4 @@
-// What a page's glyphs look like: all that a backend has to know of a font. Shaping is render/text/text.hpp's.
+// Glyph outlines: all that a backend needs of a font. Shaping is in render/text/text.hpp.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,18 @@
 
 namespace kinegraph::render {
 
-/// One command of a glyph's outline, in units of the em (y upwards).
+/// The outline of a glyph, in units of the em (y upwards).
 struct Outline {
     std::vector<Segment> segments;
 };
 
-/// The faces that the glyphs of a page belong to. Only virtual functions, so that a backend needs nothing of shaping.
+/// The font faces of a page's glyphs. Purely virtual, so that a backend does not depend on the shaping library.
 class Glyphs {
 public:
     virtual ~Glyphs() = default;
-    /// The outline of a glyph, em units, y upwards; cached.
+    /// The outline of a glyph, in units of the em, y upwards; cached.
     virtual const Outline& outline(std::uint8_t face, std::uint32_t index) const = 0;
-    /// The bytes of a face's file; they live as long as the Glyphs.
+    /// The bytes of a face's file; valid as long as the Glyphs.
     virtual std::string_view file(std::uint8_t face) const = 0;
 
 protected:

@@ -1,4 +1,4 @@
-// Rich text as XHTML that is well-formed XML as well, for learning platforms. Knows no page and no quantity.
+// Rich text as XHTML that is also well-formed XML, for learning platforms. Independent of pages and quantities.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace kinegraph::render {
 
-/// Text of XML, in an element or in an attribute's quotes. What is no UTF-8, or no character of XML, is U+FFFD. Braces,
-/// too, go as character references: platforms read what stands in them.
+/// Escapes text for an XML element or a quoted attribute. Invalid UTF-8 and characters that XML forbids become U+FFFD.
+/// Braces become character references, because platforms interpret them.
 std::string xml_text(std::string_view text);
 
-/// Faces as <i> and <b>, scripts as <sub> and <sup>, dots over a letter as combining characters; a line break is <br/>.
+/// Faces become <i> and <b>, scripts <sub> and <sup>, dots over a letter combining characters, a line break <br/>.
 std::string to_html(const RichText& text);
 
 }  // namespace kinegraph::render

@@ -7,7 +7,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// More than a letter with what distinguishes it: a number, a star.
+/// More than one letter with its distinguishing mark (a number, a star).
 bool is_word(const Piece& name) {
     constexpr std::ptrdiff_t most_letters = 2;
     const std::string number_and_primes = "0123456789*'′";

@@ -1,12 +1,12 @@
-// Names that stand one behind the other, as those of the points that a line joins.
+// Names that are joined to one, such as those of the points on a line.
 #pragma once
 
 #include "render/text/rich_text.hpp"
 
 namespace kinegraph::render {
 
-/// Adds a point to what a line is named by. Names of a letter or two stand together, "O₂A"; where one is a word, a dash
-/// parts them, for it would run into the other.
+/// Appends a point to the name of a line. Names of one or two letters are concatenated, "O₂A"; a longer name is
+/// separated by a dash, so that it remains recognisable.
 void append_point(RichText& line, const RichText& point);
 
 }  // namespace kinegraph::render

@@ -26,7 +26,7 @@ const Greek* greek_named(std::string_view name) {
     return found == greek.end() ? nullptr : &*found;
 }
 
-/// Characters of any name, safe in text of LaTeX.
+/// Escapes the characters of any name for LaTeX text.
 std::string escaped(const std::string& text) {
     constexpr auto special = std::to_array<std::pair<char, std::string_view>>({{'\\', "\\textbackslash{}"},
                                                                                {'^', "\\textasciicircum{}"},
@@ -50,7 +50,7 @@ std::string escaped(const std::string& text) {
     return safe;
 }
 
-/// The first of these that a text begins with.
+/// The first entry that the text begins with.
 template <class Table>
 auto begun_with(std::string_view text, const Table& table) {
     const auto* const found =
@@ -58,7 +58,7 @@ auto begun_with(std::string_view text, const Table& table) {
     return found == table.end() ? nullptr : found;
 }
 
-/// A number, a unit or words, in math mode.
+/// A number, a unit or words in LaTeX's math mode.
 std::string latex_of_upright(std::string_view text) {
     using Spelling = std::pair<std::string_view, std::string_view>;
     constexpr auto known = std::to_array<Spelling>({{"−", "-"},
@@ -107,7 +107,7 @@ std::string latex_of_upright(std::string_view text) {
     return out;
 }
 
-/// Upright, but for Greek letters.
+/// Upright, except for Greek letters.
 std::string latex_of_sub(std::string_view text) {
     std::string out, words;
     const auto flush = [&] {
@@ -189,7 +189,7 @@ Formula Formula::upright(const std::string& text) {
 
 Formula Formula::function(const std::string& name) {
     Formula made = upright(name);
-    // A little air, as before a factor.
+    // A thin space, as before a factor.
     made.text.front().text += "\u200A";
     made.as_latex = "\\" + name + " ";
     made.as_plain = name + " ";

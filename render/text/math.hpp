@@ -1,5 +1,5 @@
 // Formulas as values: letters with dots and scripts, fractions, roots, powers, matrices in brackets. A formula prints
-// itself as plain text and as LaTeX; setting it in type is page's (render/page/set_formula.hpp). Knows no quantity.
+// as plain text and as LaTeX; render/page/set_formula.hpp typesets it. Independent of quantities.
 #pragma once
 
 #include <string>
@@ -11,16 +11,16 @@
 
 namespace kinegraph::render {
 
-/// A letter by its name in Latin script: "alpha" is α. Unknown names are themselves.
+/// The letter with that Latin name: "alpha" gives α. Other names are returned unchanged.
 std::string unicode_letter(std::string_view name);
-/// The name of "α"; others are themselves.
+/// The Latin name of a letter: "α" gives "alpha". Others are returned unchanged.
 std::string letter_spelt(std::string_view unicode);
 
 class Formula {
 public:
     enum class Kind {
         row,       ///< its parts, side by side
-        text,      ///< as it stands
+        text,      ///< upright or italic text
         sign,      ///< +, −, =: a line may break before it
         fraction,  ///< parts[0] over parts[1]
         root,      ///< square root of parts[0]
@@ -30,21 +30,21 @@ public:
     };
 
     Formula() = default;
-    /// "beta" with dots and a subscript, in italics.
+    /// A letter by its name, in italics, with dots and a subscript: "beta".
     static Formula letter(std::string_view name, const std::string& sub = "", int dots = 0);
-    /// The same with primes, before the subscript.
+    /// The same with primes before the subscript.
     static Formula primed(std::string_view name, const std::string& sub, int primes);
-    /// Upright: numbers with their units, names of functions, words.
+    /// Upright text: numbers with their units, names of functions, words.
     static Formula upright(const std::string& text);
-    /// A function's name, which stands close to what follows: "cos".
+    /// The name of a function, such as "cos", set close to what follows.
     static Formula function(const std::string& name);
     static Formula sign(const std::string& text);
     static Formula fraction(Formula above, Formula below);
     static Formula root(Formula of);
     static Formula power(Formula base, Formula exponent);
     static Formula fenced(Formula inside);
-    /// Row by row, `columns` in each. `between`: entries of a row in plain text; "; ", as in Italian, where a comma is
-    /// the decimal sign, then has rows in brackets of their own.
+    /// A matrix from its entries row by row, `columns` per row. `between` separates the entries of a row in plain text.
+    /// With "; " (as in Italian, where the comma is the decimal mark) every row gets brackets of its own.
     static Formula matrix(std::vector<Formula> entries, std::size_t columns, const char* between = ", ");
 
     Formula& operator+=(Formula more);
@@ -55,15 +55,15 @@ public:
     std::string plain() const;
     std::string latex() const;
 
-    /// Whether it brings its own distance from what stands before: " m/s", ", ".
+    /// Whether it includes its own space from what precedes: " m/s", ", ".
     bool stands_close() const;
-    /// An upright d or ∂, or a power of it, to which what follows stands close.
+    /// Whether it is an upright d or ∂, or a power of one, which what follows is set close to.
     bool is_differential() const;
 
     Kind kind = Kind::row;
-    RichText text;         ///< of text and sign
+    RichText text;         ///< for the kinds text and sign
     std::string as_latex;  ///< the same in LaTeX
-    std::string as_plain;  ///< the same in plain text; of a matrix what stands between entries
+    std::string as_plain;  ///< the same in plain text; for a matrix the separator of entries
     std::vector<Formula> parts;
     std::size_t columns = 1;
 };

@@ -1,4 +1,4 @@
-// Sentences that name the lines of a construction by their numbers: "draw the lines ① ⟂ AB and ② ⟂ O4B".
+// Sentences that refer to the lines of a construction by their numbers: "draw the lines ① ⟂ AB and ② ⟂ O4B".
 #pragma once
 
 #include <functional>
@@ -8,9 +8,9 @@
 
 namespace kinegraph::render {
 
-/// What stands before the name of a line in a sentence: its number and a blank, or nothing.
+/// The prefix of a line's name in a sentence: its number and a space, or an empty string.
 using BeforeLine = std::function<std::string(const LineReason&)>;
-/// As say(); what stands before it does not part from the line's name.
+/// As say(), with prefixes; no line break separates a prefix from its name.
 RichText say(const Message& message, Language language, const BeforeLine& before_line);
 
 }  // namespace kinegraph::render

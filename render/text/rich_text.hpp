@@ -1,4 +1,4 @@
-// Rich text: words with their faces and scripts, before they are set. Knows no font and no place.
+// Rich text: words with their faces and scripts, before typesetting. Independent of fonts and of positions.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace kinegraph::render {
 
 enum class Face : std::uint8_t { regular, italic, bold, bold_italic };
 
-/// A stretch of text with optional scripts, stacked: a_{BA}^t, the dots of a derivative over the last letter of `text`.
-/// Text, subscript and superscript are plain UTF-8 from any file; nothing in them is markup.
+/// A run of text with optional stacked scripts, as in a_{BA}^t. `dots` stand over the last letter of `text`. Text,
+/// subscript and superscript are plain UTF-8 from any file; they contain no markup.
 struct Piece {
     std::string text;
     Face face = Face::regular;
@@ -22,13 +22,13 @@ struct Piece {
     std::string sup;
     Face sup_face = Face::regular;
     int dots = 0;
-    bool coloured = false;  ///< true: `colour` instead of the line's
+    bool coloured = false;  ///< use `colour` instead of the line's colour
     Colour colour;
 };
 using RichText = std::vector<Piece>;
 inline void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
 
-/// One stretch of text in one face.
+/// A single run of text.
 inline RichText one_piece(std::string text, Face face = Face::regular) {
     Piece piece;
     piece.text = std::move(text);
@@ -37,11 +37,12 @@ inline RichText one_piece(std::string text, Face face = Face::regular) {
 }
 inline void append(RichText& to, const std::string& more) { append(to, one_piece(more)); }
 
-/// A unit or number with its powers as superscripts: "m/s²", "5 × 10⁻³".
+/// A unit or number, with its powers as superscripts: "m/s²", "5 × 10⁻³".
 RichText with_powers(const std::string& text);
-/// What the rich text says without its setting: "v_B", "a_BA^t".
+/// The text without formatting: "v_B", "a_BA^t".
 std::string plain(const RichText& text);
-/// The text as it is set: digits raised by their characters, which the font has only for 1, 2 and 3, are superscripts.
+/// The text as it is typeset. The font has raised digits only for 1, 2 and 3, so Unicode superscript characters become
+/// superscripts.
 RichText as_set(const RichText& text);
 
 }  // namespace kinegraph::render

@@ -1,5 +1,5 @@
-// Subsets: the part of a font file that some characters need, so that a file of ours can bring it along. HarfBuzz's
-// subsetter, which does it, is known to subset.cpp alone.
+// Font subsets: the part of a font file that some characters need, to be embedded in our output. Only subset.cpp
+// depends on HarfBuzz's subsetter.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace kinegraph::render {
 
-/// What is needed of a font.
+/// What a subset must contain.
 struct WantedType {
     std::set<char32_t> characters;
-    std::set<std::uint32_t> glyphs;  ///< with the characters that stand for them
+    std::set<std::uint32_t> glyphs;  ///< each with the characters that map to it
 };
 
-/// An OpenType file with what is wanted of `file` (OpenType too): glyphs with the same outlines, widths, kerning and
-/// ligatures. The same bytes for the same two. Empty where `file` is no font that can be divided.
+/// An OpenType file with the wanted part of `file` (OpenType too): same outlines, widths, kerning and ligatures.
+/// Deterministic. Empty if `file` is not a font that can be subset.
 std::string font_subset(std::string_view file, const WantedType& wanted);
 
 }  // namespace kinegraph::render

@@ -1,5 +1,5 @@
-// How a line is set: words are shaped one by one in em units, kept, and then only scaled and moved. Owns the fonts'
-// faces and every measure of our setting (scripts, dots, code boxes). Refuses to know what the words mean.
+// Typesetting of lines: words are shaped one by one in em units, cached, then scaled and moved. Owns the fonts' faces
+// and all measures (scripts, dots, code boxes). Independent of the meaning of the words.
 #include "render/text/text.hpp"
 
 #include <algorithm>
@@ -20,16 +20,16 @@
 namespace kinegraph::render {
 namespace {
 
-// The measures of the setting, in em of the base.
+// Measures of typesetting, in em of the base size.
 constexpr double script_scale = 0.70;
 constexpr double subscript_drop = 0.22;
 constexpr double superscript_rise = 0.40;
-constexpr double tall_superscript_rise = 0.46;  // of a sign that reaches below its line, over a subscript
+constexpr double tall_superscript_rise = 0.46;  // for a sign that extends below its line, above a subscript
 constexpr double space_after_scripts = 0.03;
-constexpr double least_italic_correction = 0.03;  // an upright superscript would touch a leaning letter
+constexpr double least_italic_correction = 0.03;  // or an upright superscript would touch a slanted letter
 constexpr double most_italic_correction = 0.15;
 constexpr double dot_radius = 0.055;
-constexpr double dot_rise = 0.12;  // centre of the dot over the ink of the letter
+constexpr double dot_rise = 0.12;  // centre of the dot above the ink of the letter
 constexpr double dot_pitch = 0.19;
 constexpr double slant = 0.27;  // of the italic faces (15.5 degrees)
 constexpr double code_scale = 0.45;
@@ -42,7 +42,7 @@ constexpr std::uint8_t bold = static_cast<std::uint8_t>(Face::bold);
 
 bool italic(Face face) { return face == Face::italic || face == Face::bold_italic; }
 
-/// How far the em boxes of letters reach over and under a baseline.
+/// Heights of the em boxes of letters above and below the baseline.
 struct Reach {
     double over = -std::numeric_limits<double>::infinity(), under = -std::numeric_limits<double>::infinity();
     void include(const Reach& other) {
@@ -51,28 +51,28 @@ struct Reach {
     }
 };
 
-/// A word set in one face at 1 em, origin at 0.
+/// A word shaped in one face at 1 em, origin at 0.
 struct Word {
     struct Placed {
         std::uint8_t face;
         std::uint32_t index;
         double scale;
         double x, y;
-        std::uint32_t at;  // of its character in the word, bytes
+        std::uint32_t at;  // byte offset of its character in the word
         bool coded;
     };
     std::vector<Placed> glyphs;
-    std::vector<Ink> boxes;  // round the codes of missing characters
+    std::vector<Ink> boxes;  // boxes round the codes of missing characters
     double advance = 0;
-    Ink last;  // of the last letter
+    Ink last;  // ink of the last letter
     double top = 0, bottom = 0;
-    Reach reach;  // of its letters
+    Reach reach;  // em boxes of its letters
 };
 
-/// Bytes that are shown as a space at which a line may break: the space and ASCII's control characters.
+/// Bytes shown as a space at which a line may break: the space and ASCII control characters.
 bool breaks(char c) { return static_cast<unsigned char>(c) <= 0x20 || c == 0x7F; }
 
-/// Advance of a white space in em; 0 for characters without any ink or width; negative: not a blank.
+/// Advance of a white space in em; 0 for characters without ink and width; negative if `c` is not blank.
 double blank_advance(char32_t c, double space) {
     switch (c) {
         case 0x00A0:
@@ -122,13 +122,13 @@ struct Fonts::State {
     struct FaceOfFont {
         std::unique_ptr<Typeface> typeface;
         double space = 0;                           // em
-        std::vector<std::unique_ptr<Drawn>> drawn;  // by glyph; the addresses stay
+        std::vector<std::unique_ptr<Drawn>> drawn;  // by glyph index; the addresses are stable
         std::unordered_map<std::string, Word, Hash, std::equal_to<>> words;
     };
     std::array<FaceOfFont, std::tuple_size_v<Typefaces>> faces;
     std::set<char32_t> missing;
     std::vector<char32_t> characters;
-    std::vector<std::uint32_t> begins;  // of each character in the word, bytes
+    std::vector<std::uint32_t> begins;  // byte offset of each character in the word
     std::vector<std::uint8_t> faces_of;
     std::vector<Typeface::Placed> placed;
 
@@ -155,7 +155,7 @@ const Drawn& Fonts::State::drawing(std::uint8_t face, std::uint32_t index) {
     return *drawn;
 }
 
-/// Shapes characters that one face has and appends them to the word; `from`: where each begins in it.
+/// Shapes characters of a single face and appends them to the word. `from`: their byte offsets in the word.
 void Fonts::State::shape_run(std::span<const char32_t> run, std::span<const std::uint32_t> from, std::uint8_t face,
                              const Form& form, Word& into) {
     const double scale = form.scale, y = form.y;
@@ -179,7 +179,7 @@ void Fonts::State::shape_run(std::span<const char32_t> run, std::span<const std:
     into.advance = start + pen * unit;
 }
 
-/// A character that no face has: its code in a box.
+/// Draws the boxed code of a character missing from all faces.
 void Fonts::State::draw_code(char32_t c, std::uint32_t from, Word& into) {
     const std::string name = code_name(c);
     missing.insert(c);
@@ -206,7 +206,8 @@ Word Fonts::State::set_word(std::string_view text, std::uint8_t face) {
     for (std::size_t at = 0; at < text.size();) {
         const auto begin = static_cast<std::uint32_t>(at);
         const char32_t c = next_code_point(text, at);
-        // An accent written apart joins its letter where Unicode has the whole (file names from some systems come so).
+        // A combining accent is composed with its letter if Unicode has the composed character (file names of some
+        // systems use combining accents).
         if (c >= 0x300 && c < 0x370 && !characters.empty()) {
             if (const char32_t whole = faces[face].typeface->composed(characters.back(), c)) {
                 characters.back() = whole;
@@ -252,7 +253,7 @@ const Word& Fonts::State::word(std::string_view text, Face face) {
 
 namespace {
 
-/// The dots of a derivative, as characters that stand over the one before them.
+/// The dots of a derivative as combining characters.
 std::string dots_said(const Piece& piece) {
     std::string dots;
     if (piece.dots == 2) {
@@ -263,24 +264,24 @@ std::string dots_said(const Piece& piece) {
     return dots;
 }
 
-/// About as many letters as it has.
+/// Estimated number of letters.
 std::size_t bytes_of(const RichText& text) {
     std::size_t bytes = 0;
     for (const Piece& piece : text) bytes += piece.text.size() + piece.sub.size() + piece.sup.size() + 4;
     return bytes;
 }
 
-/// A stretch that no line divides: a word, blanks between words, or a piece that holds together.
+/// An unbreakable unit of a line: a word, the spaces between words, or a piece that stays together.
 struct Stretch {
     std::size_t piece, begin, end;
     bool blank;
     double width;
-    bool symbol = false;         // with an index or a power
-    const Word* word = nullptr;  // if it is one
-    Reach reach{};               // of its letters, mm
+    bool symbol = false;         // with a subscript or an exponent
+    const Word* word = nullptr;  // null unless the stretch is a word
+    Reach reach{};               // em boxes of its letters, mm
 };
 
-/// Other words in the setting of a piece that has no scripts.
+/// A copy of a piece without scripts, with other words.
 Piece like(const Piece& piece, std::string words) {
     Piece own;
     own.text = std::move(words);
@@ -292,13 +293,13 @@ Piece like(const Piece& piece, std::string words) {
     return own;
 }
 
-/// One piece of text after the other on a line; lengths in mm, y downwards.
+/// Sets one piece after the other on a line; lengths in mm, y downwards.
 template <class State>
 class Setter {
 public:
-    /// `letters`: as many as the line will have, about.
+    /// `letters`: expected number of letters of the line.
     Setter(State& state, std::size_t letters) : state_(state), letters_(letters) {}
-    /// One that only measures: pieces advance, and leave no line.
+    /// A setter that only measures: pieces advance, but produce no line.
     static Setter measuring(State& state) {
         Setter setter(state, 0);
         setter.measures_ = true;
@@ -309,10 +310,10 @@ public:
 
     struct Run {
         double advance = 0;
-        Ink last;  // mm, y upwards, of the last letter
+        Ink last;  // ink of the last letter, mm, y upwards
     };
 
-    /// `said`: where the text begins in what the line says.
+    /// `said`: byte offset of the text in what the line says.
     Run set(std::string_view text, std::size_t said, Face face, double size, Spot from, std::size_t part) {
         Run run;
         for (std::size_t at = 0; at < text.size();) {
@@ -328,7 +329,7 @@ public:
         }
         return run;
     }
-    /// A piece without scripts, of stretches that are known.
+    /// Sets a piece without scripts from known stretches.
     void set(const Piece& piece, std::span<const Stretch> stretches, double size) {
         const std::size_t part = part_of(piece), begin = stretches.front().begin;
         const double space = state_.faces[static_cast<std::size_t>(piece.face)].space * size;
@@ -345,7 +346,7 @@ public:
     void set(const Piece& piece, double size) {
         const std::size_t part = part_of(piece);
         const Run base = set(piece.text, said_, piece.face, size, {x_, 0}, part);
-        const std::size_t sub_said = said_ + piece.text.size() + dots_said(piece).size() + 1;  // behind "_"
+        const std::size_t sub_said = said_ + piece.text.size() + dots_said(piece).size() + 1;  // after "_"
         const std::size_t sup_said = sub_said + (piece.sub.empty() ? 0 : piece.sub.size() + 1);
         said_ = piece.sup.empty() ? sup_said - 1 : sup_said + piece.sup.size();
         if (piece.dots > 0 && !base.last.blank()) dot(piece, base.last, size, part);
@@ -378,7 +379,7 @@ private:
             if (part.coloured == piece.coloured && (!piece.coloured || part.colour == piece.colour)) return i;
         }
         line_.parts.push_back({{}, {}, piece.coloured, piece.coloured ? piece.colour : Colour{}});
-        // Most lines have one colour.
+        // Most lines have only one colour.
         if (line_.parts.size() == 1) line_.parts.front().glyphs.reserve(letters_);
         return line_.parts.size() - 1;
     }
@@ -445,21 +446,21 @@ private:
     ShapedLine line_;
     Reach reach_;
     double x_ = 0;
-    std::size_t said_ = 0;  // what the line says so far, bytes
+    std::size_t said_ = 0;  // byte length of what the line says so far
 };
 
 bool has_scripts(const Piece& piece) { return !piece.sub.empty() || !piece.sup.empty() || piece.dots > 0; }
 
-/// Digits raised by their characters, which the fonts have only for 1, 2 and 3.
+/// Whether it contains superscript characters (the fonts have raised digits only for 1, 2 and 3).
 bool has_raised_digits(std::string_view text) {
-    // ⁰, ⁴ to ⁹ and ⁻ in UTF-8.
+    // UTF-8 of ⁰, ⁴ to ⁹ and ⁻.
     static constexpr std::string_view block = "\xE2\x81", last = "\xB0\xB4\xB5\xB6\xB7\xB8\xB9\xBB";
     for (std::size_t at = text.find(block); at != std::string_view::npos; at = text.find(block, at + 1))
         if (at + 2 < text.size() && last.find(text[at + 2]) != std::string_view::npos) return true;
     return false;
 }
 
-/// A number with a power of ten is one word: no line breaks at its × sign.
+/// Keeps a number with a power of ten together: no break at its × sign.
 std::string with_whole_powers_of_ten(std::string text) {
     constexpr std::string_view times = " × 10", unbroken = "\u00A0×\u00A010";
     for (std::size_t i = text.find(times); i != std::string::npos; i = text.find(times, i + times.size())) {
@@ -471,8 +472,8 @@ std::string with_whole_powers_of_ten(std::string text) {
     return text;
 }
 
-/// The same text with raised digits as superscripts, the words with such in pieces of their own; `text` itself where it
-/// has none.
+/// The text with raised digits as superscripts; words that contain them become separate pieces. Returns `text` itself
+/// if it has none.
 const RichText& with_raised_digits(const RichText& text, RichText& changed) {
     const auto concerns = [](const Piece& piece) { return !has_scripts(piece) && has_raised_digits(piece.text); };
     if (std::none_of(text.begin(), text.end(), concerns)) return text;
@@ -496,7 +497,7 @@ const RichText& with_raised_digits(const RichText& text, RichText& changed) {
     return changed;
 }
 
-/// The same text with long subscripts in pieces between which a line may end: of two names that are words each.
+/// The text with long subscripts (of two names that are words) divided into pieces, between which a line may end.
 const RichText& with_long_scripts_divided(const RichText& text, RichText& divided) {
     constexpr std::size_t longest = 36, least = 12;  // bytes
     const auto concerns = [](const Piece& piece) { return piece.sub.size() > longest; };
@@ -530,14 +531,14 @@ RichText with_powers(const std::string& given) {
     constexpr auto& powers = raised_characters;
     RichText rich{Piece{}};
     for (std::size_t i = 0; i < text.size();) {
-        // Most characters are no power, and most of those ASCII.
+        // Most characters are not powers, and most of them are ASCII.
         const auto power = (static_cast<unsigned char>(text[i]) & 0x80U) == 0
                                ? powers.end()
                                : std::find_if(powers.begin(), powers.end(), [&](const auto& each) {
                                      return std::string_view(text).substr(i).starts_with(each.first);
                                  });
         if (power != powers.end()) {
-            // A line may still be broken before the word that is raised to it.
+            // A line may still break before the word that has the exponent.
             const std::size_t blank = rich.back().sup.empty() ? rich.back().text.rfind(' ') : std::string::npos;
             if (blank != std::string::npos && blank + 1 < rich.back().text.size()) {
                 std::string raised = rich.back().text.substr(blank + 1);
@@ -601,7 +602,7 @@ ShapedLine Fonts::shape(RichText text, double size_points) const {
 
 namespace {
 
-/// The line of stretches that stand one behind the other.
+/// Builds the line of consecutive stretches.
 template <class State>
 ShapedLine line_of(State& state, const RichText& text, std::span<const Stretch> stretches, double size) {
     std::size_t letters = 0, pieces = 0;
@@ -626,24 +627,24 @@ ShapedLine line_of(State& state, const RichText& text, std::span<const Stretch> 
     return setter.finish(std::move(line));
 }
 
-/// Calls set(first, last) for every line: it may end only at a blank.
+/// Calls set(first, last) for every line. Lines end only at spaces.
 template <class Set>
 void break_lines(const std::vector<Stretch>& stretches, double measure, Set set) {
-    constexpr double tolerance = 1e-9;  // mm; sums of widths differ in the last bits
-    std::size_t first = 0;              // of this line
-    std::size_t last = 0;               // behind the last word that stands on this line
-    double width = 0;                   // up to `i`
+    constexpr double tolerance = 1e-9;  // mm; sums of widths differ in their last bits
+    std::size_t first = 0;              // first stretch of this line
+    std::size_t last = 0;               // end of the last word that fits on this line
+    double width = 0;                   // width up to `i`
     for (std::size_t i = 0; i < stretches.size();) {
-        std::size_t word = i;  // the next word begins here, behind blanks
+        std::size_t word = i;  // the next word begins here, after spaces
         double to_word = width;
         while (word < stretches.size() && stretches[word].blank) to_word += stretches[word++].width;
         std::size_t end = word;
         double to_end = to_word;
         while (end < stretches.size() && !stretches[end].blank) to_end += stretches[end++].width;
-        if (word == end) break;  // nothing but blanks is left
+        if (word == end) break;  // only spaces are left
         if (to_end - to_word > measure + tolerance && end - word > 1) {
-            // What no line holds is divided before its symbols, and behind one that a line holds: a formula of long
-            // names.
+            // A word that is too long for a line is divided before its symbols, and after a symbol that fits on the
+            // line: a formula of long names.
             const std::size_t whole = end;
             for (end = word, to_end = to_word; end < whole; ++end) {
                 const bool fits = to_end - to_word + stretches[end].width <= measure + tolerance;
@@ -668,7 +669,7 @@ void break_lines(const std::vector<Stretch>& stretches, double measure, Set set)
 
 namespace {
 
-/// What no line divides, in its order.
+/// Collects the unbreakable stretches of a text in order.
 template <class State>
 std::vector<Stretch> stretches_of(State& state, const RichText& text, double size) {
     std::vector<Stretch> stretches;
@@ -775,7 +776,7 @@ void Fonts::start_anew() {
     constexpr std::size_t most_words = 6'000;
     std::size_t words = 0;
     for (const State::FaceOfFont& face : state_->faces) words += face.words.size();
-    // A word that is known already would not tell its missing characters again.
+    // A cached word would not report its missing characters again.
     if (words > most_words || !state_->missing.empty())
         for (State::FaceOfFont& face : state_->faces) face.words.clear();
     state_->missing.clear();
@@ -800,7 +801,7 @@ ShapedLine shaped_within(const RichText& line, double size, const Fonts& fonts, 
         return shaped.width <= measure;
     };
     RichText text = line;
-    // What can stand is found by halves: names may be as long as a file lets them.
+    // Binary search for the longest text that fits: names may be as long as a file allows.
     const auto longest = [&](std::size_t low, std::size_t high, const auto& kept) {
         while (low < high) {
             const std::size_t middle = (low + high + 1) / 2;

@@ -1,4 +1,4 @@
-// HarfBuzz shapes and gives the outlines, unhinted; no fontconfig, so that every machine sets the same line.
+// Typeface by HarfBuzz: shaping and unhinted outlines. Without fontconfig, so that every machine gives the same line.
 #include "render/text/typeface.hpp"
 
 #include <hb-ot.h>
@@ -25,12 +25,12 @@ struct Release {
 template <class T>
 using Owned = std::unique_ptr<T, Release>;
 
-/// How far a curve with these ends and controls, along one axis, reaches beyond its ends, in whole units.
+/// Range of a Bézier curve with these ends and controls along one axis beyond its ends, in whole font units.
 void reach(double p, double control_1, double control_2, double q, double& least, double& most) {
     least = std::min({least, p, q});
     most = std::max({most, p, q});
     if (std::min(control_1, control_2) >= least && std::max(control_1, control_2) <= most) return;
-    // Where a t² + b t + c, a third of its slope, vanishes; in the form that bears a = 0.
+    // Zeros of a t² + b t + c, a third of the derivative, in the form that is stable for a = 0.
     const double a = q - p + 3 * (control_1 - control_2), b = 2 * (p - 2 * control_1 + control_2), c = control_1 - p;
     const double under_root = b * b - 4 * a * c;
     if (under_root < 0) return;
@@ -44,7 +44,7 @@ void reach(double p, double control_1, double control_2, double q, double& least
     }
 }
 
-/// Collects an outline as segments in em, and the box round it.
+/// Collects an outline as segments in em, with its bounding box.
 class Collector {
 public:
     Collector(Drawn& drawn, double unit) : segments_(drawn.outline.segments), ink_(drawn.ink), unit_(unit) {}
@@ -79,7 +79,8 @@ public:
         reach(c.at_.y, y_1, y_2, y, c.box_.min.y, c.box_.max.y);
         c.at_ = {x, y};
     }
-    /// What calls them; a quadratic curve comes as a cubic one, a contour's last line if it has one.
+    /// Callbacks for HarfBuzz. It delivers quadratic curves as cubic ones, and the closing line of a contour if there
+    /// is one.
     static Owned<hb_draw_funcs_t> pen() {
         Owned<hb_draw_funcs_t> calls(hb_draw_funcs_create());
         hb_draw_funcs_set_move_to_func(calls.get(), move, nullptr, nullptr);
@@ -100,14 +101,14 @@ private:
     Ink& ink_;
     double unit_;
     Spot at_{};
-    Box box_{};  // units
+    Box box_{};  // font units
 };
 
 class OpenTypeFace final : public Typeface {
 public:
     OpenTypeFace(Owned<hb_blob_t> blob, hb_face_t* face)
         : blob_(std::move(blob)),
-          font_(hb_font_create(face)),  // its scale is the face's units for each em, so nothing is rounded
+          font_(hb_font_create(face)),  // its default scale is the face's units per em, so nothing is rounded
           unit_(1.0 / hb_face_get_upem(face)),
           glyphs_(hb_face_get_glyph_count(face)) {}
 
@@ -158,7 +159,7 @@ private:
     double unit_;
     std::size_t glyphs_;
     Owned<hb_buffer_t> buffer_{hb_buffer_create()};
-    hb_language_t language_ = hb_language_from_string("en", -1);  // never the machine's
+    hb_language_t language_ = hb_language_from_string("en", -1);  // independent of the machine's locale
     Owned<hb_draw_funcs_t> pen_{Collector::pen()};
 };
 

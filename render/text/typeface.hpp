@@ -1,5 +1,5 @@
-// A face of the font as setting needs it: which characters it has, how a run of them is shaped, what its glyphs look
-// like. HarfBuzz, which does it, is known to typeface.cpp alone.
+// Typeface: one face of the font, as typesetting needs it: its characters, shaping of a run, glyph outlines. Only
+// typeface.cpp depends on HarfBuzz.
 #pragma once
 
 #include <array>
@@ -19,23 +19,23 @@
 
 namespace kinegraph::render {
 
-/// A box around ink; nothing inked when right < left. y upwards.
+/// Bounding box of ink, y upwards. Blank if right < left.
 struct Ink {
     double left = 1, bottom = 0, right = 0, top = 0;
     bool blank() const { return right < left; }
 };
 
-/// What a glyph looks like, em.
+/// Outline and ink of a glyph, em.
 struct Drawn {
     Outline outline;
     Ink ink;
 };
 
-/// Only virtual functions, so that the program may open HarfBuzz late.
+/// Purely virtual, so that the program can load HarfBuzz on demand.
 class Typeface {
 public:
-    /// A glyph in its place in a run, in units of the font: its offset from the pen, and how far it moves the pen.
-    /// `from` counts the characters of the run that stand before it.
+    /// A glyph in a shaped run, in font units: its offset from the pen, and its advance. `from` is the index of its
+    /// first character in the run.
     struct Placed {
         std::uint32_t glyph = 0;
         int x = 0, y = 0, advance = 0;
@@ -43,15 +43,15 @@ public:
     };
 
     virtual ~Typeface() = default;
-    virtual double unit() const = 0;  ///< em for each unit of the font
+    virtual double unit() const = 0;  ///< em per font unit
     virtual std::size_t glyphs() const = 0;
     virtual bool has(char32_t character) const = 0;
-    /// A letter and an accent written apart as Unicode's one character for both; none: 0.
+    /// The precomposed character of a letter and a combining accent; 0 if Unicode has none.
     virtual char32_t composed(char32_t letter, char32_t accent) const = 0;
-    /// Characters that the face has, from left to right always.
+    /// Shapes characters that the face has, always from left to right.
     virtual void shape(std::span<const char32_t> run, std::vector<Placed>& placed) const = 0;
     virtual Drawn draw(std::uint32_t glyph) const = 0;
-    /// The bytes of its file; they live as long as the face.
+    /// The bytes of its file; valid as long as the face.
     virtual std::string_view file() const = 0;
 
 protected:
@@ -60,10 +60,10 @@ protected:
     Typeface& operator=(const Typeface&) = default;
 };
 
-/// Regular, italic, bold, bold italic, as Face counts them.
+/// Regular, italic, bold, bold italic, in the order of Face.
 using Typefaces = std::array<std::unique_ptr<Typeface>, 4>;
 
-/// Opens the four faces of STIX General, from $KINEGRAPH_FONT_DIR or where Debian has them. Error: names the missing
+/// Opens the four faces of STIX General from $KINEGRAPH_FONT_DIR, or from Debian's location. Error: names the missing
 /// file and the Debian package (`fonts-stix`).
 tl::expected<Typefaces, Words> open_typefaces();
 

@@ -1,5 +1,5 @@
-// UTF-8 from any file to code points: whatever is not well formed becomes U+FFFD, byte by byte, and nothing is ever
-// read beyond the end. Knows nothing of fonts or of markup.
+// UTF-8 decoding and encoding. Every byte that is not well formed becomes U+FFFD; nothing is read past the end.
+// Independent of fonts and markup.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace kinegraph::render {
 
-/// Characters that stand for a raised digit or minus, with what is raised.
+/// Unicode superscript digits and minus, with the character that each raises.
 inline constexpr std::array<std::pair<std::string_view, std::string_view>, 11> raised_characters{{{"⁰", "0"},
                                                                                                   {"¹", "1"},
                                                                                                   {"²", "2"},
@@ -26,8 +26,8 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 11> r
 
 constexpr char32_t replacement_character = 0xFFFD;
 
-/// Takes the code point at `at` and moves `at` behind it. Overlong forms, surrogates and values past U+10FFFF are not
-/// well formed.
+/// Decodes the code point at `at` and advances `at` past it. Overlong forms, surrogates and values above U+10FFFF are
+/// not well formed.
 inline char32_t next_code_point(std::string_view text, std::size_t& at) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t lead = byte(at++);
@@ -46,21 +46,21 @@ inline char32_t next_code_point(std::string_view text, std::size_t& at) {
     return code;
 }
 
-/// How many characters a text has, for columns of a table: the code points of UTF-8.
+/// Number of code points of a text, for the columns of a table.
 inline std::size_t character_count(std::string_view text) {
     std::size_t count = 0;
     for (std::size_t at = 0; at < text.size(); ++count) next_code_point(text, at);
     return count;
 }
 
-/// The first `count` characters of a text, all of it where it has no more.
+/// The first `count` code points of a text, or all of it if it is shorter.
 inline std::string_view first_characters(std::string_view text, std::size_t count) {
     std::size_t at = 0;
     for (; at < text.size() && count > 0; --count) next_code_point(text, at);
     return text.substr(0, at);
 }
 
-/// Appends the code point, which must be a valid one.
+/// Appends a code point, which must be valid.
 inline void append_utf8(std::string& text, char32_t code) {
     const auto put = [&](char32_t bits) { text += static_cast<char>(static_cast<std::uint8_t>(bits)); };
     if (code < 0x80) {
@@ -80,8 +80,7 @@ inline void append_utf8(std::string& text, char32_t code) {
     }
 }
 
-/// The text as a file of ours can hold it: what is not UTF-8, and what XML 1.0 forbids, becomes U+FFFD. Escapes
-/// nothing.
+/// The text with everything that is not UTF-8, or that XML 1.0 forbids, replaced by U+FFFD. Escapes nothing.
 inline std::string well_formed(std::string_view text) {
     std::string out;
     out.reserve(text.size());

@@ -1,9 +1,10 @@
-// Words: the only file that speaks. One table of sentences and one of fixed words, each row in every language, and how
-// symbols and numbers are typeset. Knows no page; what a sentence means is said in engine/sentences/statement.hpp.
+// Words: the texts of a sheet. Owns a table of sentences and one of fixed words, each row in every language, and the
+// typesetting of symbols and numbers. Independent of pages; the meaning of a sentence is documented in
+// engine/sentences/statement.hpp.
 //
-// A pattern holds the places {0} … of its arguments; {0|one|several} chooses by the number of what {0} is; what stands
-// in [square brackets] is said only when all its arguments are given; ~ is a blank at which no line ends; ω and α are
-// set as symbols (α is ω̇ in Italian), × is ∧ there.
+// Patterns: {0} … are arguments; {0|one|several} chooses by the number of items in {0}; text in [square brackets] is
+// omitted if one of its arguments is missing; ~ is a no-break space; ω and α are typeset as symbols (α is ω̇ in
+// Italian), × becomes ∧ in Italian.
 #include "render/text/words.hpp"
 #include "render/text/numbered_lines.hpp"
 
@@ -1212,7 +1213,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"compression", "compression", "compressione"},
     FixedWords{"idle", "no force", "scarica"},
     FixedWords{"idle by rule", "no force (by rule)", "scarica (a vista)"},
-    // of bodies, for the key: a point that coincides with another, and their kinds
+    // of bodies, for the key: a coincident point, and the kinds of bodies
     FixedWords{"coincident point", "{0}\u00A0at\u00A0{1}", "{0}\u00A0in\u00A0{1}"},
     FixedWords{"crank", "crank", "manovella"},
     FixedWords{"rocker", "rocker", "bilanciere"},
@@ -1552,7 +1553,7 @@ Piece piece(std::string_view text, Face face = Face::regular) {
     return result;
 }
 
-/// A point's name as textbooks set it: O2 with the number lowered, else as it is, italic.
+/// A point's name as in textbooks: italic, with the number of O2 as a subscript.
 RichText point_name(std::string_view name) {
     std::size_t digits = name.size();
     std::string_view tail;
@@ -1580,20 +1581,20 @@ std::string lower_case(std::string_view name) {
     return out;
 }
 
-/// At which no line ends.
+/// A no-break space.
 constexpr const char* unbroken_blank = "\u00A0";
 
-/// "lbf in", on one line.
+/// "lbf in", without a line break.
 std::string unbroken(std::string unit) {
     for (std::size_t at = unit.find(' '); at != std::string::npos; at = unit.find(' ', at))
         unit.replace(at, 1, unbroken_blank);
     return unit;
 }
 
-/// As symbols are set in the figures, or with names as files and commands spell them.
+/// Symbols as in the figures, or names as spelt in files and commands.
 enum class Setting { typeset, spelt };
 
-/// Sets an argument of a sentence, each kind as its own overload does.
+/// Typesets an argument of a sentence, by an overload per type.
 class ArgumentSetter {
 public:
     ArgumentSetter(Language language, Setting setting) : language_(language), setting_(setting) {}
@@ -1673,7 +1674,7 @@ RichText argument(const Argument& arg, Language language, Setting setting) {
     return std::visit(ArgumentSetter(language, setting), arg);
 }
 
-/// Sorted first: to hold each against each asks more of a compiler than some allow.
+/// Sorted first: comparing all pairs exceeds the constexpr limits of some compilers.
 constexpr bool keys_are_different() {
     std::array<std::string_view, fixed_words.size()> keys{};
     for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = fixed_words[i].key;
@@ -1696,7 +1697,7 @@ std::string_view pattern_of(Sentence sentence, Language language) {
     return language == Language::en ? row.en : row.it;
 }
 
-/// Every first word of a pair by its second.
+/// Replaces every first word of a pair by the second.
 template <class Pairs>
 std::string replaced(std::string pattern, const Pairs& pairs) {
     for (const auto& [said, instead] : pairs)
@@ -1704,7 +1705,7 @@ std::string replaced(std::string pattern, const Pairs& pairs) {
             pattern.replace(at, said.size(), instead);
     return pattern;
 }
-/// Where a truss is cut free whole, the pattern of a body speaks of it by its name.
+/// Adapts a pattern about a body to a truss that is cut free as a whole.
 std::string of_truss(std::string pattern, Language language) {
     static constexpr std::array<std::array<std::string_view, 2>, 2> english{
         {{"Body {0}", "The truss"}, {"body {0}", "the truss"}}};
@@ -1715,14 +1716,14 @@ std::string of_truss(std::string pattern, Language language) {
                                                                              {"il corpo {0}", "la travatura"}}};
     return language == Language::en ? replaced(std::move(pattern), english) : replaced(std::move(pattern), italian);
 }
-/// Of the pin of a hinge.
+/// Adapts it to the pin of a hinge.
 std::string of_pin(std::string pattern, Language language) {
     static constexpr std::array<std::array<std::string_view, 2>, 2> english{
         {{"Body {0}", "Pin {0}"}, {"body {0}", "pin {0}"}}};
     static constexpr std::array<std::array<std::string_view, 2>, 1> italian{{{"corpo {0}", "perno {0}"}}};
     return language == Language::en ? replaced(std::move(pattern), english) : replaced(std::move(pattern), italian);
 }
-/// Where several bodies are taken together.
+/// Adapts it to several bodies taken together.
 std::string of_several(std::string pattern, Language language) {
     static constexpr std::array<std::array<std::string_view, 2>, 3> english{
         {{"On body {0}", "On bodies {0}"}, {"on body {0}", "on bodies {0}"}, {"of body {0}", "of bodies {0}"}}};
@@ -1739,7 +1740,7 @@ std::string pattern_of(const Message& message, Language language) {
     if (body == nullptr) return pattern;
     if (body->as == BodyName::As::pin) return of_pin(std::move(pattern), language);
     if (body->as == BodyName::As::truss) {
-        // A bar by which it hangs.
+        // A bar that connects the body.
         if (message.sentence == Sentence::two_force_body)
             return language == Language::en ? "Bar {0} carries a force along itself."
                                             : "L’asta {0} è soggetta a solo sforzo assiale.";
@@ -1765,14 +1766,14 @@ bool is_one(const Argument& arg) {
     return false;
 }
 
-/// A sentence's pattern with its arguments, written stretch by stretch.
+/// Typesets a pattern with its arguments, part by part.
 class PatternSetter {
 public:
     PatternSetter(const std::vector<Argument>& arguments, Language language, Setting setting,
                   const BeforeLine& before_line)
         : arguments_(arguments), language_(language), setting_(setting), before_line_(before_line) {}
 
-    /// What stands between [ and ] is left out where an argument in it is not given.
+    /// Text between [ and ] is omitted if one of its arguments is missing.
     RichText set(std::string_view pattern) {
         for (std::size_t i = 0; i < pattern.size();) {
             const char first = pattern[i];
@@ -1795,7 +1796,7 @@ private:
         plain_text_.clear();
     }
 
-    /// "{0}" or "{0|is|are}" at `begin`; returns where it ends.
+    /// Handles "{0}" or "{0|is|are}" at `begin`; returns the index after it.
     std::size_t put_place(std::string_view pattern, std::size_t begin) {
         const auto index = static_cast<std::size_t>(pattern[begin + 1] - '0');
         const std::size_t end = pattern.find('}', begin), bar = pattern.find('|', begin);
@@ -1833,7 +1834,7 @@ private:
         return end + 1;
     }
 
-    /// Returns how many bytes of `rest` were set.
+    /// Returns how many bytes of `rest` were handled.
     std::size_t put_text(std::string_view rest) {
         constexpr std::string_view omega = "ω", alpha = "α", squared = "²";
         if (rest.starts_with('~')) {
@@ -1863,7 +1864,7 @@ private:
     Setting setting_;
     BeforeLine before_line_;
     bool all_given_ = true;
-    bool behind_point_ = false;  ///< at once: two points name a line
+    bool behind_point_ = false;  ///< directly: two consecutive points name a line
     std::string plain_text_;
     RichText to_;
 };
@@ -1875,7 +1876,7 @@ std::string superscript(int value) {
     return out;
 }
 
-/// A decimal of to_chars in the language's dress.
+/// A decimal of to_chars in the notation of the language.
 std::string dressed(std::string_view decimal, Language language) {
     std::string out;
     for (const char c : decimal) {
@@ -1889,7 +1890,7 @@ std::string dressed(std::string_view decimal, Language language) {
     return out;
 }
 
-/// "0.64", "1.309": so many digits, without the zeros that say nothing.
+/// "0.64", "1.309": `digits` significant digits, without trailing zeros.
 std::string factor(double value, Language language) {
     constexpr int digits = 4;
     std::string text = number(value, digits, Language::en);
@@ -1902,13 +1903,13 @@ std::string factor(double value, Language language) {
     return dressed(digits_alone + text.substr(power), language);
 }
 
-/// With brackets where a power of ten would be read with what stands beside it: (1.2 × 10⁵)², 3/(1.2 × 10⁵).
+/// With brackets where a power of ten would merge with its neighbours: (1.2 × 10⁵)², 3/(1.2 × 10⁵).
 std::string bracketed(double value, Language language) {
     const std::string text = factor(value, language);
     return text.find(' ') == std::string::npos ? text : "(" + text + ")";
 }
 
-/// "−4 · 0.5²": the sign stands before all, its factors are moduli.
+/// "−4 · 0.5²": one sign, followed by the moduli of the factors.
 std::string product_of(const std::vector<Working::Factor>& factors, Language language) {
     double sense = 1;
     for (const Working::Factor& each : factors) sense *= each.value < 0 && !each.squared ? -1 : 1;
@@ -1921,7 +1922,7 @@ std::string product_of(const std::vector<Working::Factor>& factors, Language lan
     return product;
 }
 
-/// "18.89 · 3 − 20 · 4" of forces and arms, "12 − 3.5" of summands alone; a long sum parts before a sign.
+/// "18.89 · 3 − 20 · 4" for forces and arms, "12 − 3.5" for plain summands; a long sum breaks before a sign.
 std::string sum_of(const Working& working, Language language) {
     std::string sum;
     for (std::size_t i = 0; i < working.summands.size(); ++i) {
@@ -1942,11 +1943,11 @@ std::string result_of(const Working& working, Language language) {
     return result;
 }
 
-/// "ω_3 = −0.1963/0.15 = −1.31 rad/s": the sign stands before all, its factors are moduli.
+/// "ω_3 = −0.1963/0.15 = −1.31 rad/s": one sign, followed by the moduli of the factors.
 RichText worked_out(const Working& working, Language language) {
     RichText text = typeset(working.of, language);
     for (Piece& each : text)
-        if (each.face == Face::bold_italic) each.face = Face::italic;  // of a vector its modulus
+        if (each.face == Face::bold_italic) each.face = Face::italic;  // the modulus of a vector
     const std::string equals = std::string(unbroken_blank) + "=" + unbroken_blank;
     std::string product = working.summands.empty() ? product_of(working.factors, language) : sum_of(working, language);
     if (working.divisor) product += "/" + bracketed(*working.divisor, language);
@@ -1961,7 +1962,7 @@ RichText worked_out(const Working& working, Language language) {
     return text;
 }
 
-/// One after the other; of the same quantity in another unit "… = −19.8 rad/s = −189 rpm".
+/// In sequence; the same quantity in another unit is appended, "… = −19.8 rad/s = −189 rpm".
 std::vector<RichText> worked_out(const std::vector<Working>& workings, Language language) {
     std::vector<RichText> all;
     for (std::size_t i = 0; i < workings.size(); ++i)
@@ -2001,7 +2002,7 @@ RichText say_likewise(const std::vector<const Message*>& messages, Language lang
         };
         for (const RichText& working : worked_out(message->workings, language)) part(working);
         if (!message->workings.empty()) continue;
-        // The body, and what it hangs on.
+        // The body, and what it is connected to.
         RichText said = {piece(word("body", language) + unbroken_blank)};
         for (std::size_t i = 0; i < message->arguments.size(); ++i) {
             if (i > 0) said.push_back(piece(i == 1 ? " (" : ", "));
@@ -2018,7 +2019,7 @@ std::string tell(const Message& message, Language language) {
     return plain(PatternSetter(message.arguments, language, Setting::spelt, {}).set(pattern_of(message, language)));
 }
 
-/// A load that the file calls P_1: written with its letter, not as F with a script P_1.
+/// A load that the file calls P_1 keeps its letter, instead of F with a subscript P_1.
 bool has_letter(const Symbol& symbol) {
     const std::string& name = symbol.about;
     return (symbol.letter == Symbol::Letter::F || symbol.letter == Symbol::Letter::M) && name.size() > 2 &&
@@ -2064,7 +2065,7 @@ RichText typeset(const Symbol& symbol, Language language) {
         default: KG_ASSERT(false, "a symbol has a letter");
     }
     result.sub = symbol.about;
-    // A force that the file calls F_gas or M is written so, not F with a script F_gas.
+    // A force that the file calls F_gas or M keeps its name, instead of F with a subscript F_gas.
     if (has_own_name(symbol)) {
         result.text = result.sub[0];
         result.sub.erase(0, result.sub.find('_') == 1 ? 2 : 1);
@@ -2072,7 +2073,7 @@ RichText typeset(const Symbol& symbol, Language language) {
         result.text = result.sub[0];
         result.sub.erase(0, 2);
     }
-    // g of the weight and i of inertia are words, not quantities.
+    // g (weight) and i (inertia) are abbreviations, not quantities, hence upright.
     const bool of_body = symbol.letter == Letter::F && !result.sub.empty() &&
                          (result.sub[0] == 'g' || result.sub[0] == 'i') &&
                          (result.sub.size() == 1 || digits_only(result.sub.substr(1)));
@@ -2103,7 +2104,7 @@ RichText typeset(const LineReason& reason, Language language) {
         case Kind::known: break;
     }
     if (reason.from.empty()) return text;
-    // A name that says what it is needs no word before it: "∥ guide 2".
+    // A name that states its kind needs no word before it: "∥ guide 2".
     if (reason.own_name && reason.from.starts_with(word("guide", language)))
         return {piece((perpendicular ? "⟂ " : "∥ ") + reason.from)};
     text.back().text += " ";
