@@ -1,5 +1,5 @@
-// The bands of a solution: given and centres, polygons of motion, lines of action, a row for each body, the closed
-// polygon; and their text, row by row.
+// Makes the bands of a solution (given data and centres, polygons of motion, lines of action, one band for each body,
+// closed polygon), and their text row by row.
 #include "render/content/bands.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 
 using Kind = Band::Part::Kind;
 
-/// The text of one band, set to a width.
+/// The text of one band for a given width.
 class BandText {
 public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
@@ -46,14 +46,14 @@ public:
           wanted_(wanted),
           figures_stand_(figures_stand) {}
 
-    /// Of all but the results.
+    /// The passage of any part except results.
     Passage passage_of(const Band::Part& part, const std::map<std::string, RichText>& on_figures) const {
         switch (part.kind) {
             case Kind::bodies:
                 if (!made_.bodies) made_.bodies.emplace(context_);
                 return under("bodies", made_.bodies->lines(measure_));
             case Kind::mobility:
-                // Of a body alone there is nothing to count.
+                // For a single body no degrees of freedom are counted.
                 return under(solution_.act_of_motion ? "conventions" : "mobility", conventions());
             case Kind::centres:
                 if (!made_.centres) made_.centres.emplace(context_);
@@ -85,13 +85,13 @@ private:
         passage.take_rows(std::move(rows));
         return passage;
     }
-    /// Its head, the first line, stands again where it goes on.
+    /// The first line is the head, which is repeated in the next column.
     Passage table_under(const std::string& title, std::vector<Block> lines) const {
         Passage passage = under(title, std::vector<SharedBlock>{});
         passage.take_table(std::move(lines));
         return passage;
     }
-    /// The heading again where a passage goes on, which few do, and where the figures are that it speaks of.
+    /// The heading of a continued passage, with the position of its figures.
     SharedBlock continued(const std::string& words, const RichText& note = {}) const {
         return {
             measure_, heading_height, [&context = context_, &stand = figures_stand_, measure = measure_, words, note] {
@@ -121,7 +121,7 @@ private:
             const Paragraph& sentence = known->second.sentence;
             double height = sentence.height(measure_);
             for (const SharedBlock& equation : equations) height += equation.height() + under_equation;
-            // What would be a page by itself may be divided before its equations.
+            // A paragraph that would fill a page may be divided before its equations.
             constexpr double too_high = 90;
             if (height > too_high) {
                 rows.emplace_back(measure_, sentence.height(measure_), [&sentence, measure = measure_, i] {
@@ -138,7 +138,7 @@ private:
         }
         return rows;
     }
-    /// A sentence and its equations, one under the other.
+    /// A sentence with its equations below.
     static std::vector<Mark> step(Block sentence, const std::vector<SharedBlock>& equations, StatementIndex statement) {
         for (const SharedBlock& equation : equations) {
             set(sentence.marks, equation.set(), {indent, sentence.height + 0.5});
@@ -148,13 +148,13 @@ private:
         return std::move(sentence.marks);
     }
 
-    /// The same at all widths that hold it in one row.
+    /// Cached for all widths that hold it in one row.
     SharedBlock equation(Said& said, const Equation& equation, double most) const {
         if (!said.equation) said.equation = equation_block(context_, equation, std::numeric_limits<double>::infinity());
         return said.equation->width() <= most ? *said.equation : SharedBlock(equation_block(context_, equation, most));
     }
 
-    /// A sentence, and of whom it holds likewise.
+    /// A sentence, followed by the other subjects that it applies to.
     RichText said(std::size_t statement) const {
         const auto& statements = solution_.protocol.statements;
         RichText text = say(statements[statement].message, context_.language, [&](const LineReason& reason) {
@@ -176,7 +176,7 @@ private:
         return table_under("answers", answer_lines(context_, answers_of(context_, {}, with_centres_), measure_));
     }
 
-    /// A section of the equations: its heading, and what stands under it.
+    /// A section of the equations with its heading.
     Passage equations(const std::vector<std::size_t>& which) const {
         const auto first = equations_.begin() + static_cast<std::ptrdiff_t>(which.front());
         const auto end = equations_.begin() + static_cast<std::ptrdiff_t>(which.back());
@@ -206,7 +206,7 @@ private:
         return rows;
     }
 
-    /// Paragraphs that no column parts.
+    /// Paragraphs that are not divided between columns.
     std::vector<SharedBlock> conventions() const {
         std::vector<Paragraph>& all = made_.conventions;
         if (all.empty()) {
@@ -287,8 +287,8 @@ private:
         return text;
     }
 
-    static constexpr double indent = 6;            // of a sentence behind its number
-    static constexpr double under_equation = 2.5;  // with what is over it
+    static constexpr double indent = 6;            // of a sentence, for its number
+    static constexpr double under_equation = 2.5;  // space above included
 
     const DrawingContext& context_;
     const Solution& solution_;
@@ -301,15 +301,15 @@ private:
     const std::vector<LineNumbers>& lines_;
     MadeOnce& made_;
     const WantedFigures& wanted_;
-    const std::string& figures_stand_;  // told late, once all is planned
+    const std::string& figures_stand_;  // filled in after planning
 };
 
-/// Whether "likewise" can be said of it: its number says the rest, or the body that it names.
+/// Whether statements of this kind can be merged: the number or the body named is enough to distinguish them.
 bool may_be_merged(const Message& message) {
     switch (message.sentence) {
         case Sentence::omega_from_pair:
         case Sentence::alpha_from_pair:
-            return !message.workings.empty() && message.arguments.size() <= 4;  // else it draws a vector first
+            return !message.workings.empty() && message.arguments.size() <= 4;  // otherwise it draws a vector first
         case Sentence::inertia_force:
         case Sentence::inertia_couple:
         case Sentence::second_way: return !message.workings.empty();
@@ -320,7 +320,7 @@ bool may_be_merged(const Message& message) {
     }
 }
 
-/// Whether a polygon is closed with a force that the body's own sentence finds, or that follows from one it finds.
+/// Whether a polygon is closed by a force that the sentence of the body finds, or that follows from such a force.
 bool leads_to_polygon(const Solution& solution, const FreeBody& body) {
     if (body.statement == none || body.in_parts) return false;
     return std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& other) {
@@ -332,7 +332,7 @@ bool leads_to_polygon(const Solution& solution, const FreeBody& body) {
     });
 }
 
-/// What is between two polygons of relative motion of one point as one observer sees it.
+/// Whether two polygons show the same relative motion of a point for the same observer.
 bool of_one_motion(const Polygon& a, const Polygon& b) {
     return a.point == b.point && a.observer == b.observer && a.translating == b.translating;
 }
@@ -352,7 +352,7 @@ Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, Solutio
         collect_forces();
     if (solution_.displacements) collect_virtual_work();
     Band& given = list.front();
-    const bool tells_bodies = !solution_.truss || !solution_.free_bodies.empty();  // bars have a table of their own
+    const bool tells_bodies = !solution_.truss || !solution_.free_bodies.empty();  // bars have their own table
     if (detail_ == SolutionDetail::full) given.parts.insert(given.parts.begin(), {Kind::mobility});
     if (detail_ == SolutionDetail::full && tells_bodies) given.parts.insert(given.parts.begin(), {Kind::bodies});
     number_steps();
@@ -384,7 +384,8 @@ Band& Bands::add(const std::string& question, const std::vector<std::string>& fi
     return band;
 }
 
-/// That which says the same of another, unless what is told here reads a vector that was drawn since.
+/// The earlier statement that says the same of another subject. None if this one reads a vector that was drawn in
+/// between.
 std::optional<std::size_t> Bands::same_before(const Band& band, const Statement& added) const {
     if (!may_be_merged(added.message)) return std::nullopt;
     const auto reads_of = [&](std::size_t drawn_by) {
@@ -413,7 +414,7 @@ void Bands::add_step(Band& band, std::size_t statement) {
     if (told_by_list(added.message.sentence)) return;
     if (!added.equation) {
         if (detail_ == SolutionDetail::brief && is_incidental(solution_.protocol.statements, statement)) return;
-        // A sentence that repeats another of its band is told with it, as long as a column holds what it says.
+        // Merges statements while the merged text fits into a column.
         constexpr std::size_t most_likewise = 16;
         if (const auto other = same_before(band, added); other && likewise_[*other].size() < most_likewise) {
             likewise_[*other].push_back(statement);
@@ -428,7 +429,7 @@ void Bands::collect_motion() {
     const Protocol& protocol = solution_.protocol;
     Band& given = add("given", {wanted_.list.front().name, "circle-diagram"});
     if (wanted_.shows_centres()) given.parts.push_back({Kind::centres});
-    // A polygon has a band of its own; of a relative motion both polygons share one.
+    // Each polygon has a band; the two polygons of a relative motion share one.
     std::map<int, std::size_t> band_of;  // by polygon
     std::map<Topic, std::size_t> last_of{{Topic::centres, 0}};
     for (const auto kind : {Polygon::Kind::motion, Polygon::Kind::relative_motion})
@@ -438,7 +439,7 @@ void Bands::collect_motion() {
             const bool relative = kind == Polygon::Kind::relative_motion;
             const bool again = relative && p > 0 && of_one_motion(protocol.polygons[p - 1], polygon) &&
                                band_of.contains(static_cast<int>(p) - 1);
-            // An act of motion shows what both polygons find in its own figure.
+            // The figure of an instantaneous motion shows the results of both polygons.
             if (again || solution_.act_of_motion)
                 list.back().figures.push_back(*wanted_.named(polygon.id));
             else
@@ -458,14 +459,14 @@ void Bands::collect_motion() {
         if (topic == Topic::forces || topic == Topic::curvature) continue;
         const auto polygon = polygon_of.find(StatementIndex(i));
         const auto band = polygon == polygon_of.end() ? band_of.end() : band_of.find(polygon->second);
-        // What draws nothing stands with what was drawn before it.
+        // A statement that draws nothing stands with what was drawn before it.
         if (band != band_of.end() && topic != Topic::centres) last_of[topic] = band->second;
         add_step(list[last_of[topic]], i);
     }
     collect_curvature();
 }
 
-/// A band for each body whose pole moves; what is said of simpler ones stands in the band before, or the next.
+/// One band for each body whose pole moves. Statements about other bodies are added to the band before or after.
 void Bands::collect_curvature() {
     if (solution_.curvature.empty()) return;
     std::map<BodyIndex, std::size_t> band_of;
@@ -487,13 +488,12 @@ void Bands::collect_curvature() {
 }
 
 void Bands::collect_forces() {
-    // In brief the mechanism is drawn once, and the bodies cut free have their lines of action, as far as these are
-    // their own.
+    // In brief the mechanism is drawn once. Free bodies show their own lines of action.
     const bool has_strings = std::any_of(solution_.taken_together.begin(), solution_.taken_together.end(),
                                          [](const TakenTogether& together) { return together.funicular.has_value(); });
     const bool drawn_already = detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty() &&
                                !has_strings && !has_meets(solution_, true);
-    // What is said of its lines stands with the first body then.
+    // Statements about lines of action then stand with the first body.
     const std::size_t at_lines = list.size();
     if (!drawn_already) add("lines-of-action", {"lines-of-action"});
     const std::vector<std::size_t> parts = collect_superposition();
@@ -519,8 +519,8 @@ void Bands::collect_forces() {
     if (wanted_.named("joukowsky")) add("joukowsky", {"joukowsky"}).parts.push_back({Kind::lever});
 }
 
-/// A sentence that closes a body's polygon stands beside it, and what adds forces on it up; all else, with the lines of
-/// action: there the resultant stands, too, of bodies that are taken together.
+/// The band of a statement on forces: the polygon that it closes or adds to; otherwise the lines of action, where the
+/// resultant of bodies taken together stands, too.
 std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines) const {
     const auto adds = [&](const FreeBody& body) {
         return std::any_of(body.sums.begin(), body.sums.end(),
@@ -543,7 +543,7 @@ std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines
     return at_lines;
 }
 
-/// Loads alone, one after the other, and at last their sums: indices of these bands.
+/// Bands for each load acting alone, then for their sum. Returns their indices.
 std::vector<std::size_t> Bands::collect_superposition() {
     std::vector<std::size_t> bands;
     if (!solution_.superposition) return bands;
@@ -560,7 +560,7 @@ std::vector<std::size_t> Bands::collect_superposition() {
     return bands;
 }
 
-/// The truss, its plan and what is said of both in one; then the bars.
+/// One band for the truss, its force plan and their text; then one for the bars.
 void Bands::collect_truss() {
     std::vector<std::string> figures{"truss"};
     for (const TakenTogether& together : solution_.taken_together)
@@ -573,13 +573,13 @@ void Bands::collect_truss() {
     list[home].parts.push_back({Kind::bars});
 }
 
-/// The loops drawn, and their sections under or beside them.
+/// The figure of the loops with the sections of their equations.
 void Bands::collect_equations() {
     add("equations", {"loops"});
     add_items(equation_items(solution_, context_.language), "equations-");
 }
 
-/// Sections into the last band; one that stands apart begins a band of its own but where the items begin with it.
+/// Adds sections to the last band. A section that stands apart begins a new band unless it is the first item.
 void Bands::add_items(std::vector<EquationItem> items, const std::string& pages) {
     int page = 1;
     const std::size_t before = equations_.size();
@@ -593,7 +593,7 @@ void Bands::add_items(std::vector<EquationItem> items, const std::string& pages)
     }
 }
 
-/// Relative motions taken apart, each with its moving axes.
+/// One band for each relative motion, with its moving axes.
 void Bands::collect_apart() {
     for (std::size_t i = 0; i < solution_.relative_motion.size(); ++i) {
         if (!has_moving_axes(solution_.relative_motion[i])) continue;
@@ -603,7 +603,7 @@ void Bands::collect_apart() {
     }
 }
 
-/// Displacements, and the work done in them.
+/// Displacements and virtual work.
 void Bands::collect_virtual_work() {
     std::vector<std::string> figures;
     for (std::size_t i = 0; i < displacement_figures(solution_); ++i) figures.push_back(displacement_figure_name(i));
@@ -611,7 +611,7 @@ void Bands::collect_virtual_work() {
     add_items(virtual_work_items(solution_, context_.language), "virtual-work-");
 }
 
-/// In the order of solving: free body and polygon; those that carry two forces share a row.
+/// In the order of solving: free body and polygon. Bodies with two forces share a band.
 void Bands::collect_bodies() {
     constexpr std::size_t most_in_a_row = 4;
     for (const TakenTogether& together : solution_.taken_together) {
@@ -626,8 +626,8 @@ void Bands::collect_bodies() {
         };
         return rank(*a) < rank(*b);
     });
-    // Bars in one row, once it is known what they carry; one whose sentence finds what a polygon needs stands before
-    // that.
+    // Bars share one band, after their forces are known. A bar whose sentence finds a force that a polygon needs stands
+    // before that polygon.
     if (detail_ == SolutionDetail::brief)
         std::stable_partition(order.begin(), order.end(), [&](const FreeBody* body) {
             return has_force_polygon(solution_, *body) || leads_to_polygon(solution_, *body);
@@ -658,7 +658,8 @@ std::vector<ResultRow> Bands::results_on(const std::vector<Figure>& drawn) const
     return rows;
 }
 
-/// Every row stands under the figure that it is measured on; what no figure shows, under the last of its kind.
+/// Each row of results goes to the band whose figure it is measured on; if no figure shows it, to the last band of its
+/// kind.
 void Bands::deal_out_results() {
     const std::vector<ResultRow>& rows = results_ = results_on({});
     const auto draws = [&](const Band& band, const std::string& name) {
@@ -691,7 +692,7 @@ void Bands::deal_out_results() {
                     for (const AppliedForce& applied : body.forces) {
                         Quantity own = quantity_of(body, applied), turned = row.quantity;
                         std::swap(turned.body, turned.other);
-                        // The couple that a pair transmits goes with its force.
+                        // The couple of a pair goes with its force.
                         const auto of_a_joint = [](Quantity::Kind kind) {
                             return kind == Quantity::Kind::force || kind == Quantity::Kind::couple;
                         };
@@ -733,7 +734,7 @@ void Bands::tell_figures(const std::string& question, int first, int last, std::
     words += ", " + word("on sheet", context_.language) + " " + std::to_string(page + 1);
 }
 
-/// Of the first band that says it; what goes on is a part of it.
+/// That of the first band with this part; a continuation refers to it.
 const std::string& Bands::question_of(const Band::Part& part) const {
     const auto is_said = [&](const Band& band) {
         return std::any_of(band.parts.begin(), band.parts.end(),
@@ -752,7 +753,7 @@ Passage Bands::text(const Band::Part& part, double measure, bool equations_apart
     return writer.passage_of(part, remarks_);
 }
 
-/// Their columns are as wide at every width.
+/// The width of the columns does not depend on the measure.
 Passage Bands::table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results,
                      double measure) const {
     const auto made = [&] {

@@ -1,5 +1,5 @@
-// Bands: a solution as a sequence of questions, each with its figures and the text that belongs to them. Owns what
-// belongs together and in which order it is read; chooses no place and no size.
+// Bands: a solution as a sequence of questions, each with its figures and text. Owns the grouping and the reading
+// order; chooses neither position nor size.
 #pragma once
 
 #include <limits>
@@ -18,22 +18,21 @@
 
 namespace kinegraph::render {
 
-/// Rows under a heading. Where they go on in a further column a table sets its head again; on a further page the
-/// heading too.
+/// Rows under a heading. In the next column a table repeats its head; on the next page the heading is repeated, too.
 struct Passage {
-    SharedBlock heading, heading_again;  ///< no height: none
+    SharedBlock heading, heading_again;  ///< height 0: none
     SharedBlock head;
     std::vector<SharedBlock> rows{};
 
     void take_rows(std::vector<Block> blocks);
-    /// Of a table: the first line is its head. No lines: neither head nor rows.
+    /// The first line of a table is its head. Without lines there are neither head nor rows.
     void take_table(std::vector<Block> lines);
     void take_table(std::vector<SharedBlock> lines);
 };
 
-/// One question of the solution.
+/// One question of the solution: the unit that a page plan places.
 struct Band {
-    /// What its text is made of, in order.
+    /// The parts of its text, in order.
     struct Part {
         enum class Kind {
             bodies,
@@ -49,58 +48,58 @@ struct Band {
             unsolved,
             remarks
         } kind;
-        std::vector<std::size_t>
-            which{};  ///< steps: statements; results: rows of the table; equations: a section's first and last item
+        std::vector<std::size_t> which{};  ///< steps: statements; results: rows of the table; equations: the first and
+                                           ///< last item of a section
     };
     std::string question;
-    std::vector<std::size_t> figures{};  ///< of WantedFigures::list, left to right
+    std::vector<std::size_t> figures{};  ///< indices into WantedFigures::list, left to right
     std::vector<Part> parts{};
-    std::size_t first_row = 0;  ///< of its text, which goes on over pages only where no page holds it
+    std::size_t first_row = 0;  ///< of its text; the text is divided only if no page can hold all of it
     std::size_t end_row = std::numeric_limits<std::size_t>::max();
 };
 
-/// A statement as it is said, once it was asked for.
+/// The sentence of a statement. Cached.
 struct Said {
     Paragraph sentence;
-    std::optional<SharedBlock> equation{};  ///< in one row, as wide as that is
+    std::optional<SharedBlock> equation{};  ///< in one row, at its natural width
 };
-/// What is the same at all widths, made once it was asked for.
+/// Cache of what does not depend on the width.
 struct MadeOnce {
-    NaturalBlocks natural{};             ///< of the equations, as they were set first
-    std::map<std::size_t, Said> said{};  ///< by statement
+    NaturalBlocks natural{};             ///< of the equations, at their natural width
+    std::map<std::size_t, Said> said{};  ///< by index of the statement
     std::optional<CentresTable> centres{};
     std::optional<BodiesTable> bodies{};
     std::vector<Paragraph> conventions{};
 };
 
-/// Of the text of a band and of those that it goes on in, its own rows; what goes on from a page before begins in the
-/// middle.
+/// The rows of a band, cut out of the text of the whole question. A continuation begins in the middle of it.
 std::vector<Passage> own_rows(const std::vector<Passage>& text, const Band& band);
 
-/// The bands of a solution, and their text once a width is chosen.
+/// The bands of a solution, and their text for a given width.
 class Bands {
 public:
-    /// Sentences that repeat each other stand in one. Brief: the decisive sentences, and the answers in the place of
-    /// all results.
+    /// Statements that say the same of other subjects are merged into one sentence. Brief: only the decisive sentences,
+    /// and the answers in place of all results.
     Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail = SolutionDetail::full);
 
     std::vector<Band> list;
 
-    /// A remark on a figure, once it is drawn; false where it is made already.
+    /// Adds a remark on a drawn figure. False if it has this remark already.
     bool remark(const std::string& figure, const RichText& text);
 
-    /// What goes on from another page says where its figures are: numbered so, on a page counted from 0.
+    /// Adds "Fig. 1–3, sheet 1" where text continues on another page. `page` counts from 0.
     void tell_figures(const std::string& question, int first, int last, std::size_t page);
 
-    /// Rows of all results, lengths measured on the figures where there are some.
+    /// Rows of all results. Lengths are measured on those figures that were drawn.
     std::vector<ResultRow> results_on(const std::vector<Figure>& drawn) const;
-    /// The same with no length measured: as wide and as high as they will be.
+    /// The same rows without measured lengths; they have the same width and height.
     const std::vector<ResultRow>& results() const { return results_; }
-    /// Set to a width of `measure` mm; `equations_apart`: the equations of its steps stand in the figure.
+    /// The text for a width of `measure` mm; `equations_apart`: without the equations of steps, which stand in the
+    /// figure.
     Passage text(const Band::Part& part, double measure, bool equations_apart,
                  const std::vector<ResultRow>& results) const;
-    /// The equations of motion of a band, one under the other, not wider than `most` mm where they can; no width: it
-    /// has none, or so many that no figure has room for them.
+    /// The equations of motion of a band, one below the other, at most `most` mm wide where possible. Width 0: there
+    /// are none, or too many for a figure.
     Block equations(const Band& band, double most) const;
 
 private:
@@ -128,15 +127,15 @@ private:
     const Solution& solution_;
     const WantedFigures& wanted_;
     SolutionDetail detail_;
-    std::map<std::size_t, int> step_;                           // number of a statement
-    std::map<std::size_t, std::vector<std::size_t>> likewise_;  // statements that say the same of others, by the first
+    std::map<std::size_t, int> step_;                           // number of a step, by statement
+    std::map<std::size_t, std::vector<std::size_t>> likewise_;  // merged statements, by the one kept
     std::vector<ResultRow> results_;
-    std::map<std::string, RichText> remarks_;                   // on figures as drawn
-    mutable std::map<std::string, std::string> figures_stand_;  // by question, in words
+    std::map<std::string, RichText> remarks_;                   // on drawn figures
+    mutable std::map<std::string, std::string> figures_stand_;  // position of the figures in words, by question
     std::vector<EquationItem> equations_;
-    std::vector<LineNumbers> lines_;  // of the polygons of motion
+    std::vector<LineNumbers> lines_;  // numbers of lines in the polygons of motion
     mutable MadeOnce made_;
-    mutable std::map<std::size_t, ResultsTable> tables_;  // of results that are not measured, by their first row
+    mutable std::map<std::size_t, ResultsTable> tables_;  // tables without measured lengths, by their first row
 };
 
 }  // namespace kinegraph::render

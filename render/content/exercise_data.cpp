@@ -1,4 +1,4 @@
-// What the file gives, sentence by sentence: see exercise_text.hpp. One function for each kind of data.
+// The data of the file, sentence by sentence; one function for each kind of data. Part of exercise_text.hpp.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -71,7 +71,7 @@ private:
         }
     }
 
-    /// Of two meets the one that is meant.
+    /// Which of two intersections is meant.
     RichText which_of(const Meet& meet) const {
         using Side = Meet::Side;
         if (meet.near) return filled("data nearer", {vector(*meet.near, units_.length)});
@@ -129,7 +129,7 @@ private:
             say("data pushes", {name(joint.point), subject(joint.bodies[0]), way(Bearing{*joint.pushes})});
     }
 
-    /// Of a support of the frame, along which it slides; else what the bodies show each other.
+    /// The direction of sliding on a support of the frame; otherwise the profiles of the two bodies.
     void add_contact(const Joint& joint) {
         if (const Bearing* along = support_of(joint))
             return say("data support", {name(joint.point), subject(joint.other_than(frame)), course(*along)});
@@ -148,7 +148,7 @@ private:
             {name(joint.point), subject(joint.bodies[0]), subject(joint.bodies[1]), shapes});
     }
 
-    /// The direction in which a body that rests on the frame may slide there; null: it is no such support.
+    /// The direction in which a body supported by the frame may slide; null if the joint is no such support.
     static const Bearing* support_of(const Joint& joint) {
         if (!joint.pair().slides() || !joint.connects(frame)) return nullptr;
         if (joint.tangent && joint.profiles.empty()) return &*joint.tangent;
@@ -191,7 +191,7 @@ private:
              equation(acceleration, amount(slide.acceleration, units_.acceleration)), positive_sense(slide.joint)});
     }
 
-    /// What drives is the component along the line, not the velocity: that is found.
+    /// The driver gives the component along the line; the velocity is a result.
     void add_driver(const PointDriver& point) {
         const auto given = [&](Symbol::Letter of, const Exact& si, const Unit& unit) {
             return equation(scalar(along_drive(of, point, mechanism_)), amount(si, unit));

@@ -1,5 +1,5 @@
-// Phrases of an exercise: names, amounts, directions and bodies as its sentences have them. Owns how each is written,
-// not which sentences there are.
+// Phrases of an exercise: names, amounts, directions and bodies within sentences. Owns how each is written, not which
+// sentences there are.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace kinegraph::render {
 
-/// What a text of sentences is written with, and its sentences so far.
+/// The context of a text made of sentences, and the sentences so far.
 class ExercisePhrases {
 protected:
     explicit ExercisePhrases(const DrawingContext& context)
@@ -27,7 +27,7 @@ protected:
     void say(const char* key, const std::vector<RichText>& parts) { rows_.push_back(filled(key, parts)); }
     RichText name(PointIndex point) const;
     RichText number_of(double value) const;
-    /// A short fraction as such, where its decimals go on and on: 1/3.
+    /// A fraction such as 1/3 if its decimals would not end.
     RichText ratio(const Exact& value) const;
     RichText angle(const Angle& angle) const;
     RichText pair(double x, double y) const;
@@ -36,23 +36,23 @@ protected:
     RichText bearing(const Bearing& bearing) const;
     RichText place(const kinegraph::Place& place) const;
     static RichText equation(RichText left, const RichText& right);
-    /// A bearing where its bare numbers would be taken for a place.
+    /// A bearing, with words where bare numbers would look like a position.
     RichText direction(const Bearing& of) const;
-    /// In a list of the bodies of a hinge.
+    /// The name in a list of the bodies of a hinge.
     std::string listed(BodyIndex body) const;
     /// "body 2", "bar AB", "the frame"; "of body 2", "of bar AB", "of the frame".
     RichText subject(BodyIndex body) const;
     RichText owner(BodyIndex body) const;
     RichText called(BodyIndex body, const char* as_frame, const char* as_body) const;
-    /// A bearing, components told from a place by their words.
+    /// A bearing; words mark its components, which would look like a position otherwise.
     RichText way(const Bearing& of) const;
     /// "along AB", "along 0°".
     RichText course(const Bearing& of) const;
     RichText letter(Symbol::Letter letter, const std::string& about, const std::string& term = "") const;
     RichText symbol_of_force(const std::string& given, Symbol::Letter letter) const;
-    /// Of a truss: by its pins.
+    /// The name of a bar of a truss, from its pins.
     std::string bar(BodyIndex body) const;
-    /// Between points that the file names, else by its angle in the drawn position.
+    /// Between points that the file names, otherwise by its angle in the drawn position.
     RichText positive_sense(JointIndex index) const;
     RichText positive_sense(const Bearing& of) const;
     /// "on body 3", "from the frame".

@@ -1,4 +1,4 @@
-// What is sought, what asked results mean, and the figures that an exercise shows: see exercise_text.hpp.
+// The results to find, their signs, and the figures that an exercise shows. Part of exercise_text.hpp.
 #include "render/content/exercise_text.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class SoughtText : ExercisePhrases {
 public:
     explicit SoughtText(const DrawingContext& context) : ExercisePhrases(context) {}
 
-    /// What the signs of asked results mean.
+    /// The positive senses of the results to find.
     std::vector<RichText> signs() && {
         bool bars = false;
         for (const Column& column : asked_columns(mechanism_)) {
@@ -107,7 +107,7 @@ private:
         return names;
     }
 
-    /// Of `found` what only the results tell: at which joint the transmission angle is least.
+    /// Adds what only the results show: the joint with the least transmission angle.
     void add_asked(const std::vector<AskedValue>& found) {
         for (const Column& column : asked_columns(mechanism_)) {
             const auto is_it = [&](const AskedValue& each) {
@@ -129,7 +129,7 @@ private:
         return text;
     }
 
-    /// As the solution calls it, where it has the whole of it; its length in italics.
+    /// The symbol in the solution if the result is a vector of it; for its length in italics.
     RichText symbol_asked(const Column& column) const {
         const Quantity& q = column.quantity;
         if (column.kind == Column::Kind::along)
@@ -203,7 +203,7 @@ private:
         }
     }
 
-    /// A point, and where several bodies carry it apart, of which.
+    /// A point, with the body if several bodies carry it separately.
     RichText carried(const Column& column) const {
         const Quantity& q = column.quantity;
         const bool apart = column.name.ends_with(" on " + mechanism_.body(q.body).name);
@@ -236,8 +236,8 @@ private:
                                 positive_sense(effort.joint)});
     }
 
-    /// Of an effort that is a force, or a couple between two bodies: those from the frame have their sense in common
-    /// with all that turns.
+    /// Adds the positive sense of an input force or of an input couple between two bodies. A couple from the frame
+    /// follows the common sense of rotation.
     void add_sense(const Effort& effort) {
         if (const auto* couple = std::get_if<CoupleEffort>(&effort); couple != nullptr && couple->from != frame)
             say("sense of couple between",
@@ -303,7 +303,7 @@ bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure) {
             is_result && (kind == Kind::alpha || kind == Kind::acceleration || kind == Kind::sliding_acceleration);
         const bool velocities =
             is_result && (kind == Kind::omega || kind == Kind::velocity || kind == Kind::sliding_velocity);
-        // Accelerations begin with ω²r, forces of inertia with accelerations.
+        // Accelerations need ω²r, and inertia forces need accelerations.
         if (figure.kind == "velocity") return velocities || accelerations || (forces && inertia);
         if (figure.kind == "acceleration") return accelerations || (forces && inertia);
         return (figure.kind == "forces" || figure.kind == "closure" || figure.kind == "displacements") && forces;
@@ -328,7 +328,7 @@ RichText name_of_scale(const DrawingContext& context, const Figure& figure, cons
 
 namespace {
 
-/// Units for each mm; 0: it is not drawn.
+/// Units per mm; 0 if it is not drawn.
 double scale_of_detail(const Figure& figure, const DetailOn& detail) {
     for (const Mark& mark : figure.marks) {
         const auto* group = std::get_if<GroupBegin>(&mark);
@@ -341,7 +341,7 @@ double scale_of_detail(const Figure& figure, const DetailOn& detail) {
     return 0;
 }
 
-/// Of the vectors that are read in a detail of the figure: "Velocity polygon, detail for v_D: 1 mm ≙ 0.002 m/s".
+/// Adds the scales of details in which results are read: "Velocity polygon, detail for v_D: 1 mm ≙ 0.002 m/s".
 void add_scales_of_details(const DrawingContext& context, const Figure& figure, const std::vector<Answer>& sought,
                            const RichText& name, std::vector<RichText>& rows) {
     for (const DetailOn& detail : figure.details) {
@@ -377,7 +377,7 @@ std::vector<RichText> scales_of(const DrawingContext& context, const std::vector
     for (const Figure& figure : figures) {
         if (!figure.has_scale || figure.kind == "body" || !is_drawn_for_sought(context.solution.mechanism, figure))
             continue;
-        // Of the mechanism the first: the question shows no other.
+        // The question shows only the first mechanism figure.
         if (figure.kind == "mechanism" && std::exchange(mechanism, true)) continue;
         const RichText name = name_of_scale(context, figure, figures);
         RichText row = name;

@@ -1,4 +1,4 @@
-// How a sheet is asked for: paper, language, look, what it says, what it is bound with.
+// Options of a sheet: paper, language, theme, content, and its place among other pages.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ struct SheetOptions {
     Paper paper = Paper::a4;
     Language language = Language::en;
     Theme theme;
-    bool joukowsky = false;  ///< with the lever figure, where forces and velocities are known
+    bool joukowsky = false;  ///< with the lever figure if forces and velocities are known
     Orientation orientation = Orientation::landscape;
-    Dimensions dimensions = Dimensions::automatic;  ///< of the given data, on the mechanism figure
-    std::string author = "", date = "";             ///< in the title block as given, where given
+    Dimensions dimensions = Dimensions::automatic;  ///< of given data, on the mechanism figure
+    std::string author = "", date = "";             ///< for the title block; empty: none
     SolutionDetail detail = SolutionDetail::full;   ///< of a solution
     SheetKind kind = SheetKind::solution;
-    bool grid = false;  ///< a question has blank rooms for its polygons, with pole and grid
-    // What is bound with these pages: how many come before and after them, and how many figures before.
+    bool grid = false;  ///< a question has blank areas for its polygons, with pole and grid
+    // Pages before and after these in the same document, and figures before.
     std::size_t pages_before = 0, pages_after = 0;
     int figures_before = 0;
 };

@@ -1,4 +1,4 @@
-// The papers: their frames, columns and title blocks.
+// Table of papers with their frames, columns and title blocks.
 #include "render/content/sheet_parts.hpp"
 
 #include "engine/number/assert.hpp"
@@ -6,7 +6,7 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double frame_left = 20, frame_other = 10;  // ISO 5457: the binding edge
+constexpr double frame_left = 20, frame_other = 10;  // mm; ISO 5457: the left one is for binding
 
 SheetFormat format(const char* name, double width, double height, Spot block, double padding, int columns, bool large) {
     SheetFormat f;
@@ -27,7 +27,7 @@ SheetFormat format(const char* name, double width, double height, Spot block, do
 }  // namespace
 
 SheetFormat format_of(Paper paper, Orientation orientation) {
-    // Upright, the block is as wide as the frame, or stands under whole columns: none is cut for a corner of it.
+    // On portrait paper the block is as wide as the frame or as whole columns, so that it cuts no column.
     const bool upright = orientation == Orientation::portrait;
     switch (paper) {
         case Paper::a4:

@@ -1,4 +1,4 @@
-// The title block in the corner of the frame.
+// Draws the title block in the corner of the frame.
 #include "render/content/title_block.hpp"
 
 #include <algorithm>
@@ -19,10 +19,9 @@ namespace kinegraph::render {
 
 namespace {
 
-constexpr std::size_t most_characters = 1000;  // of a title: far more than any block holds
+constexpr std::size_t most_characters = 1000;  // of a title; more than any block can hold
 
-/// A line in one face, smaller down to `least` points where it is too wide, and cut with an ellipsis where that is not
-/// enough.
+/// A line in one face. If it is too wide, its size decreases to `least` points, then it is cut with an ellipsis.
 ShapedLine fitted(const Fonts& fonts, const std::string& words, Face face, double size, double least, double width) {
     const RichText text = one_piece(words, face);
     for (; size > least; size -= 0.5)
@@ -30,14 +29,14 @@ ShapedLine fitted(const Fonts& fonts, const std::string& words, Face face, doubl
     return shaped_within(text, size, fonts, width);
 }
 
-/// The same, cut so that its end stays.
+/// The same, but the end of the text is kept.
 ShapedLine fitted_with_its_end(const Fonts& fonts, const std::string& words, double size, double least, double width) {
     for (; size > least; size -= 0.5)
         if (ShapedLine line = fonts.shape(one_piece(words), size); line.width <= width) return line;
     return shaped_with_its_end(words, size, fonts, width);
 }
 
-/// The title on as many lines as the height holds.
+/// The title on several lines, as far as the height allows.
 void set_title(std::vector<Mark>& marks, const DrawingContext& context, const Box& room, double size,
                double small_print) {
     constexpr double least = 5, leading = 1.15;
@@ -90,7 +89,7 @@ std::string origin_of(const Solution& solution, const Signature& signature) {
     return origin;
 }
 
-/// The title on one line along the lower edge of the frame, and which page it is.
+/// The title on one line along the lower edge of the frame, with the page number.
 void draw_strip(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
                 const Signature& signature, std::size_t index, std::size_t count) {
     const Theme& theme = context.theme;
@@ -112,7 +111,7 @@ bool is_of_point(const Mechanism& mechanism) {
     return stands_for_joints(mechanism) && std::holds_alternative<PointProblem>(mechanism.problem->of);
 }
 
-/// Of a problem in place of joints: two that touch, one that is displaced, or one point.
+/// For a problem without joints: two bodies in contact, one displaced body, or one point.
 std::string count_of_bodies(const Mechanism& mechanism) {
     if (!stands_for_joints(mechanism)) return std::to_string(mechanism.bodies.size());
     return is_of_point(mechanism) || std::holds_alternative<PositionsProblem>(mechanism.problem->of) ? "1" : "2";
@@ -198,7 +197,7 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     const std::string title = title_of(solution, context.language);
     const double size = format.large ? theme.title : 13;
     const bool one_line = context.fonts.shape(one_piece(title, Face::bold), size).width <= right - left;
-    // Of a question or a key it is said in any case what it is.
+    // On a question or a key the kind of sheet is always shown.
     if (!one_line && !signature.subtitle.empty())
         origin = signature.subtitle + (origin.empty() ? "" : "  ·  ") + origin;
     set_title(marks, context, rectangle(left, format.block.min.y + 1.5, right, format.block.max.y - 1.5), size,
@@ -230,7 +229,7 @@ Page framed_page(const DrawingContext& context, const SheetFormat& format, const
     else
         draw_strip(page.marks, context, format, signature, index, count);
     page.marks.insert(page.marks.end(), std::make_move_iterator(marks.begin()), std::make_move_iterator(marks.end()));
-    // A point's label says its name as the file has it, however it is set.
+    // The mark of a point's label carries the name in the file, not the typeset one.
     std::map<std::string, std::string> names;
     for (const NamedPoint& point : context.solution.mechanism.points)
         names.emplace(plain(typeset(Symbol{Symbol::Letter::point, point.name, ""}, context.language)), point.name);

@@ -1,4 +1,4 @@
-// Wanted figures: the mechanism, the polygons of motion, those of forces, the bodies cut free, the lever.
+// Collects the figures: the mechanism, the polygons of motion, those of forces, the free bodies, the lever.
 #include "render/content/wanted_figures.hpp"
 
 #include <algorithm>
@@ -36,21 +36,21 @@ std::string name_of(const Solution& solution, const TakenTogether& together) {
 
 namespace {
 
-/// The circle counts what Kennedy's theorem leads to: worth looking at where it led to more than can be seen at once,
-/// and as long as one chord can be told from the next.
+/// The circle diagram shows the order of Kennedy's theorem. It is useful if there are more centres than can be followed
+/// directly, and readable if its chords can be distinguished.
 bool has_circle(const Solution& solution) {
     constexpr std::size_t most = 16;
     const std::size_t bodies = solution.mechanism.bodies.size();
     return bodies >= 3 && bodies <= most && !solution.centres.empty();
 }
 bool has_some(const Solution& solution, Recorded<Vector> PointMotion::*vector) {
-    // An act of motion has them in its own figure.
+    // The figure of an instantaneous motion shows the centres itself.
     return !solution.act_of_motion &&
            std::any_of(solution.points.begin(), solution.points.end(),
                        [&](const PointMotion& m) { return m.point != none && m.*vector && !(m.*vector)->is_zero(); });
 }
 
-/// Those of three forces and more: two equal and opposite ones make none, the steps say so.
+/// The polygons of three or more forces. Two equal and opposite forces have no polygon; the steps say so.
 std::size_t polygons_of(const Solution& solution) {
     const auto& polygons = solution.protocol.polygons;
     const auto count = std::count_if(
@@ -61,7 +61,7 @@ std::size_t polygons_of(const Solution& solution) {
 
 double size_of(const Wanted& wanted) { return std::max(wanted.extent_x, wanted.extent_y); }
 
-/// Whether an effort was found by virtual work: then the lever is its construction.
+/// Whether an input force or couple was found by virtual work, for which the lever is the construction.
 bool found_by_works(const Solution& solution) {
     return std::any_of(
         solution.virtual_motions.begin(), solution.virtual_motions.end(), [&](const VirtualMotion& motion) {
@@ -82,7 +82,7 @@ WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, Solu
     add_moving_axes();
     add_displacements();
     add_small();
-    // Who is brief wants fewer pages rather than larger figures.
+    // A brief solution prefers fewer pages to larger figures.
     constexpr double smaller = 0.8;
     if (detail_ == SolutionDetail::brief)
         for (Wanted& each : list) each.least *= smaller;
@@ -112,7 +112,7 @@ Wanted& WantedFigures::add(Wanted wanted) {
     return list.emplace_back(std::move(wanted));
 }
 
-/// Its symbols and letters do not shrink with the mechanism: drawn small, it is crowded.
+/// Symbols and letters keep their size, so that a small mechanism is crowded.
 Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) const {
     const Box extent = extent_of_mechanism(context_.solution, with_centres);
     Wanted mechanism;
@@ -120,7 +120,7 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
     mechanism.extent_x = extent.width();
     mechanism.extent_y = extent.height();
     mechanism.asked = asked("mechanism", 1);
-    // Far centres may take most of the figure: the links must be seen.
+    // Distant centres may take most of the figure; the links need a minimum size.
     constexpr double least_of_links = 20;
     const Box links = with_centres ? extent_of_mechanism(context_.solution, false) : extent;
     const double size = std::max(links.width(), links.height());
@@ -163,13 +163,13 @@ void WantedFigures::collect_forces(bool joukowsky) {
     lever.name = "joukowsky";
     lever.extent_x = extent_of_lever(s).width();
     lever.extent_y = extent_of_lever(s).height();
-    lever.rim_x = lever.rim_y = 40;  // forces on either side
+    lever.rim_x = lever.rim_y = 40;  // forces on both sides
     lever.least = 20;
     lever.draw = [this](double x, double y) { return joukowsky_figure(context_, x, y); };
     add(std::move(lever));
 }
 
-/// Its letters alone are a guess then.
+/// Only the space for letters is an estimate then.
 void WantedFigures::know_strokes(Wanted& wanted, std::function<Spot(double scale)> strokes) {
     wanted.strokes = [strokes = std::move(strokes), known = std::map<double, Spot>{}](double scale) mutable {
         const auto [found, fresh] = known.try_emplace(scale);
@@ -180,7 +180,7 @@ void WantedFigures::know_strokes(Wanted& wanted, std::function<Spot(double scale
     wanted.rim_y = wanted.to_force_scale ? 9 : 3;
 }
 
-/// One by one, then of those taken together.
+/// The polygons of single bodies, then those of bodies taken together.
 void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
     const Solution& s = context.solution;
     const auto add_polygon = [&](const std::string& name, int polygon) {
@@ -197,7 +197,7 @@ void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
     for (const FreeBody& body : s.free_bodies) {
         if (!has_force_polygon(s, body)) continue;
         add_polygon("forces-" + name_of(s, body).substr(name_of(s, body).find('-') + 1), body.polygon);
-        // The pole of the rays stands as far aside as the forces are long.
+        // The pole of the rays is as far to the side as the forces are long.
         if (body.funicular) list.back().extent_x += std::max(list.back().extent_x, list.back().extent_y);
     }
     for (const TakenTogether& together : s.taken_together) {
@@ -206,7 +206,7 @@ void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
     }
 }
 
-/// The loads of each body alone, its lines and its polygons; then the sums.
+/// The loads of each body with their lines and polygons; then the sums.
 void WantedFigures::add_superposition() {
     const Solution& s = context_.solution;
     for (std::size_t i = 0; i < s.superposition->parts.size(); ++i) {
@@ -243,12 +243,12 @@ void WantedFigures::add_superposition() {
                        });
     leave_room_for(s.superposition->sums.size());
 }
-/// Polygons beside one another in one figure: each has its name and its letters.
+/// Several polygons side by side in one figure, each with its name and letters.
 void WantedFigures::leave_room_for(std::size_t polygons) {
     constexpr double each_x = 24, each_y = 38;
     list.back().rim_x = each_x * static_cast<double>(polygons);
     list.back().rim_y = each_y;
-    list.back().least = 36;  // or all force polygons would follow it into a room too small
+    list.back().least = 36;  // otherwise all force polygons would get a scale for a room that is too small
 }
 
 const DrawingContext& WantedFigures::context_at(StatementIndex statement) const {
@@ -263,7 +263,7 @@ void WantedFigures::add_truss() {
     wanted.extent_x = extent.width();
     wanted.extent_y = extent.height();
     wanted.rim_x = wanted.rim_y = 44;
-    // The bars, between whose letters strings run, too.
+    // The bars; strings run between their letters, too.
     constexpr double least_of_bars = 48;
     wanted.least = least_of_bars * std::max(extent.width(), extent.height()) / std::max(bars, 1e-30);
     wanted.weight = 1.5;
@@ -274,7 +274,7 @@ void WantedFigures::add_truss() {
                        [this](double x, double y, std::optional<double> scale, bool fixed) {
                            return cremona_figure(context_, x, y, scale, fixed);
                        });
-    // It needs room for its letters, whatever the other polygons have.
+    // It needs space for its letters, independently of the other polygons.
     list.back().to_force_scale = false;
     list.back().draw = [this, scale = list.back().asked](double x, double y) {
         return cremona_figure(context_, x, y, scale, scale.has_value());
@@ -295,7 +295,7 @@ void WantedFigures::add_lines_of_action() {
     add(std::move(wanted));
 }
 
-/// `kind`: by which the file asks for a scale; where it does not, that of the others holds.
+/// `kind`: the key of its scale in the file; without one it has the common scale.
 void WantedFigures::add_force_polygons(const std::string& kind, const std::string& name, const Box& extent,
                                        DrawForces draw) {
     const double si = context_.solution.mechanism.units.force.si.to_double();
@@ -324,14 +324,14 @@ std::function<Figure(Spot room)> WantedFigures::at_own_scale(DrawForces draw) {
     };
 }
 
-/// All have one scale, so that the sides of the closed polygon are taken over with the compass: at it the largest must
-/// be readable.
+/// All force polygons have one scale, so that the sides of the closed polygon can be copied with compasses. The largest
+/// polygon must be readable at it.
 void WantedFigures::keep_forces_readable() {
     constexpr double least = 18;
     if (Wanted* largest = largest_of_forces(); largest != nullptr) largest->least = std::max(largest->least, least);
 }
 
-/// A body's polygon that is a small part of the largest may have a finer scale of its own, no other.
+/// Only the polygon of a body that is a small part of the largest may have a finer scale.
 void WantedFigures::keep_larger_to_small_ones() {
     constexpr double small_part = 0.35;
     const Wanted* largest = largest_of_forces();
@@ -361,7 +361,7 @@ void WantedFigures::add_free_bodies() {
     for (const std::size_t i : order) add_free_body(context_, i, "");
 }
 
-/// `load`: of what acts alone in the context; empty: all loads.
+/// `load`: the load that acts alone in the context; empty: all loads.
 void WantedFigures::add_free_body(const DrawingContext& context, std::size_t index, const std::string& load) {
     const Solution& s = context.solution;
     Wanted body;
@@ -369,14 +369,14 @@ void WantedFigures::add_free_body(const DrawingContext& context, std::size_t ind
     const Box box = extent_of_free_body(s, index);
     body.extent_x = std::max(box.width(), 0.3 * box.height());
     body.extent_y = std::max(box.height(), 0.3 * box.width());
-    // The least that letters take: what they do take is known once they are drawn.
+    // A minimum for letters; the true size is known after drawing.
     body.rim_x = 16;
     body.rim_y = 26;
     body.fills = true;
     body.least = 10;
     body.enough = 70;
     body.weight = 0.6;
-    // Two forces on one line say no more the longer the link is: it leaves the paper to polygons.
+    // A longer link with two forces on one line shows no more: the space is better used for polygons.
     constexpr double enough_for_two_forces = 50;
     Spot most{1e300, 1e300};
     if (const double longest = std::max(body.extent_x, body.extent_y);
@@ -507,7 +507,7 @@ void WantedFigures::add_mechanism() {
     wanted.draw = [this, draw](double x, double y) {
         Figure figure = draw(context_, x, y);
         if (!list.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
-        // The scale that the file asks for is too large for the paper: ours, then.
+        // If the scale in the file is too large for the paper, ours is used.
         return draw(unscaled(), x, y);
     };
     if (!s.act_of_motion && !wanted.asked)
@@ -523,14 +523,15 @@ void WantedFigures::add_mechanism() {
 
 namespace {
 
-/// By how much a polygon's box must be wider for a block to stand in one of its corners, clear of its strokes and their
-/// letters.
+/// By how much the box of a polygon must be wider to place a block in one of its corners, with a distance from strokes
+/// and letters.
 double wider_for(const PolygonScene& scene, double scale, Spot block) {
-    constexpr double letters = 6, beyond = 10;  // round a stroke; of a construction line past its meet
+    constexpr double letters = 6,
+                     beyond = 10;  // space round a stroke; length of a construction line beyond its intersection
     const double width = scene.width() / scale;
     double least = 1e300;
     for (const bool top : {true, false}) {
-        // How near the strokes beside the block come to either side of the box.
+        // Distances of the strokes beside the block from both sides of the box.
         double left = width, right = width;
         const auto look = [&](Place from, Place to, double reach) {
             const auto at = [&](Place p) {

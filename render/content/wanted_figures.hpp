@@ -1,5 +1,5 @@
-// Wanted figures: what a solution can show, in the order of the sheet, each with what it measures and who draws it.
-// Chooses no place; computes no mechanics.
+// Wanted figures: the figures that a solution can show, in the order of the sheet, each with its extent and the
+// function that draws it. Chooses no position; computes no mechanics.
 #pragma once
 
 #include <deque>
@@ -14,83 +14,81 @@
 
 namespace kinegraph::render {
 
-constexpr double hardly_readable = 10;  // mm, of the longer extent of a figure
+constexpr double hardly_readable = 10;  // mm, the longer extent of a figure
 
 bool has_forces(const Solution& solution);
 bool has_motion(const Solution& solution);
-/// Motion and forces: each on pages of its own.
+/// Whether it has both motion and forces; each has pages of its own then.
 bool is_mixed(const Solution& solution);
 /// "curvature-3".
 std::string name_of(const Solution& solution, const Curvature& found);
-/// A body cut free, or a pin: "body-2", "pin-B".
+/// A free body or a pin: "body-2", "pin-B".
 std::string name_of(const Solution& solution, const FreeBody& body);
 
-/// Bodies taken together: "forces-3-4".
+/// Bodies cut free together: "forces-3-4".
 std::string name_of(const Solution& solution, const TakenTogether& together);
 
-/// A drawing that wants a room: what it measures and who draws it.
+/// A figure to be placed: its extent, an estimate of its size on paper, and the functions that draw it.
 struct Wanted {
-    std::string name;                   ///< by which it may be asked for alone
-    double extent_x = 0, extent_y = 0;  ///< in the units of its scale; 0 where nothing depends on it
-    double rim_x = 20, rim_y = 14;      ///< what lettering takes beside the strokes, mm
-    double least = 18;                  ///< mm of its longer extent below which nothing can be read off it
-    std::map<double, Spot> taken{};     ///< mm, letters and all, its caption apart, at the scales at which it was drawn
-    Spot least_room{};                  ///< mm, its caption apart: what it took where it was drawn into less
-    std::size_t letters = 0;            ///< how many names it carries
-    double enough = 200;                ///< mm beyond which it gains nothing
-    double weight = 1;                  ///< against the other figures
-    double finest = 0;                  ///< scale: in rooms that were to hold a finer one it came no larger
+    std::string name;                   ///< the name in the command line
+    double extent_x = 0, extent_y = 0;  ///< in the units of its scale; 0: the size does not depend on it
+    double rim_x = 20, rim_y = 14;      ///< estimated space for labels beside the strokes, mm
+    double least = 18;                  ///< mm; nothing can be read off the figure if its longer extent is less
+    std::map<double, Spot> taken{};     ///< size as drawn with labels but without caption, mm, by scale
+    Spot least_room{};                  ///< mm, without caption: its size when it was larger than its room
+    std::size_t letters = 0;            ///< number of labels
+    double enough = 200;                ///< mm; it gains nothing from a larger size
+    double weight = 1;                  ///< of its score, relative to other figures
+    double finest = 0;                  ///< limit of the scale: it was not drawn finer in rooms planned for that
     std::optional<double> asked;
     std::function<Figure(double room_x, double room_y)> draw;
-    /// The same, but empty and at any_scale where it has no room at `coarsest`; none: it is drawn as it comes.
+    /// The same, but empty and at any_scale if it has no room at `coarsest`. Null: it cannot refuse a room.
     std::function<Figure(Spot room, double coarsest)> draw_or_refuse{};
-    /// The figure with all that there is room for, once its room is known; empty and at any_scale: there is no room for
-    /// more. None: nothing more can be shown.
+    /// Adds optional content to a figure once its room is final. Empty and at any_scale if there is no space for it.
+    /// Null: there is nothing to add.
     std::function<Figure(const Figure& plain, Spot room)> enrich{};
-    /// Of a force polygon that is small at the scale of all: at a finer one, as far as its room has it. None: it is
-    /// drawn as it is planned.
+    /// Draws a force polygon that is small at the common scale at a finer one, if its room allows it. Null: the common
+    /// scale is kept.
     std::function<Figure(Spot room)> larger{};
-    /// By how many mm it must be wider at a scale for a block (width, height) in one of its corners; none: it has no
-    /// such corner.
+    /// By how many mm the room must be wider, at a scale, for a block (width, height) in a corner. Null: it has no free
+    /// corner.
     std::function<double(double scale, Spot block)> wider_for{};
-    /// What its strokes take at a scale, mm, where that is not in proportion to its extents.
+    /// The size of its strokes at a scale, mm. Null: extent divided by scale.
     std::function<Spot(double scale)> strokes{};
-    bool empty = false;           ///< all its vectors are zero: a pole and names
-    bool spare = false;           ///< shown only where there is room, or alone
-    bool to_force_scale = false;  ///< one scale for all of these
-    bool fills = false;           ///< drawn to fill its room; its scale is that of its vectors
-    bool shrinks = false;         ///< of what fills its room: to next to nothing, for there is no larger room
-    bool tells_vectors =
-        false;  ///< the scale of its figure is that of its vectors, too, but it is drawn as it is planned
+    bool empty = false;           ///< all vectors are zero: a pole and names
+    bool spare = false;           ///< shown alone, or if there is room
+    bool to_force_scale = false;  ///< has the common scale of forces
+    bool fills = false;           ///< drawn to fill its room; its scale is that of the vectors
+    bool shrinks = false;  ///< if it fills its room: it may shrink to almost nothing, since no larger room was found
+    bool tells_vectors = false;  ///< its scale is that of the vectors, but it keeps the planned size
 
-    /// Whether the scale of its figure is that which its room was planned for.
+    /// Whether the scale of the drawn figure is comparable with the planned scale.
     bool tells_its_extents() const { return !empty && !fills && !tells_vectors && !spare; }
     Spot strokes_at(double scale) const { return strokes ? strokes(scale) : Spot{extent_x / scale, extent_y / scale}; }
 };
 
-/// Their list. Not to be moved: those who draw refer to it.
+/// The list of figures. Not movable, because the drawing functions refer to it.
 class WantedFigures {
 public:
-    /// `joukowsky`: with the lever, where there is one. Brief: centres only where the file asks for them.
+    /// `joukowsky`: with the lever, if there is one. Brief: instant centres only if the file asks for them.
     WantedFigures(const DrawingContext& context, bool joukowsky, SolutionDetail detail = SolutionDetail::full);
     WantedFigures(const WantedFigures&) = delete;
     WantedFigures& operator=(const WantedFigures&) = delete;
 
-    /// Polygons of motion are called by their ids; of a body cut free there are "body-2" and, where it has one,
-    /// "forces-2".
+    /// Polygons of motion are named by their ids; a free body is "body-2", its force polygon, if any, "forces-2".
     std::vector<Wanted> list;
-    std::optional<double> force_scale;  ///< common to all force polygons, once one could not be drawn larger
-    bool keeps_force_scale = false;     ///< none is planned smaller than at that
+    std::optional<double> force_scale;  ///< of all force polygons, once one could not be drawn larger
+    bool keeps_force_scale = false;     ///< all are planned at exactly force_scale
 
-    /// Index into list; nothing where no figure has that name.
+    /// Index into list; empty if no figure has that name.
     std::optional<std::size_t> named(const std::string& name) const;
-    /// The solution as a sentence speaks of it: with all loads, or with those of one body alone.
+    /// The solution that a statement belongs to: with all loads, or with those of one body alone.
     const DrawingContext& context_at(StatementIndex statement) const;
-    /// Of the polygons of motion, in their order.
+    /// Scenes of the polygons of motion, in order.
     const std::deque<PolygonScene>& scenes() const { return scenes_; }
     /// Whether the instant centres are shown.
     bool shows_centres() const;
-    /// Whether one of them has so many names that it costs more to letter it for other rooms than they gain.
+    /// Whether a figure has so many labels that drawing it for several rooms takes too much time.
     bool are_crowded() const;
 
 private:
@@ -126,8 +124,8 @@ private:
 
     const DrawingContext& context_;
     SolutionDetail detail_;
-    std::deque<PolygonScene> scenes_;   // of the polygons of motion; they stay where they are
-    std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
+    std::deque<PolygonScene> scenes_;   // of the polygons of motion; a deque, because references to them are kept
+    std::optional<Solution> unscaled_;  // without the scales of the file; made if one of them does not fit
     std::optional<DrawingContext> unscaled_context_;
     std::deque<Solution> alone_;  // by part of the superposition
     std::deque<DrawingContext> alone_contexts_;

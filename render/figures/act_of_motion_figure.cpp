@@ -1,6 +1,6 @@
-// The act of motion of one body: its points with the velocities that are given and those found, the perpendiculars (or
-// the join of the tips) that meet in the centre, and where no rigid body moves so the two projections that show it.
-// Owns what is shown; takes every place and vector from the Solution and computes no mechanics.
+// The instantaneous motion of one body: its points with given and found velocities, and the perpendiculars (or the line
+// through the tips) that meet in the centre; if no rigid body can move so, the two projections that show it. Owns what
+// is shown; all positions and vectors come from the Solution.
 #include <algorithm>
 #include <cmath>
 
@@ -18,18 +18,18 @@ using Found = ActFigure::Found;
 
 constexpr double corner_mark = 1.8;      // of the mark of a right angle, mm
 constexpr double longest_velocity = 34;  // mm
-constexpr double shortest_drawn = 0.2;   // mm: a velocity that nobody would see
+constexpr double shortest_drawn = 0.2;   // mm; shorter velocities would not be seen
 
-/// A velocity as an arrow at its point.
+/// A velocity, drawn as an arrow at its point.
 struct VelocityArrow {
     PointIndex point = none;
     std::string name;
-    Spot tip;  ///< from the point, in the unit of velocity, y downwards
+    Spot tip;  ///< relative to the point, in the unit of velocity, y downwards
     double value = 0;
     bool given = false;
 };
 
-/// What the figure shows, which does not depend on its scale.
+/// The content of the figure, independent of its scale.
 class ActScene {
 public:
     explicit ActScene(const DrawingContext& context)
@@ -62,7 +62,7 @@ public:
     }
 
     double longest() const { return longest_; }
-    /// A finite centre that is not far: part of what the figure must hold.
+    /// The centre if it is finite and near, so that the figure must include it.
     std::optional<Spot> centre_near(const Box& mechanism) const {
         if (centre_ == nullptr || !centre_->at || centre_->at->at_infinity()) return std::nullopt;
         const Spot at = paper_spot(centre_->at->place());
@@ -81,7 +81,7 @@ protected:
             if (shown.point == point) return &shown;
         return nullptr;
     }
-    /// The unit of a point's velocity or of its line; nothing where it rests.
+    /// The unit vector of a point's velocity or of its given line; empty if the point is at rest.
     std::optional<Spot> direction_at(PointIndex point) const {
         for (const auto& [at, along] : directions_)
             if (at == point) return along;
@@ -89,7 +89,7 @@ protected:
         if (shown == nullptr || !(length(shown->tip) > 0)) return std::nullopt;
         return unit(shown->tip);
     }
-    /// None: the velocity is given, or none finds it.
+    /// None if the velocity is given or no statement finds it.
     StatementIndex statement_of(const VelocityArrow& shown) const {
         return shown.given ? none : statement_of_motion(solution_, Quantity::Kind::velocity, act_.body, shown.point);
     }
@@ -104,7 +104,8 @@ protected:
     double longest_ = 0;  ///< in the unit of velocity
 };
 
-/// The centre with what finds it: perpendiculars to the velocities or the join of their tips, its name, and ω about it.
+/// The centre with its construction: perpendiculars to the velocities or the line through their tips, its name, and ω
+/// about it.
 class CentreOfAct : ActScene {
 public:
     explicit CentreOfAct(const ActScene& scene) : ActScene(scene) {}
@@ -113,7 +114,7 @@ public:
         if (centre_ == nullptr || !centre_->at) return;
         if (centre_->at->at_infinity()) return draw_parallels(sketch);
         const Spot at = sketch.spot(centre_->at->place());
-        if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;  // past the range of doubles
+        if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;  // out of the range of doubles
         const bool near = centre_near(unscaled_box(sketch)).has_value();
         const std::size_t join = sketch.construction.size();
         if (act_.found == Found::tips) draw_join_of_tips(sketch, at, near, scale);
@@ -127,7 +128,7 @@ public:
             if (!by && !carried) continue;
             const std::size_t ray = sketch.construction.size();
             if (act_.found != Found::tips || !by) draw_ray(sketch, point, at, near, by, far_ends);
-            // The rays that found the centre come with it, each other one with the velocity that is normal to it.
+            // Rays that found the centre appear with it; any other one appears with the velocity that is normal to it.
             const VelocityArrow* const shown = by ? nullptr : shown_at(point);
             belong(sketch.construction, ray, std::max(act_.centre_statement, shown ? statement_of(*shown) : none));
         }
@@ -142,8 +143,8 @@ private:
         return {sketch.scale() * box.min, sketch.scale() * box.max};
     }
 
-    /// From a point to the centre, a little beyond it where the line found it; to the edge of what is drawn where it is
-    /// far.
+    /// From a point to the centre, slightly beyond it if the ray found it; if the centre is far, to the edge of the
+    /// drawing.
     void draw_ray(Sketch& sketch, PointIndex point, Spot centre, bool near, bool found_it,
                   std::vector<Spot>& far_ends) const {
         const Spot from = sketch.spot(point);
@@ -165,7 +166,7 @@ private:
         }
     }
 
-    /// The join of the tips and that of the points, both to the centre.
+    /// The lines through the tips and through the points, both to the centre.
     void draw_join_of_tips(Sketch& sketch, Spot centre, bool near, double scale) const {
         Spot first, second;
         Spot* const ends[2] = {&first, &second};
@@ -180,7 +181,7 @@ private:
         draw_through(sketch, {tips[0], tips[1]}, centre, near);
     }
 
-    /// A line through two places and, where it is near, the centre.
+    /// A line through two points and, if it is near, the centre.
     void draw_through(Sketch& sketch, const Bar& bar, Spot centre, bool near) const {
         const Spot along = unit(bar.to - bar.from);
         double from = 0, to = length(bar.to - bar.from);
@@ -249,7 +250,7 @@ private:
         return label;
     }
 
-    /// "P_02  (A P_02 = 3.4 m)": the segment that the drawing cannot hold.
+    /// Text such as "P_02  (A P_02 = 3.4 m)" for a centre outside the drawing.
     void name_far_centre(Sketch& sketch, Spot centre, const std::vector<Spot>& ends) const {
         const PointIndex from = act_.points.empty() ? none : act_.points.front();
         LabelRequest label = name_of_centre(sketch);
@@ -273,11 +274,11 @@ private:
         const auto& omega = solution_.bodies[at_index(act_.body)].omega;
         if (!omega || omega->is_zero()) return;
         constexpr double radius = 6, half = 0.75;
-        // On the side where no ray leaves: away from the body.
+        // On the side away from the mechanism, where there are no rays.
         const Box box = sketch.mechanism_box();
         const Spot away = unit(at - 0.5 * (box.min + box.max));
         const double middle = std::atan2(away.y, away.x);
-        // Counter-clockwise is towards smaller angles on paper.
+        // Counter-clockwise is towards decreasing angles on paper.
         const double turn = omega->sign() > 0 ? -half : half;
         const BodyColour body = context_.theme.body(act_.body);
         const Symbol symbol{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(act_.body)].name, ""};
@@ -309,7 +310,7 @@ public:
         draw_directions(sketch);
         CentreOfAct(*this).draw(sketch, velocity_scale);
         draw_projections(sketch, velocity_scale);
-        // What is constructed crosses the body and must be seen there.
+        // The construction crosses the body and must be visible above it.
         std::swap(sketch.construction, sketch.over_bodies);
         draw_velocities(sketch, velocity_scale);
         draw_acceleration_centre(sketch);
@@ -317,7 +318,7 @@ public:
     }
 
 private:
-    /// Lines of action that the file gives.
+    /// Lines of action given in the file.
     void draw_directions(Sketch& sketch) const {
         constexpr double half = 15;
         for (const auto& [point, along] : directions_) {
@@ -381,7 +382,7 @@ private:
         sketch.labels.push_back(std::move(label));
     }
 
-    /// Both projections on the join as arrows from their points, with the perpendiculars that cut them off.
+    /// The projections on the line through both points, as arrows, with the perpendiculars that determine them.
     void draw_projections(Sketch& sketch, double scale) const {
         if (!act_.differing) return;
         const ActFigure::Projections& differing = *act_.differing;

@@ -9,12 +9,12 @@
 namespace kinegraph::render {
 namespace {
 
-/// A scale is a short decimal up to the last bits of a division.
+/// The shortest decimal that equals the scale except for rounding in the last bits.
 std::string shortest_scale(double value, Language language) {
     const double power = std::pow(10.0, 6 - std::floor(std::log10(value)));
     const double round = std::round(value * power) / power;
     const std::string text = shortest(std::abs(round - value) < 1e-12 * value ? round : value, language);
-    // A scale of the file's own, 14 mm = 16.28 MN, may have no end.
+    // A scale derived from a file, such as 14 mm = 16.28 MN, may have no finite decimal.
     constexpr std::size_t longest = 10;  // 2.5 × 10⁻⁴
     return character_count(text) > longest ? number(value, 5, language) : text;
 }

@@ -7,12 +7,13 @@
 
 namespace kinegraph::render {
 
-/// A figure's scale as the caption says it, with what is drawn to another one.
+/// The scale of a figure in its caption, with that of what is drawn at another scale.
 RichText scale_words(const DrawingContext& context, const Figure& figure);
-/// 1 : 5, of a figure in metres per mm.
+/// 1 : 5, for a scale in metres per mm.
 std::string ratio_words(double scale, Language language);
 
-/// On one line of `width` mm, or more where that is narrow, its top left at `at`; the height it takes.
+/// Sets the caption on one line of `width` mm, or on more if that is too narrow, with its top left at `at`. Returns its
+/// height, mm.
 double set_caption(std::vector<Mark>& marks, const DrawingContext& context, const Figure& figure, int number, Spot at,
                    double width);
 

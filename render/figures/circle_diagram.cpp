@@ -1,6 +1,5 @@
-// The circle diagram: the bookkeeping of the instant centres. Bodies stand on a circle, a full chord is a centre given
-// by a pair, a dashed one a centre found by Kennedy's theorem, numbered in the order found where there is room.
-// Computes nothing.
+// The circle diagram of the instant centres. Bodies stand on a circle; a solid chord is a centre given by a pair, a
+// dashed one a centre found by Kennedy's theorem, numbered in the order found if there is space. Computes nothing.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,9 +10,8 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double node = 2.3;  // radius of a body's circle, mm
-constexpr double numbers_need =
-    3.6;  // mm of radius for each body: in a smaller circle they would only crowd what they count
+constexpr double node = 2.3;          // radius of a body's circle, mm
+constexpr double numbers_need = 3.6;  // mm of radius for each body, or the chords could not be distinguished
 
 class CircleDiagram {
 public:
@@ -45,7 +43,7 @@ public:
     }
 
 private:
-    /// The frame at the top, then clockwise in the file's order.
+    /// The frame at the top, then clockwise in the order of the file.
     double angle_of(std::size_t body) const {
         return -std::numbers::pi / 2 + 2 * std::numbers::pi * static_cast<double>(body) / static_cast<double>(count_);
     }

@@ -1,6 +1,6 @@
-// The curvature of one body's motion: pole and pole tangent with the lines that found them, the inflection circle,
+// The curvature of the motion of a body: pole and pole tangent with their construction lines, the inflection circle,
 // Bresse's second circle and the acceleration pole, and the osculating circles of the paths of its points, to scale.
-// Takes every place from the Solution and computes no mechanics.
+// All positions come from the Solution.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,11 +18,11 @@ namespace {
 using namespace drawing;
 using Form = Holds::Form;
 
-constexpr double past_ends = 6;      // of a line past what it joins, mm
-constexpr double shortest_arc = 16;  // of an osculating circle to either side of its point, mm
-constexpr double tick = 14;          // half of a straight path, mm
+constexpr double past_ends = 6;      // mm; of a line beyond the points it joins
+constexpr double shortest_arc = 16;  // mm; of an osculating circle, on each side of its point
+constexpr double tick = 14;          // mm; half of a straight path
 
-/// A place on paper before the scale, m; none where it lies at infinity or past the range of doubles.
+/// A position in m; empty at infinity or out of the range of doubles.
 std::optional<Spot> known_spot(const Recorded<ProjectivePoint>& place) {
     if (!place || place->at_infinity()) return std::nullopt;
     return paper_spot(place->place());
@@ -37,7 +37,7 @@ bool is_near(const Box& mechanism, Spot place) {
     return contains(grown(mechanism, 0.9 * size), place);
 }
 
-/// A circle by two ends of a diameter, m.
+/// A circle by the ends of a diameter, m.
 struct Round {
     Spot centre;
     double radius = 0;
@@ -48,13 +48,13 @@ void include(Box& box, const Round& round) {
     box.include(round.centre + Spot{round.radius, round.radius});
 }
 
-/// The mechanism, the inflection circle and every centre that is not far.
+/// The mechanism, the inflection circle and every centre that is near.
 Box extent_of_curvature(const Subject& subject, const Curvature& found) {
     Box extent = subject.box;
     const auto take = [&](std::optional<Spot> place) {
         if (place && is_near(subject.box, *place)) extent.include(*place);
     };
-    // Everything hangs on the pole: it is fetched from farther away.
+    // The construction needs the pole, so that it is included at a greater distance than centres.
     if (const auto pole = known_spot(found.pole); pole && contains(grown(subject.box, 1.6 * subject.size()), *pole))
         extent.include(*pole);
     take(known_spot(found.inflection_pole));
@@ -88,7 +88,7 @@ public:
         name_points(sketch_);
     }
 
-    std::vector<DrawnAxis> axes;  ///< of the radii that the figure holds
+    std::vector<DrawnAxis> axes;  ///< axes of the radii in the figure
 
 private:
     std::optional<Spot> on_paper(std::optional<Spot> place) const {
@@ -103,21 +103,21 @@ private:
         hang(sketch_.construction, sketch_.construction.size() - 1, holds);
         belong(sketch_.construction, sketch_.construction.size() - 1, statement);
     }
-    /// As much of the line through two spots as the figure shows.
+    /// The part of the line through two points that is within the figure.
     void draw_line(Spot a, Spot b, const Pen& pen, StatementIndex statement, const Holds& holds = {}) {
         if (length(b - a) < same_place) return;
         const Interval seen = within(view_, a, unit(b - a));
         if (seen.from < seen.to)
             stroke(line(a + seen.from * unit(b - a), a + seen.to * unit(b - a), pen), statement, holds);
     }
-    /// From a to b and a little further, within the figure.
+    /// The segment from a to b with a short extension, within the figure.
     void draw_segment(Spot a, Spot b, const Pen& pen, StatementIndex statement, std::string from_place,
                       std::string to_place) {
         if (length(b - a) < same_place) return;
         const Spot along = unit(b - a);
         const Interval seen = within(view_, a, along);
         const double from = std::max(-past_ends, seen.from), to = std::min(length(b - a) + past_ends, seen.to);
-        // As far as the figure shows it: elsewhere it may be seen whole.
+        // Only the visible part is drawn; in another position of the mechanism the segment may be visible as a whole.
         if (from < to)
             stroke(line(a + from * along, a + to * along, pen), statement,
                    {Form::segment, {std::move(from_place), std::move(to_place)}, past_ends});
@@ -125,8 +125,8 @@ private:
     void name(RichText text, Spot at, StatementIndex statement, const std::string& place) {
         sketch_.add_label(std::move(text), theme_.text, at, 1.6, statement).holds = {Form::at, {place}};
     }
-    /// Beyond the figure: an arrow where the line to it leaves, with its name and how far it is from where the line
-    /// comes.
+    /// For a point outside the figure: an arrow at the edge, on the line to it, with its name and its distance from
+    /// where the line begins.
     void point_out(const RichText& text, Spot place, const RichText& from_name, Spot from, StatementIndex statement) {
         constexpr double head = 3;
         if (!contains(view_, from) || length(place - from) < same_place) return;
@@ -149,7 +149,7 @@ private:
         hang(sketch_.centres, first, {Form::at, {place}});
     }
 
-    /// The body whose motion it is stands out of the grey.
+    /// The body is drawn in colour over the grey mechanism.
     void draw_body() {
         const Shape& shape = sketch_.shape(found_.body);
         const std::size_t first = sketch_.bodies.size();
@@ -158,13 +158,13 @@ private:
         hang(sketch_.bodies, first, {Form::body, {std::to_string(found_.body.number())}});
     }
 
-    /// Bobillier: the two rays, the join of their points and that of their centres, the axis.
+    /// Bobillier's construction: the two rays, the line through their points, the line through their centres, the axis.
     void draw_rays() {
         const auto pole = on_paper(known_spot(found_.pole));
         if (!pole || found_.rays.size() != 2) return;
         std::array<Spot, 2> points;
         std::array<std::optional<Spot>, 2> centres;
-        std::array<std::string, 2> at, to;  // held
+        std::array<std::string, 2> at, to;  // bindings
         for (std::size_t i = 0; i < 2; ++i) {
             const Curvature::Ray& ray = found_.rays[i];
             points[i] = *on_paper(known_spot(ray.at));
@@ -235,7 +235,7 @@ private:
         hang(sketch_.centres, sketch_.centres.size() - 1, {Form::at, {held("acceleration")}});
         name(point(found_.acceleration_name), *still, found_.bresse_statement, held("acceleration"));
     }
-    /// Whole where the figure holds it, else an arc within it.
+    /// The whole circle if it fits into the figure, otherwise its arcs.
     void draw_circle(const Round& round, const Pen& pen, const char* what, StatementIndex statement) {
         const std::size_t first = sketch_.construction.size();
         sketch_.construction.emplace_back(
@@ -244,7 +244,7 @@ private:
         sketch_.construction.emplace_back(GroupEnd{});
         belong(sketch_.construction, first, statement);
     }
-    /// The arcs of a circle within the figure, cut where they leave it.
+    /// The arcs of a circle within the figure.
     void draw_arcs(const Round& round, const Pen& pen) {
         constexpr int pieces = 720;
         const auto spot = [&](int i) {
@@ -298,7 +298,7 @@ private:
     }
     static Symbol symbol_of(const PathCentre& path) { return {Symbol::Letter::radius, path.label, ""}; }
 
-    /// An arc about the point, as long as a quarter of the circle and no shorter than can be seen.
+    /// An arc about the point: a quarter of the circle, with a minimum length.
     void draw_osculating(const PathCentre& path, Spot at, Spot centre) {
         const double radius = length(at - centre), value = radius * sketch_.scale();
         const Unit& unit_of = sketch_.mechanism.units.length;
@@ -333,7 +333,7 @@ private:
         label.holds.unit = unit_of.si.to_double();
     }
 
-    /// The foot on the line and the centre beyond the pole.
+    /// The foot on the line, and the centre beyond the pole.
     void draw_envelope(const EnvelopeCentre& envelope) {
         const auto touches = on_paper(known_spot(envelope.touches)), centre = on_paper(known_spot(envelope.centre));
         if (!touches || !centre) return;

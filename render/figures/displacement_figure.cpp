@@ -1,5 +1,5 @@
-// Virtual displacements: the mechanism in grey, where it acts every force, and of every point that moves its
-// displacement as an arrow, in proportion to that of the one coordinate displaced.
+// Virtual displacements: the mechanism in grey with all forces, and an arrow for the displacement of each moving point,
+// proportional to the displacement of the one free coordinate.
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +21,7 @@ const Displacements::Freedom& freedom_of(const Solution& solution, std::size_t i
     return solution.displacements->freedoms[index];
 }
 
-/// A point that moves, in the colour of the first body that carries it.
+/// A moving point, in the colour of the first body that carries it.
 struct DisplacedPoint {
     std::string name;
     PointIndex point;
@@ -61,7 +61,7 @@ void draw_displacement(Sketch& sketch, const DisplacedPoint& shown, double scale
     label.toward = tip;
 }
 
-/// All that acts has one length: sizes stand in the table.
+/// All actions have the same length in mm; their values are in the table.
 constexpr double acting = 13;  // mm
 
 void draw_force(Sketch& sketch, const Symbol& symbol, Spot at, Spot along) {
@@ -82,14 +82,14 @@ void draw_turn(Sketch& sketch, RichText text, Spot at, bool counter_clockwise, d
     sketch.add_label(std::move(text), colour,
                      at + radius * polar_spot(counter_clockwise ? -from - by / 2 : from - by / 2), 1.2);
 }
-/// Where a body turns about the frame, else somewhere on it.
+/// The pivot of a body that turns about the frame, otherwise a point of the body.
 Spot pivot_of(const Sketch& sketch, BodyIndex body) {
     for (const Joint& joint : sketch.mechanism.joints)
         if (is_fixed_pin(joint) && joint.connects(body)) return sketch.spot(joint);
     return sketch.shape(body).middle;
 }
 
-/// What acts, in its direction; an effort as one unit of it.
+/// The actions in their directions; an input force or couple as a unit.
 void draw_actions(Sketch& sketch, const Solution& moved) {
     for (const VirtualWork::Entry& entry : moved.virtual_work->entries) {
         if (!entry.force.is_zero()) {

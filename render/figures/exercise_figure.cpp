@@ -1,5 +1,5 @@
-// The mechanism as an exercise hands it out: with its data as dimensions, its drivers, loads and masses with their
-// values. Nothing that a solution finds.
+// The mechanism of an exercise: its data as dimensions, its drivers, loads and masses with their values. Shows no
+// result.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -17,12 +17,12 @@ using namespace drawing;
 namespace {
 
 constexpr std::size_t most_dimensions = 24;
-constexpr double leaves_its_place =
-    10;  // the price of an arrow that moves the mechanism: dearer than all that it may cross
+/// Penalty for an arrow that enlarges the figure; greater than for all that it may cross.
+constexpr double leaves_its_place = 10;
 
 class ExerciseDrawing {
 public:
-    /// `within`: where arrows had better stand, mm about the origin of coordinates.
+    /// `within`: the preferred area for arrows, mm relative to the origin of coordinates.
     ExerciseDrawing(Sketch& sketch, const std::optional<Box>& within)
         : sketch_(sketch), mechanism_(sketch.mechanism), within_(within) {}
 
@@ -37,7 +37,7 @@ public:
         for (const Load& load : mechanism_.loads) std::visit([&](const auto& each) { draw_load(each); }, load);
         if (mechanism_.motion) draw_motion(*mechanism_.motion);
     }
-    /// Beside the names of the centres, which stand by then.
+    /// Beside the names of the centres, which are placed before.
     void say_masses() {
         for (const Mass& mass : mechanism_.masses) {
             RichText text = one_piece("m", Face::italic);
@@ -51,8 +51,8 @@ public:
     }
 
 private:
-    /// Points of the data that no body carries: others are placed by them, and a dimension may end there. What is far
-    /// away is told in words alone.
+    /// Points that no body carries but that define positions; a dimension may end there. Distant ones are only in the
+    /// text.
     void draw_auxiliary_points() {
         constexpr double radius = 0.6;
         const Box near = grown(sketch_.mechanism_box(), 0.15 * sketch_.size());
@@ -73,8 +73,8 @@ private:
         return with_powers(" = " + given_number((si / unit.si).to_double(), sketch_.context.language) + " " +
                            unit.symbol);
     }
-    /// An arrow at a place, pulling or pushing, where the least is in the way, of one length unless a shorter one alone
-    /// finds room; its name with the value.
+    /// Draws an arrow that pulls or pushes at a point, where it crosses least, with its name and value. All have one
+    /// length unless only a shorter one has space.
     void draw_arrow_at(Spot at, Spot along, RichText text, const BodyColour& colour) {
         constexpr double whole = 18, cut_short = 9;
         Cheapest<Bar> best;
@@ -110,7 +110,7 @@ private:
                                  unit.symbol));
         draw_arrow_at(sketch_.spot(force.at), along, std::move(text), sketch_.theme.colour_of(force.body));
     }
-    /// The arrows are the mechanism's own; here the intensities stand at its ends, or once where they are one.
+    /// The arrows belong to the mechanism; this adds the intensities at both ends, or one value if they are equal.
     void draw_load(const DistributedLoad& load) {
         const bool even = load.intensity[0] == load.intensity[1];
         for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
@@ -123,14 +123,14 @@ private:
             sketch_.add_label(std::move(text), sketch_.theme.colour_of(load.body).letter, foot - 10.5 * along, 1.0);
         }
     }
-    /// The spiral is the mechanism's own; what it is given by stands in words.
+    /// The spiral belongs to the mechanism; its values are in the text.
     static void draw_load(const TorsionLoad& /*torsion*/) {}
     void draw_load(const CoupleLoad& couple) {
         if (couple.value.is_zero()) return;
         const BodyColour colour = sketch_.theme.colour_of(couple.body);
         const Spot at = sketch_.shape(couple.body).middle;
         constexpr double sweep = 2.4;
-        const double by = couple.value.sign() > 0 ? -sweep : sweep;  // on paper y runs down
+        const double by = couple.value.sign() > 0 ? -sweep : sweep;  // y is downwards on paper
         Cheapest<Arc> best;
         for (const double radius : {7.0, 9.0})
             for (int step = 0; step < 12; ++step) {
@@ -146,7 +146,7 @@ private:
     }
     void draw_load(const SpringLoad& spring) {
         RichText text = named(spring.name, Symbol::Letter::F);
-        // What an elastic one pulls is for the reader to find.
+        // The force of an elastic spring is a result.
         if (!spring.elastic)
             append(text,
                    value(spring.magnitude.sign() < 0 ? -spring.magnitude : spring.magnitude, mechanism_.units.force));
@@ -183,13 +183,13 @@ private:
     Clutter clutter_;
 };
 
-/// Where a figure is drawn: how large it may be, and, where it is to stand in its place, which part of the paper it
-/// has, mm about the origin of coordinates.
+/// The area of a figure: its greatest size and, if its position is fixed, the part of the paper it may cover, mm
+/// relative to the origin of coordinates.
 struct Ground {
     double scale;
     Spot room;
     std::optional<Box> within;
-    bool strict = false;  ///< names rather stand in a key than leave it
+    bool strict = false;  ///< names that would leave the area are placed in a key
 };
 
 Box intersection(const Box& a, const Box& b) {
@@ -202,7 +202,7 @@ bool encloses(const Box& outer, const Box& inner) {
     return contains(air, inner.min) && contains(air, inner.max);
 }
 
-/// Dimensions that are drawn before there are names, and those that find no place then, about the names as they stand.
+/// Dimensions drawn before names are placed, and those that had no position then and are placed round the names.
 struct Dimensioning {
     DimensionWish first, last;
 };
@@ -217,7 +217,7 @@ Figure drawn(const DrawingContext& context, const Subject& subject, const Ground
     figure.caption = one_piece(word("mechanism and its data", context.language));
     Spot room = ground.room;
     if (ground.within) {
-        // Names and scale bar find their places in what is theirs, not far from the mechanism.
+        // Names and scale bar are placed in the area, near the mechanism.
         constexpr double about = 9, under_all = 8;
         figure.box.include(intersection(*ground.within, grown(figure.box, about)));
         room = {figure.box.width(), figure.box.height() + under_all};
@@ -232,7 +232,7 @@ Figure drawn(const DrawingContext& context, const Subject& subject, const Ground
     return figure;
 }
 
-/// Ids of the dimensions that reach out of where the figure is to stand.
+/// Ids of the dimensions that leave the area.
 std::set<std::string> dimensions_outside(const Figure& figure, const std::optional<Box>& within) {
     std::set<std::string> outside;
     if (!within) return outside;
@@ -248,7 +248,8 @@ std::set<std::string> dimensions_outside(const Figure& figure, const std::option
     return outside;
 }
 
-/// In a solution a broken bar is compressed, so on the question none is broken: all look alike.
+/// In a solution bars in compression are dashed. In a question all bars have the same style, because this would be a
+/// result.
 Theme theme_of(const DrawingContext& context) {
     Theme theme = context.theme;
     if (context.solution.truss) theme.bodies = {theme.colour_of(frame)};
@@ -271,7 +272,7 @@ Figure fitted_exercise(const DrawingContext& of, const Ground& ground) {
         const bool fits = figure.box.width() <= ground.room.x && figure.box.height() <= ground.room.y;
         if (covered.empty() && (fits || ground.within)) return figure;
         if (covered.empty()) break;
-        // What a name got in the way of has a second chance about the names.
+        // A dimension that a name covers is tried again after the names.
         for (const std::string& each : covered)
             if (!wish.first.left_out.insert(each).second) wish.last.left_out.insert(each);
     }

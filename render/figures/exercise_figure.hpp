@@ -1,13 +1,13 @@
-// The mechanism as an exercise hands it out, where it stands beside the solution's: a place of its own on the paper.
+// The mechanism of an exercise, placed where it stands on the solution's sheet.
 #pragma once
 
 #include "render/figures/figure.hpp"
 
 namespace kinegraph::render {
 
-/// exercise_figure in its place: `within`, mm about the origin of its coordinates, is what it may cover. Names, arrows
-/// of loads and the scale bar stay in it as far as they find room there; dimensions that would leave it are left out
-/// (the data are told in words).
+/// Draws exercise_figure() in a given area. `within`: that area, mm, relative to the origin of its coordinates. Names,
+/// arrows of loads and the scale bar stay in it if they find space; dimensions that would leave it are omitted (the
+/// text contains all data).
 Figure exercise_figure_within(const DrawingContext& context, double scale, const Box& within);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,5 @@
-// The figures: each of a Solution, drawn into a room.
+// Figures of a Solution. Each function draws one into a room (width and height in mm). Where there is a `coarsest`, a
+// figure that has no room at that scale is empty and at any_scale.
 #pragma once
 
 #include <optional>
@@ -12,118 +13,122 @@
 
 namespace kinegraph::render {
 
-/// The mechanism with pair symbols, ground, body numbers, centres and their lines where `with_centres`, fitted into a
-/// room (mm).
+/// The mechanism with pair symbols, ground, body numbers and, if `with_centres`, instant centres and their lines.
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
                         double coarsest = any_scale);
-/// What it spans, with the centres that are near enough to be shown, m.
+/// Its extent with the centres that are near enough to be shown, m.
 Box extent_of_mechanism(const Solution& solution, bool with_centres);
-/// The mechanism with what turns: ω of the bodies (or α), each marked with the statement that finds it.
+/// The mechanism with ω (or α) of its bodies, each marked with the statement that determines it.
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y);
-/// The mechanism as an exercise hands it out, at a scale (m for each mm): what its file gives as dimensions where they
-/// are free within the room, drivers, loads and masses with their values; nothing that is found.
+/// The mechanism of an exercise at a given scale (m per mm): the dimensions in the file if they have space in the room,
+/// drivers, loads and masses with their values. It shows no result.
 Figure exercise_figure(const DrawingContext& context, double scale, double room_x, double room_y);
-/// mechanism_figure at the scale of `plain`, which it was drawn at without, with ω and α of the bodies, or with ω
-/// alone, and with what the file gives of the drivers' accelerations. Empty and at any_scale where they find no room,
-/// or would cost a name or a dimension its place.
+/// mechanism_figure() at the scale of `plain`, with ω and α of the bodies (or with ω alone) and the given accelerations
+/// of the drivers. `plain`: the same figure without these. Empty and at any_scale if they have no room or would
+/// displace a name or a dimension.
 Figure mechanism_with_found_turnings(const DrawingContext& context, const Figure& plain, Spot room, bool with_centres);
-/// Velocities drawn on the mechanism, ⟂ to the rays from the absolute centres, and ω of its bodies. Kind "body", id
+/// Velocities on the mechanism, ⟂ to the rays from the absolute centres, and ω of its bodies. Kind "body", id
 /// "velocities".
 Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y);
-/// Accelerations drawn on the mechanism, and α of its bodies. Kind "body", id "accelerations".
+/// Accelerations on the mechanism, and α of its bodies. Kind "body", id "accelerations".
 Figure accelerations_on_mechanism(const DrawingContext& context, double room_x, double room_y);
-/// One body's act of motion: its points, velocities given (dark) and found (in the body's colour), the lines that meet
-/// in the centre; where no rigid body moves so, the two projections. Kind and id "mechanism"; velocities are groups of
-/// class "velocity" with a scale of their own, which the caption states. Only where the solution has one.
+/// The instantaneous motion of one body: its points, velocities given (dark) and found (in the colour of the body), and
+/// the lines that meet in the centre; if no rigid body can move so, the two projections. Kind and id "mechanism";
+/// velocities are groups of class "velocity" with a scale of their own in the caption. Requires that the solution has
+/// such a motion.
 Figure act_of_motion_figure(const DrawingContext& context, double room_x, double room_y);
-/// The curvature of one body's motion (index into Solution::curvature): pole, pole tangent, inflection circle, Bresse's
-/// circles, osculating circles to scale. Kind "curvature", id "curvature-<body>".
+/// The curvature of the motion of a body (index into Solution::curvature): pole, pole tangent, inflection circle,
+/// Bresse's circles, osculating circles to scale. Kind "curvature", id "curvature-<body>".
 Figure curvature_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);
-/// Whether there is more to see of it than a body that turns about a point at rest.
+/// False if the body only turns about a point at rest.
 bool has_curvature_figure(const Curvature& found);
-/// What the figure spans, m.
+/// Its extent, m.
 Box extent_of_curvature(const Solution& solution, std::size_t index);
-/// The vector loops of the closure equations, drawn on the mechanism in grey (kind and id "loops"; each side is a group
-/// of class "side"). Only where the solution has equations with sides.
+/// The vector loops of the closure equations on the mechanism in grey (kind and id "loops"; each side is a group of
+/// class "side"). Requires equations with sides.
 Figure loops_figure(const DrawingContext& context, double room_x, double room_y);
 bool has_loops_figure(const Solution& solution);
-/// What it spans, m.
+/// Its extent, m.
 Box extent_of_loops(const Solution& solution);
-/// Virtual displacements along the freedom `index` of Solution::displacements, with what acts (kind "displacements", id
+/// Virtual displacements along freedom `index` of Solution::displacements, with the forces (kind "displacements", id
 /// "displacements" or "displacements-2" …; arrows are groups of classes "displacement" and "force").
 Figure displacement_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);
 std::size_t displacement_figures(const Solution& solution);
 std::string displacement_figure_name(std::size_t index);
-/// Relative motion `index` of Solution::relative_motion taken apart: the moving axes on the mechanism, what their
-/// observer sees of the point, and how Coriolis' term comes from it (kind and id "moving-axes", "moving-axes-2" …).
-/// Only where has_moving_axes().
+/// Relative motion `index` of Solution::relative_motion: the moving axes on the mechanism, the motion of the point
+/// relative to them, and the origin of Coriolis' term (kind and id "moving-axes", "moving-axes-2" …). Requires
+/// has_moving_axes().
 Figure moving_axes_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);
 bool has_moving_axes(const RelativeMotion& motion);
 std::string moving_axes_name(const Solution& solution, std::size_t index);
-/// The bookkeeping circle of the instant centres: bodies on a circle, centres as chords numbered in the order found.
+/// The circle diagram of the instant centres: bodies on a circle, centres as chords, numbered in the order in which
+/// they are found.
 Figure circle_diagram(const DrawingContext& context, double room_x, double room_y);
-/// One polygon of motion, by its scene or its index in the protocol: pole, vectors, images, construction lines.
+/// One polygon of motion, given by its scene or by its index in the protocol: pole, vectors, images, construction
+/// lines.
 Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y,
                       double coarsest = any_scale);
-/// What the strokes of one take at a scale, mm: what any room for it must hold, letters apart.
+/// The size of its strokes at a scale, mm, without labels: a lower bound for any room.
 Spot strokes_of_polygon(const DrawingContext& context, const PolygonScene& scene, double scale);
 Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                       double coarsest = any_scale);
 
-// Forces. Triangles and closed polygon share one scale: `least` is the smallest that the other could be drawn at (units
-// per mm), and with `fixed` the one the file asks for, kept as long as it fits.
+// Forces. Triangles and closed polygon share one scale. `least`: the finest scale allowed, in units per mm, which is
+// the finest that the other one could be drawn at. If `fixed`, it is the scale in the file, and is kept if the figure
+// fits.
 
-/// Whether there is a force polygon to draw, and how many.
+/// Whether there are force polygons, and their number.
 bool has_force_polygons(const Solution& solution);
 int force_polygon_count(const Solution& solution);
-/// What the force polygons of the bodies span one beside the other, in the file's unit.
+/// The extent of the force polygons of the bodies side by side, in the unit of force of the file.
 Box extent_of_forces(const Solution& solution);
-/// What a free body spans with its places of attack and near points of concurrency, m.
+/// The extent of a free body with its points of application and near points of concurrency, m.
 Box extent_of_free_body(const Solution& solution, std::size_t index);
-/// The mechanism with its lines of action, points of concurrency and the sense of loads, efforts and ground reactions.
-/// `load`: the body whose loads alone the context's solution has (under_loads_alone); empty: all act.
+/// The mechanism with lines of action, points of concurrency, and the sense of loads, input efforts and ground
+/// reactions. `load`: the body whose loads act alone in the context's solution (under_loads_alone); empty: all loads
+/// act.
 Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load = "");
-/// Whether it shows a point of concurrency; `of_several`: one that no body cut free shows, since its lines are of
-/// several bodies.
+/// Whether it shows a point of concurrency. `of_several`: count only those that no free body shows, because their lines
+/// belong to several bodies.
 bool has_meets(const Solution& solution, bool of_several);
-/// The force polygons of the bodies at one scale; each is a group of kind "forces", id "forces-<body>". `tables`: with
-/// what is known of each force below, where there is room; those of bodies taken together, too. `only`: that polygon
-/// alone.
+/// The force polygons of the bodies and of bodies taken together, at one scale; each is a group of kind "forces", id
+/// "forces-<body>". `tables`: with a table of the known and unknown data of each force below, if there is space.
+/// `only`: index of the single polygon to draw; −1: all.
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y,
                              std::optional<double> least = std::nullopt, bool fixed = false, bool tables = true,
                              int only = -1);
-/// Of a superposition: the partial forces of each action, tip to tail, and their sum (kind "forces", id "sums").
+/// For a superposition: the partial forces of each action, tip to tail, and their sum (kind "forces", id "sums").
 Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
                            bool fixed);
 Box extent_of_partial_sums(const Solution& solution);
-/// Of a free body, whether the figure has its polygon: two equal and opposite forces make none, the steps say so.
+/// Whether the figure shows the polygon of a free body. Two equal and opposite forces have none; the steps say so.
 bool has_force_polygon(const Solution& solution, const FreeBody& body);
-/// What the strokes of one of them take at a scale with its name and its bar, mm; `joined`: as closed polygon.
+/// The size of the strokes of a polygon at a scale, with its name and scale bar, mm; `joined`: for the closed polygon.
 Spot strokes_of_force_polygon(const DrawingContext& context, int polygon, bool joined, double scale);
-/// The polygons joined: external forces full, internal sides dashed.
+/// The closed polygon: the polygons joined, external forces solid, internal sides dashed.
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                              std::optional<double> least = std::nullopt, bool fixed = false);
-/// A body cut free (index into Solution::free_bodies): kind "body", id "body-<name>"; its scale is that of its forces.
-/// `at_pairs`: beside the one force of a sleeve or a clamp its force and couple at the pair, too. `load`: as of
-/// mechanism_with_forces; the id ends in "-load-<load>" then. `shrinks`: to next to nothing, where it has no more room.
+/// A free body (index into Solution::free_bodies): kind "body", id "body-<name>"; its scale is that of its forces.
+/// `at_pairs`: for a sleeve or a clamp, also force and couple at the pair. `load`: as for mechanism_with_forces(); then
+/// the id ends in "-load-<load>". `shrinks`: the body may shrink to almost nothing if the room is too small.
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y,
                         bool at_pairs = true, const std::string& load = "", bool shrinks = true);
 
-// Joukowsky's lever: forces at the tips of the velocities turned a quarter turn; their moments about the pole are the
-// powers with the sign changed.
+// Joukowsky's lever: forces at the tips of the velocities turned by a quarter turn. Their moments about the pole are
+// the powers with opposite sign.
 
-/// Why there is none.
+/// The reason why there is no lever.
 enum class NoLever {
     drawn,          ///< there is one
     no_forces,      ///< no body was cut free
-    no_velocities,  ///< nothing is driven, or not all velocities are known
+    no_velocities,  ///< no driver, or not all velocities are known
     nothing_moves,  ///< no force acts at a point that moves
 };
 NoLever no_lever(const Solution& solution);
-/// What the turned velocities span with the pole, in the file's unit of velocity.
+/// The extent of the turned velocities with the pole, in the unit of velocity of the file.
 Box extent_of_lever(const Solution& solution);
-/// Kind "velocity", id "joukowsky"; forces are groups of class "force", with a scale of their own that the caption
-/// states. Only where there is one.
+/// Kind "velocity", id "joukowsky"; forces are groups of class "force", with a scale of their own in the caption.
+/// Requires that no_lever() is `drawn`.
 Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,4 @@
-// Fit: see fit.hpp.
+// Implementation of fit.hpp.
 #include "render/figures/fit.hpp"
 
 #include "engine/number/assert.hpp"
@@ -21,7 +21,7 @@ Figure fit(const FitPolicy& policy, const std::function<std::optional<Figure>(co
         auto figure = draw({*policy.asked, 0, false, false, true});
         if (figure && (policy.keeps_asked || has_room(policy, *figure))) return *std::move(figure);
     }
-    double half = 0;  // of the scale at which the figure itself has room; 0: not met yet
+    double half = 0;  // half the scale at which the figure without names has room; 0: not reached yet
     Trial trial;
     for (trial.scale = policy.first;; trial.scale = next_scale(trial.scale), ++trial.number) {
         trial.last = is_last(policy, trial);

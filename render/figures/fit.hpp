@@ -1,5 +1,5 @@
-// Fit: the one search for the scale at which a figure has room. The figure is drawn at ever smaller scales until
-// everything, labels too, is within the room. Knows no figure's content.
+// Fit: searches for the finest scale at which a figure with its labels has room, by drawing it at ever coarser scales.
+// Depends on no figure's content.
 #pragma once
 
 #include <functional>
@@ -9,30 +9,31 @@
 
 namespace kinegraph::render {
 
-/// What the search asks of a drawing.
+/// One attempt to draw a figure.
 struct Trial {
     double scale = 1;
     int number = 0;       ///< from 0
-    bool last = false;    ///< it is taken as it comes
-    bool strict = false;  ///< names must take what room there is
-    bool asked = false;   ///< the scale is the file's
+    bool last = false;    ///< its result is accepted in any case
+    bool strict = false;  ///< names must accept any position in the room
+    bool asked = false;   ///< the scale is that of the file
 };
 
 struct FitPolicy {
-    std::optional<Spot> room;       ///< that a figure must be within, mm; none: the drawing says itself whether it fits
-    double first = 1;               ///< the scale to begin with, units for each mm
-    std::optional<double> asked{};  ///< the file's scale: tried before all others
-    bool keeps_asked = false;       ///< … and taken, fit or not
-    double coarsest = any_scale;    ///< beyond it, or out of its room, the figure comes empty and at any_scale
-    int most_trials = 12;           ///< before the last
-    double extent = 0;              ///< in units: the last trial is the smallest …
-    double least_shown = 0;         ///< … that still shows so many mm of it
-    bool names_stay_in_room =
-        false;  ///< at half the scale at which the figure itself has room, for names do not shrink
+    std::optional<Spot> room;       ///< that the figure must fit into, mm; none: `draw` decides whether it fits
+    double first = 1;               ///< first scale, units per mm
+    std::optional<double> asked{};  ///< scale in the file, tried first
+    bool keeps_asked = false;       ///< … and accepted even if it does not fit
+    double coarsest = any_scale;    ///< at coarser scales, or if nothing fits, the figure is empty and at any_scale
+    int most_trials = 12;           ///< before the last one
+    double extent = 0;              ///< of the figure in units; if given, the last trial is the coarsest one …
+    double least_shown = 0;         ///< … that shows at least this many mm of it
+    /// Stops at half the size at which the figure without names has room, because names do not shrink; names accept any
+    /// position there.
+    bool names_stay_in_room = false;
 };
 
-/// `draw` says nothing where a trial is not worth finishing: the next smaller scale is tried then. The last has a
-/// figure.
+/// `draw` returns nothing to reject a trial; the next coarser scale follows. It must return a figure for the last
+/// trial.
 Figure fit(const FitPolicy& policy, const std::function<std::optional<Figure>(const Trial&)>& draw);
 
 }  // namespace kinegraph::render

@@ -1,5 +1,5 @@
-// Force figures: the mechanism with its lines of action, and every body cut free. Owns what such a figure shows and
-// where its arrows stand; takes every force and place from the Solution, computes no statics.
+// Force figures: the mechanism with lines of action, and free bodies. Owns the content of these figures and the
+// positions of arrows; all forces and points of application come from the Solution.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -21,16 +21,16 @@ namespace {
 
 using namespace drawing;
 
-constexpr double line_overshoot = 10;  // of a line of action past what it joins, mm
+constexpr double line_overshoot = 10;  // mm; of a line of action beyond the points it joins
 
 using Form = Holds::Form;
 Holds at_place(std::string place) { return {Form::at, {std::move(place)}}; }
-/// Place and direction of a force.
+/// Binds to position and direction of a force.
 Holds on_force(Form form, const std::string& force) { return {form, {force, force}}; }
 
 double near_a_line(const Solution& solution) { return 1e-7 * solution.pose.size.to_double(); }
 
-/// How many forces of a body pass through a place (m, y downwards), `near` being what counts as through.
+/// The number of forces of a body whose lines pass within `near` of a point (m, y downwards).
 int lines_through(const FreeBody& body, Spot place, double near) {
     const auto passes = [&](const AppliedForce& applied) {
         return !applied.force.is_zero() &&
@@ -39,7 +39,7 @@ int lines_through(const FreeBody& body, Spot place, double near) {
     return static_cast<int>(std::count_if(body.forces.begin(), body.forces.end(), passes) +
                             std::count_if(body.sums.begin(), body.sums.end(), passes));
 }
-/// The same of what bodies taken together have for their sum.
+/// The same for the resultants of bodies taken together.
 bool passes_sum_of_several(const Solution& solution, Spot place) {
     return std::any_of(solution.taken_together.begin(), solution.taken_together.end(),
                        [&](const TakenTogether& together) {
@@ -50,12 +50,13 @@ bool passes_sum_of_several(const Solution& solution, Spot place) {
 }
 using Meets = std::vector<FreeBody::Meet>;
 
-/// Where the outer strings of a funicular polygon meet, on the line of its resultant.
+/// Whether it is the intersection of the outer strings of a funicular polygon, on the line of the resultant.
 bool is_meet_of_strings(const FreeBody& body, const FreeBody::Meet& meet) {
     return body.funicular && body.funicular->resultant && *body.funicular->resultant == meet.place;
 }
 
-/// Points of concurrency worth showing: a meet of partial reactions (superposition) is none of the forces drawn.
+/// The points of concurrency to be shown. Those of partial reactions (superposition) are omitted, because these forces
+/// are not drawn.
 Meets shown_meets(const Solution& solution, const FreeBody& body) {
     Meets shown;
     for (const auto& meet : body.meets)
@@ -64,7 +65,7 @@ Meets shown_meets(const Solution& solution, const FreeBody& body) {
     return shown;
 }
 
-/// Those of all bodies, each once; a meet of bodies taken together has lines on several of them.
+/// Those of all bodies, without repetition. A point of bodies taken together has lines on several bodies.
 Meets all_shown_meets(const Solution& solution) {
     Meets shown;
     for (const FreeBody& body : solution.free_bodies)
@@ -80,7 +81,7 @@ Meets all_shown_meets(const Solution& solution) {
     return shown;
 }
 
-/// The points of a body, and those of the joints that hold it; of a free pin its own.
+/// The points of a body and of its joints; for a free pin its own point.
 std::vector<PointIndex> points_of(const Mechanism& mechanism, const FreeBody& body) {
     if (body.body == none) return {body.pin};
     std::vector<PointIndex> points = mechanism.body(body.body).points;
@@ -89,7 +90,7 @@ std::vector<PointIndex> points_of(const Mechanism& mechanism, const FreeBody& bo
     return points;
 }
 
-/// What a free body wants to show: its points, where its forces act, points of concurrency not too far away (m, y
+/// The extent of a free body: its points, points of application, and points of concurrency that are near (m, y
 /// downwards).
 struct FreeExtent {
     Box own, all;
@@ -112,7 +113,7 @@ FreeExtent extent_of_body(const Subject& subject, const FreeBody& body) {
         if (const Spot at = paper_spot(applied.at);
             length(at - own.middle()) < 2 * std::max(size, 0.1 * subject.size()))
             box.include(at);
-    // A point of concurrency is shown where it does not make the body tiny.
+    // A point of concurrency is included if the body does not become too small.
     const Box near = grown(box, 0.9 * std::max(size, 0.05 * subject.size()));
     for (const FreeBody::Meet& meet : shown_meets(subject.solution, body))
         if (const Spot at = paper_spot(meet.place); contains(near, at)) box.include(at);
@@ -123,19 +124,18 @@ FreeExtent extent_of_body(const Subject& subject, const FreeBody& body) {
     return {own, box};
 }
 
-// --- lines of action and where they meet
-// -------------------------------------------------------------------------------------
+// --- lines of action and their intersections
 
-/// A line of action: a direction and the places that it joins, mm.
+/// A line of action: its direction and the points that it joins, mm.
 struct ActionLine {
     Spot at, along;
     std::vector<Spot> marks;
-    StatementIndex statement = none;     // that knows it first
-    std::vector<std::string> far_meets;  // points of concurrency outside of the drawing that it leads to
-    std::vector<std::string> forces{};   // whose line it is, as held
-    std::vector<std::string> places{};   // that it joins, as held
+    StatementIndex statement = none;     // the first that determines it
+    std::vector<std::string> far_meets;  // points of concurrency outside the drawing
+    std::vector<std::string> forces{};   // bindings of its forces
+    std::vector<std::string> places{};   // bindings of its points
 
-    /// Whether it leads from its own place to another.
+    /// Whether it joins its point of application with another point.
     bool joins() const { return marks.size() > 1 || !far_meets.empty(); }
     void reach(Spot mark, std::string place) {
         marks.push_back(mark);
@@ -159,7 +159,7 @@ void draw_meet(Sketch& sketch, const std::string& name, Spot at, StatementIndex 
     LabelRequest own = label_of_meet(sketch, name, at, 2.0, statement, place);
     for (LabelRequest& label : sketch.labels) {
         if (label.balloon > 0 || label.toward || length(label.anchor - at) > same_place) continue;
-        // The lines meet in a point that has a name already.
+        // The intersection coincides with a named point.
         append(label.text, one_piece(" ≡ "));
         append(label.text, own.text);
         return;
@@ -171,14 +171,14 @@ void draw_meet(Sketch& sketch, const std::string& name, Spot at, StatementIndex 
     sketch.labels.push_back(std::move(own));
 }
 
-/// The lines of action of a drawing, each once, within a view.
+/// The lines of action of a drawing within a view, without repetition.
 class ActionLines {
 public:
-    /// `load`: of what acts alone; empty: all loads.
+    /// `load`: that acts alone; empty: all loads.
     ActionLines(Sketch& sketch, const Box& view, std::string load)
         : sketch_(sketch), view_(view), load_(std::move(load)) {}
 
-    /// The line of a force with the points of concurrency on it, as far as there are any.
+    /// The line of a force with its points of concurrency.
     ActionLine line_of(const AppliedForce& applied, const Meets& meets, std::string held) const {
         const Spot at = sketch_.spot(applied.at);
         ActionLine action{at, paper_direction(applied.force), {at}, applied.line_statement, {}};
@@ -209,7 +209,7 @@ public:
         lines_.push_back(std::move(added));
     }
 
-    /// The line of a force as far as to the strings that end on it.
+    /// Extends the line of a force to the strings that end on it.
     void add_to_strings(const AppliedForce& applied, const std::string& held, const Meets& meets,
                         const FreeBody::Funicular& funicular) {
         ActionLine action = line_of(applied, meets, held);
@@ -235,11 +235,11 @@ public:
     }
 
 private:
-    /// A point of concurrency outside of the drawing: the lines that meet there run to the edge of the view and point
-    /// to it, and one says how far it is.
+    /// For a point of concurrency outside the drawing: its lines extend to the edge of the view, and one of them shows
+    /// the distance.
     void draw_far_meet(const std::string& name, Spot meet, StatementIndex statement) {
         constexpr double broken_end = 9;
-        if (!std::isfinite(meet.x) || !std::isfinite(meet.y)) return;  // past the range of doubles
+        if (!std::isfinite(meet.x) || !std::isfinite(meet.y)) return;  // out of the range of doubles
         bool named = false;
         for (ActionLine& action : lines_) {
             if (std::find(action.far_meets.begin(), action.far_meets.end(), name) == action.far_meets.end()) continue;
@@ -253,7 +253,7 @@ private:
             if (named) continue;
             named = true;
             LabelRequest label = label_of_meet(sketch_, name, tip, 1.2, statement, held_meet(load_, name));
-            label.holds = {};  // at the edge it says how far it is
+            label.holds = {};  // the label at the edge shows the distance
             if (const auto from = name_of_point_at(sketch_, action.at))
                 append(label.text, how_far(sketch_, *from, label.text, length(meet - action.at)));
             sketch_.labels.push_back(std::move(label));
@@ -288,14 +288,13 @@ private:
 };
 
 // --- arrows
-// ------------------------------------------------------------------------------------------------------------------
 
-/// About the place where the couple acts, where the least is in the way.
-/// `held`: place and couple; `unit`: of the moment that the text says, in SI, or 0.
+/// About the point of application of the couple, where it crosses least. `held`: bindings of point and couple; `unit`:
+/// of the moment in the text, in SI; 0: no value.
 void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at, bool positive,
                  const BodyColour& colour, StatementIndex statement, std::vector<std::string> held, double unit) {
     constexpr double sweep = 2.4;
-    // On paper y runs down: counter-clockwise is the negative turn.
+    // y is downwards on paper: counter-clockwise is the negative sense.
     const double by = positive ? -sweep : sweep;
     Cheapest<Arc> best;
     for (const double radius : {7.0, 8.5, 10.5})
@@ -324,7 +323,7 @@ RichText couple_words(const DrawingContext& context, const AppliedForce& applied
     return text;
 }
 
-/// From the place about which a moment is taken to the line of a force: thin, with its length.
+/// A thin line from the moment centre to the line of a force, with its length.
 void draw_arm(Sketch& sketch, const FreeBody& body, std::size_t index, const std::string& load,
               std::vector<Bar>& drawn) {
     const FreeBody::Arm& arm = body.arms[index];
@@ -355,9 +354,9 @@ void draw_arm(Sketch& sketch, const FreeBody& body, std::size_t index, const std
     label.holds.unit = unit.si.to_double();
 }
 
-constexpr double beside_an_arrow = 2.2;  // of another on the same line, mm
+constexpr double beside_an_arrow = 2.2;  // mm; distance from another arrow on the same line
 
-/// Whether two arrows lie on one line and cover each other, or leave one place oppositely: they are read as one then.
+/// Whether two arrows would be read as one: they overlap on one line, or leave one point in opposite directions.
 bool reads_as_one(const Bar& one, const Bar& other) {
     const double size = length(one.to - one.from);
     if (!(size > 0)) return false;
@@ -374,7 +373,7 @@ bool reads_as_one(const Bar& arrow, const std::vector<Bar>& others) {
 }
 Bar moved(const Bar& arrow, Spot by) { return {arrow.from + by, arrow.to + by}; }
 
-/// A resultant acts on nothing: its shaft is broken.
+/// A resultant acts on nothing: its shaft is dashed.
 const std::vector<double>& shaft_of(const AppliedForce& applied, const BodyColour& colour) {
     return applied.kind == AppliedForce::Kind::resultant ? dashes() : colour.dashes;
 }
@@ -383,15 +382,15 @@ bool acts_at_centre(const AppliedForce& applied) {
     return applied.kind == AppliedForce::Kind::weight || applied.kind == AppliedForce::Kind::inertia;
 }
 
-// --- a body cut free
-// ---------------------------------------------------------------------------------------------------------
+// --- free bodies
 
-/// The scale of its forces and what may be said beside them.
+/// The scale of forces, and which values are shown.
 struct ForceScale {
-    double si = 1;          // of the unit
+    double si = 1;          // SI value of the unit
     double per_millimetre;  // in the unit
-    bool says_values;  // in a narrow room the words would cost the body its scale; the table of results has the value
-    bool at_pairs;     // force and couple of a sleeve at its pair, too
+    bool says_values;  // false in a narrow room, where text would make the scale coarser; the table of results has the
+                       // values
+    bool at_pairs;     // also shows force and couple of a sleeve at its pair
 };
 
 class FreeBodyDrawing {
@@ -426,7 +425,7 @@ public:
                             {couple_of(held), couple_of(held)}, unit_of_moment());
             if (!applied.force.is_zero()) draw_force(applied, held);
         }
-        // In a narrow room the line must do: the polygon has the force.
+        // A narrow room has only the line; the force is in the polygon.
         for (const AppliedForce& sum : body_.sums)
             if (scale_.says_values)
                 draw_force(beside_body(sum), held_sum(load_, body_, sum));
@@ -439,7 +438,7 @@ public:
     }
 
 private:
-    /// A resultant stands on its line where that passes the body, if what is added meets elsewhere.
+    /// Moves a resultant along its line to a place where the line passes the body, if its components meet elsewhere.
     AppliedForce beside_body(AppliedForce sum) const {
         const std::vector<PointIndex> points = points_of(sketch_.mechanism, body_);
         if (points.empty() || contains(grown(sketch_.mechanism_box(), 3), sketch_.spot(sum.at))) return sum;
@@ -451,7 +450,7 @@ private:
     double unit_of_moment() const { return sketch_.mechanism.units.moment.si.to_double(); }
     void draw_force(const AppliedForce& applied, const std::string& held) {
         const double value = kinegraph::length(Vector{applied.force.x / unit_.si, applied.force.y / unit_.si});
-        // Too small for its own arrowhead, a force shows its sense by a thin arrow and says its size.
+        // A force shorter than its arrowhead is drawn as a thin arrow of fixed length with its value.
         constexpr double least_to_scale = 4, only_sense = 9;
         const bool to_scale = value / scale_.per_millimetre >= least_to_scale;
         const Bar arrow = free_stand(applied, to_scale ? value / scale_.per_millimetre : only_sense);
@@ -466,7 +465,7 @@ private:
         if (applied.joint != none && joints_remarked_.insert(applied.joint).second) remark_guide(applied);
     }
 
-    /// Tail or tip at its place; slid along its line where another arrow is there already.
+    /// The arrow with its tail or tip at the point of application, or moved along its line if another arrow is there.
     Bar free_stand(const AppliedForce& applied, double size) const {
         const Spot at = sketch_.spot(applied.at), along = paper_direction(applied.force), d = size * along;
         const Spot middle = body_.body != none ? sketch_.shape(body_.body).middle : sketch_.spot(body_.pin);
@@ -498,7 +497,7 @@ private:
                 there.push_back(other);
         return there;
     }
-    /// How far along a line the arrows reach that stand on it.
+    /// How far along a line the arrows on it extend from the point.
     double beyond_others(Spot at, Spot along) const {
         double beyond = 0;
         for (const Bar& other : standing_on(at, along))
@@ -548,7 +547,7 @@ private:
         if (!to_scale && scale_.says_values) label.holds.unit = unit_.si.to_double();
     }
 
-    /// Two forces: one line, or with a couple two, and their distance is its arm.
+    /// Two forces on one line; with a couple on two parallel lines, whose distance is the arm.
     bool carries_two_forces() const {
         return std::count_if(body_.forces.begin(), body_.forces.end(),
                              [](const AppliedForce& f) { return !f.force.is_zero(); }) == 2;
@@ -562,7 +561,7 @@ private:
             action.reach(foot, held_arm(load_, body_, i, true));
             action.statement = std::min(action.statement == none ? arm.statement : action.statement, arm.statement);
         }
-        // To where it is added to another.
+        // Extends the line to where the force is added to another.
         for (const AppliedForce& sum : body_.sums)
             if (const Spot at = sketch_.spot(sum.at);
                 &sum != &applied && std::abs(cross(action.along, at - action.at)) < 0.05 &&
@@ -584,7 +583,7 @@ private:
                 lines_.add_to_strings(applied, held_force(load_, body_, applied), meets_, funicular);
     }
 
-    /// Force and couple at the pair's own point, thin, and how far aside they are the one force: d = M/F.
+    /// Force and couple at the point of the pair, thin, and their distance from the equivalent single force: d = M/F.
     void draw_at_pair(const AppliedForce& applied, const JointForce& pair, const Bar& arrow) {
         const Spot at = sketch_.spot(sketch_.mechanism.joint(pair.joint).point), foot = sketch_.spot(applied.at);
         const double aside = length(foot - at);
@@ -631,13 +630,13 @@ private:
     Meets meets_;
     Clutter clutter_;
     ActionLines lines_;
-    std::vector<Bar> standing_;  // the arrows
+    std::vector<Bar> standing_;  // the arrows drawn
     std::vector<Bar> arms_;
     std::set<std::string> names_;
     std::set<JointIndex> joints_remarked_;
 };
 
-/// The body's own points and places only.
+/// Shows only the points of the body.
 void show_only(Subject& subject, const FreeBody& body) {
     std::fill(subject.shown.begin(), subject.shown.end(), false);
     const auto show = [&](PointIndex point) {
@@ -655,7 +654,7 @@ std::string words_of_load(const DrawingContext& context, const std::string& load
            word(body ? "loads of body" : "loads of pin", context.language) + " " + load;
 }
 
-/// Of a free body: "2", "2: connecting rod", "pin B"; under the loads of one body alone it says which.
+/// The name of a free body: "2", "2: connecting rod", "pin B"; for the loads of one body alone with that body.
 RichText caption_of(const DrawingContext& context, const FreeBody& body, const std::string& name,
                     const std::string& load) {
     RichText caption = one_piece(word(body.body != none ? "free body" : "free pin", context.language) + " " + name);
@@ -672,10 +671,9 @@ RichText caption_of(const DrawingContext& context, const FreeBody& body, const s
 }
 
 // --- the mechanism with its forces
-// -------------------------------------------------------------------------------------------
 
-/// Loads, efforts and what the frame gives are shown; an actuator between two bodies shows once. `alone`: of the loads
-/// of one body alone; what two forces hold has no figure of its own then.
+/// True for loads, input forces and couples, and reactions of the frame; an actuator between two bodies is shown once.
+/// `alone`: for the loads of one body alone, where bodies with two forces have no figure of their own.
 bool is_shown_on_mechanism(const FreeBody& body, const AppliedForce& applied, bool alone) {
     const auto forces =
         std::count_if(body.forces.begin(), body.forces.end(), [](const AppliedForce& f) { return !f.force.is_zero(); });
@@ -685,7 +683,7 @@ bool is_shown_on_mechanism(const FreeBody& body, const AppliedForce& applied, bo
     return !inner_reaction && !again;
 }
 
-/// An arrow of one length that stands off its place, pulling or pushing, where the least is in the way.
+/// An arrow of fixed length at a distance from its point, pulling or pushing, where it crosses least.
 Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, const std::vector<Bar>& standing) {
     constexpr double whole = 20;
     const Spot along = paper_direction(applied.force);
@@ -707,7 +705,7 @@ Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at, con
     return best.choice;
 }
 
-/// Its sense only; `standing`: the arrows that are drawn.
+/// Draws only the sense of a force; `standing`: the arrows drawn so far.
 void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& colour,
                 StatementIndex statement, const std::string& held, std::vector<Bar>& standing) {
     const Spot at = sketch.spot(applied.at);
@@ -730,15 +728,15 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
     label.holds = on_force(Form::with, held);
 }
 
-/// On bodies taken together: what the polygon of their strings has.
+/// Whether the force acts on the bodies taken together from outside, and is therefore in their funicular polygon.
 bool acts_from_outside(const AppliedForce& applied, const TakenTogether& together) {
     const FreeBody::Funicular& strings = *together.funicular;
     return applied.symbol == strings.first || applied.symbol == strings.second ||
            std::find(strings.known.begin(), strings.known.end(), applied.symbol) != strings.known.end();
 }
 
-/// Of a sum that was moved aside for a couple: its line before, thin, the place on it where lines of what is added
-/// meet, and how far the sum was moved, where it is to be seen.
+/// For a resultant displaced by a couple: its line before (thin), the point on it where the lines of its components
+/// meet, and the displacement, if it is visible.
 void draw_shift(Sketch& sketch, const AppliedForce& sum, const Box& view) {
     const Solution& solution = sketch.subject.solution;
     for (const StatementIndex statement : indices_of(solution.protocol.statements)) {
@@ -802,7 +800,7 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, cons
     lines.draw(sketch.construction);
 }
 
-/// The mechanism under all loads, or under those of one body alone.
+/// The caption for all loads or for those of one body alone.
 RichText caption_of_lines(const DrawingContext& context, const std::string& load) {
     return one_piece(load.empty() ? word("mechanism and lines of action", context.language)
                                   : words_of_load(context, load));
@@ -840,13 +838,13 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                                           : 1,
                             room_x >= roomy, at_pairs};
     const double around = std::min(30.0, longest / si / forces.per_millimetre);
-    // A lone block has no length of its own: the mechanism's scale would do, whatever it is.
+    // A single block has no length; any scale would do.
     const bool has_length = std::max(own_box.width(), own_box.height()) > 0;
     const double start =
         has_length ? choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9),
                                   std::max(room_x - around, 10.0), std::max(room_y - around - 12, 10.0), std::nullopt)
                    : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
-    // Names do not shrink with the body: a smaller one gains them little, and shows nothing.
+    // Names keep their size, so that a smaller body gains little space for them and shows nothing.
     const double least_shown = shrinks ? 0.05 : 5;
     const double extent = has_length ? std::max(box.width(), box.height()) : 0;
     return fit({.room = Spot{room_x, room_y}, .first = start, .extent = extent, .least_shown = least_shown},
@@ -877,7 +875,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
     const Subject subject(solution);
     const auto asked = asked_scale(solution.mechanism, "mechanism");
     const Meets meets = all_shown_meets(solution);
-    // A point of concurrency is what the figure is for: it may make the mechanism smaller.
+    // Points of concurrency are the purpose of the figure: the mechanism may become smaller for them.
     const Box near = grown(subject.box, 0.7 * subject.size());
     Box extent = subject.box;
     for (const FreeBody::Meet& meet : meets)

@@ -1,5 +1,5 @@
 // Force polygons: those of the bodies in rows, and the closed polygon of the external forces. Owns their sides, scales
-// and places; takes every force from the Solution, computes no statics.
+// and positions; all forces come from the Solution.
 #include <algorithm>
 #include <cmath>
 
@@ -17,13 +17,13 @@ namespace {
 
 using namespace drawing;
 
-constexpr double label_reach = 7;  // what labels may add beyond the strokes on each side
-constexpr double least_force_polygon =
-    8;  // mm of the longest polygon: letters that have no room beside it need a wider room
+constexpr double label_reach = 7;  // space for labels beyond the strokes, on each side
+/// Least size of the longest polygon, mm. If labels have no space beside it, the room must be wider.
+constexpr double least_force_polygon = 8;
 
 void append(std::vector<Mark>& to, const std::vector<Mark>& more) { to.insert(to.end(), more.begin(), more.end()); }
 
-/// What is taken together is the truss then.
+/// The bodies taken together are the whole truss then.
 bool is_truss_whole(const Solution& solution) { return solution.truss && solution.free_bodies.empty(); }
 
 class ForcePolygon {
@@ -37,7 +37,7 @@ public:
             if (body.polygon == polygon) sums_ = body.sums, funicular_ = body.funicular;
         for (const TakenTogether& together : context.solution.taken_together)
             if (together.polygon == polygon) sums_ = together.sums, funicular_ = together.funicular;
-        // So thin that its sides would lie on each other.
+        // ratio of width to length below which sides would overlap
         constexpr double thin = 0.035;
         if (scene_.vectors.empty()) return;
         const Spot start = spot(1, scene_.vectors.front().tail);
@@ -53,10 +53,10 @@ public:
 
     double width() const { return scene_.width(); }
     double height() const { return scene_.height(); }
-    /// All forces have one direction: drawn side by side.
+    /// All forces have one direction; they are drawn side by side.
     bool flat() const { return flat_; }
 
-    /// With a gap: its last side is the resultant.
+    /// Not closed: its last side is the resultant.
     bool is_open() const {
         return std::any_of(context_.solution.resultants.begin(), context_.solution.resultants.end(),
                            [&](const Resultant& each) { return each.polygon == polygon_ && !each.force->is_zero(); });
@@ -98,7 +98,7 @@ public:
             side.text = typeset(each.symbol, context_.language);
             side.colour = context_.theme.colour_of(is_truss_whole(context_.solution) ? BodyIndex(none) : each.body);
             if (is_open() && &each == &scene_.vectors.back()) side.colour.dashes = dashes();
-            // An inner side met again (a two-force body lies between): one stroke, both names.
+            // A repeated inner side (of a two-force body) is a single stroke with both names.
             side.internal = each.falls_out;
             side.statement = each.statement;
             parts.vectors.push_back(std::move(side));
@@ -124,7 +124,7 @@ public:
 private:
     static Spot spot(double scale, Place p) { return {p.x / scale, -p.y / scale}; }
 
-    /// What was added up on the way is a diagonal from the first corner: broken, for it acts on nothing.
+    /// A partial sum is a diagonal from the first corner. It is dashed, because it acts on nothing.
     void add_diagonals(double scale, PolygonParts& parts) const {
         const double near = 1e-9 * scene_.size();
         for (const AppliedForce& sum : sums_) {
@@ -134,7 +134,7 @@ private:
             const auto ends = [&](const SceneVector& side) {
                 return std::hypot(side.tip.x - start.x - tip.x, side.tip.y - start.y - tip.y) <= near;
             };
-            // Of one force alone it is that force; the last corner is the first.
+            // A sum of one force is that force; the last corner equals the first.
             const auto end = std::find_if(scene_.vectors.begin(), scene_.vectors.end(), ends);
             if (end == scene_.vectors.begin() || end == scene_.vectors.end()) continue;
             PolygonLine diagonal;
@@ -149,8 +149,8 @@ private:
         }
     }
 
-    /// From the pole to the corners of the known forces, numbered as the strings are; broken to where the closing line
-    /// divides.
+    /// Rays from the pole to the corners of the known forces, with the numbers of the strings; the ray of the closing
+    /// line is dashed.
     void add_rays(double scale, PolygonParts& parts) const {
         const Exact& si = scene_.unit.si;
         const auto at = [&](const Vector& place) {
@@ -174,7 +174,7 @@ private:
         PolygonImage image;
         image.at = pole;
         image.name = "pole";
-        // No point of the file has its letter.
+        // The first letter that no point of the file has.
         for (const char* letter : {"O", "Ω", "S", "P"}) {
             image.text = one_piece(letter, Face::italic);
             if (!context_.solution.mechanism.point_named(letter)) break;
@@ -183,7 +183,7 @@ private:
         parts.images.push_back(std::move(image));
     }
 
-    /// Sides of one direction would lie on each other: each goes into the first column beside that is free there.
+    /// Parallel sides would overlap: each is moved to the first free column.
     Spot displaced(std::vector<std::vector<Interval>>& columns, Spot tail, Spot tip) const {
         if (!flat_) return {0, 0};
         constexpr double pitch = 3.4;
@@ -202,7 +202,7 @@ private:
     const DrawingContext& context_;
     int polygon_;
     PolygonScene scene_;
-    Spot along_;  // the longest side
+    Spot along_;  // unit vector of the longest side
     bool flat_ = true;
     std::vector<AppliedForce> sums_;
     std::optional<FreeBody::Funicular> funicular_;
@@ -222,7 +222,7 @@ std::vector<int> shown_polygons(const Solution& solution) {
     for (const FreeBody& body : solution.free_bodies) {
         if (body.polygon < 0) continue;
         all.push_back(body.polygon);
-        // Two equal and opposite forces make no polygon: the steps say so.
+        // Two equal and opposite forces have no polygon; the steps say so.
         if (solution.protocol.polygons[at_index(body.polygon)].vectors.size() > 2) several.push_back(body.polygon);
     }
     std::vector<int>& shown = several.empty() ? all : several;
@@ -240,7 +240,7 @@ Box extent_of_polygons(const Solution& solution, const std::vector<int>& polygon
     for (const int p : polygons) {
         const PolygonScene scene = polygon_scene(solution, p);
         all.max = {all.max.x + scene.width(), std::max(all.max.y, scene.height())};
-        // The pole of the rays stands as far aside as the forces are long.
+        // The pole of the rays is as far to the side as the forces are long.
         const auto has_rays = [p](const auto& each) { return each.polygon == p && each.funicular; };
         if (std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), has_rays) ||
             std::any_of(solution.taken_together.begin(), solution.taken_together.end(), has_rays))
@@ -249,7 +249,7 @@ Box extent_of_polygons(const Solution& solution, const std::vector<int>& polygon
     return all;
 }
 
-/// Polygons in rows, each with its body's name above and its table below.
+/// Polygons in rows, each with the name of its body above and its table below.
 class Rows {
 public:
     /// `id`: of the figure.
@@ -288,7 +288,7 @@ public:
         return most > 0 ? choose_scale(most, 0, 1, 1, std::nullopt) : 1;
     }
 
-    /// At this scale, with details as long as these fit; nothing where it does not fit; `force`: whatever it takes.
+    /// The figure at a scale, with details if they fit. Empty if it does not fit; `force`: returns it in any case.
     std::optional<Figure> at(double scale, double room_x, double room_y, bool force) const {
         if (auto detailed = at(scale, room_x, room_y, false, true)) return detailed;
         return at(scale, room_x, room_y, force, false);
@@ -300,10 +300,10 @@ private:
         ForcePolygon drawing;
         Block table;
         RichText title;
-        BodyIndex body = none;  ///< whose colour the title has
+        BodyIndex body = none;  ///< for the colour of the title
         StatementIndex statement = none;
     };
-    /// By whom it is of: a body or a pin, bodies taken together, an action whose parts are added.
+    /// Named by a body or a pin, by bodies taken together, or by the force whose parts are added.
     void name(Item& item, bool with_tables) const {
         const Solution& solution = context_.solution;
         const auto titled = [&](const char* what, const std::string& name) {
@@ -334,7 +334,7 @@ private:
 
     static constexpr double between = 6, head = 6, bar = 9, above_table = 2.5;
 
-    /// A polygon as it is drawn at a scale, and what it takes with its name and its table.
+    /// A polygon drawn at a scale, and its size with name and table.
     struct Cell {
         Figure figure;
         PolygonParts parts;
@@ -367,7 +367,7 @@ private:
         cell.size = size_of(item, cell.figure, 0.4 * label_reach);
         return cell;
     }
-    /// Letters it and draws its details; false where these find no free place.
+    /// Places labels and draws details. False if the details have no free position.
     bool finish(Cell& cell, const Item& item, Spot room, bool with_details, std::size_t& letters) const {
         const Labelling labelling = with_details ? Labelling::if_all_free : Labelling::free;
         if (!place_labels(cell.figure, context_.fonts, std::nullopt, labelling, context_.theme.secondary)) return false;
@@ -403,7 +403,7 @@ private:
         });
         return std::string(triangles ? "force triangle" : "force polygon") + (items_.size() == 1 ? "" : "s");
     }
-    /// Where the next row begins.
+    /// Returns the top of the next row.
     double set_row(Figure& all, const Row& row, std::vector<Cell>& cells, const Block& names, double y) const {
         double tallest = 0, below = 0;
         for (const std::size_t i : row) {
@@ -417,7 +417,7 @@ private:
             if (const Block& table = items_[i].table; !table.marks.empty()) {
                 const Spot at{x + 0.5 * (cells[i].size.x - table.width), y + head + tallest + above_table};
                 set_table(all, table, at, items_[i].statement);
-                // What the rows are stands before the first of them.
+                // The names of the rows stand before the first one.
                 if (!named) set_table(all, names, {at.x - indent_of(names), at.y}, none);
                 named = all.has_table = true;
             }
@@ -425,7 +425,7 @@ private:
         }
         return y + head + tallest + (below > 0 ? below + above_table : 0) + between;
     }
-    /// Its name, and the polygon in the middle of what it takes and of the row.
+    /// Places the name, and the polygon in the middle of its cell and row.
     void set_cell(Figure& all, const Item& item, Cell& cell, Spot at, double tallest) const {
         Figure& figure = cell.figure;
         const std::size_t first = all.marks.size();
@@ -489,7 +489,7 @@ private:
     std::vector<Item> items_;
 };
 
-/// The rows at the best scale that fits the room.
+/// The rows at the finest scale that fits into the room.
 Figure fitted_rows(const Rows& with_tables, Spot room, std::optional<double> least, bool fixed) {
     const Rows plain_rows = with_tables.without_tables();
     KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
@@ -506,11 +506,12 @@ Figure fitted_rows(const Rows& with_tables, Spot room, std::optional<double> lea
             auto figure = fitting(with_tables, trial.scale);
             return figure ? std::move(figure) : fitting(plain_rows, trial.scale);
         }
-        // A table is worth one step of the scale.
+        // Without tables the scale may be one step finer.
         auto figure = plain_rows.at(trial.scale, room.x, room.y, trial.last);
         if (!figure || !with_tables.has_tables()) return figure;
         if (auto better = fitting(with_tables, trial.scale)) return better;
-        // Smaller for the tables' sake only where it stays well readable, and nothing else has to follow.
+        // A coarser scale for the tables is accepted only if the polygons remain readable and no other figure has to
+        // use it.
         const double smaller = next_scale(trial.scale);
         if (!least && plain_rows.tallest() / smaller > 35)
             if (auto better = fitting(with_tables, smaller)) return better;

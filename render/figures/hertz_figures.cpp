@@ -16,8 +16,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// One body's profile as it is drawn: its curvature in the plane of the figure (1/m, positive towards the other), and
-/// who it is.
+/// The profile of a body: its curvature in the plane of the figure (1/m, positive towards the other body), and its
+/// names.
 struct Profile2d {
     std::size_t which = 0;
     double curvature = 0;
@@ -28,9 +28,9 @@ public:
     TouchingBodiesFigure(const DrawingContext& context, Spot room)
         : context_(context), theme_(context.theme), problem_(problem_of<HertzProblem>(context)), room_(room) {
         for (std::size_t i = 0; i < 2; ++i) profiles_.at(i) = {i, curvature(i)};
-        // On top the body that bulges more: a ball lies on a plane, and in a groove.
+        // The more convex body is on top: a ball on a plane or in a groove.
         if (profiles_[1].curvature > profiles_[0].curvature) std::swap(profiles_[0], profiles_[1]);
-        // What Euler's theorem leaves of a straight profile is no curvature.
+        // Rounding errors of Euler's theorem are no curvature.
         for (Profile2d& each : profiles_)
             if (std::abs(each.curvature) < 1e-12 * std::abs(profiles_[0].curvature)) each.curvature = 0;
         half_width_ = 0.5 * room_.x - 14;
@@ -56,8 +56,8 @@ public:
     }
 
 private:
-    /// In the plane across the shorter axis: of bodies turned against each other, by Euler, that of the first body's
-    /// first radius.
+    /// In the plane across the shorter axis. If the principal planes are rotated, by Euler's theorem for the first
+    /// radius of the first body.
     double curvature(std::size_t i) const {
         const HertzBody& body = problem_.bodies.at(i);
         const double first = body.curvature(0).to_double(), second = body.curvature(1).to_double();
@@ -66,19 +66,19 @@ private:
         return first * c * c + second * (1 - c * c);
     }
 
-    /// The boundary from left to right, mm; `down`: +1 for the lower body, whose material lies downwards.
+    /// The boundary from left to right, mm; `down`: +1 for the lower body, whose material is below.
     std::vector<Spot> profile(double curvature, int down, double depth) const {
         std::vector<Spot> spots;
         const double radius = curvature == 0 ? 0 : 1 / (std::abs(curvature) * scale_);
         if (curvature == 0) return {{-half_width_, 0}, {half_width_, 0}};
-        // As far as its height and the room's width allow; all round where the whole circle has room.
+        // Limited by height and width of the room; the whole circle if it fits.
         const double most = std::min(half_width_, radius);
         double angle = most < radius ? std::asin(most / radius) : pi / 2;
         if (curvature > 0 && 2 * radius <= depth + 1e-9)
             angle = pi;
         else if (radius * (1 - std::cos(angle)) > depth)
             angle = std::acos(std::max(-1.0, 1 - depth / radius));
-        const int bulge = curvature > 0 ? down : -down;  // where its centre lies
+        const int bulge = curvature > 0 ? down : -down;  // direction of its centre
         constexpr int pieces = 96;
         for (int i = 0; i <= pieces; ++i) {
             const double turn = angle * (2.0 * i / pieces - 1);
@@ -95,7 +95,7 @@ private:
         double reach = 0;
         for (const Spot& spot : edge) reach = std::max(reach, down * spot.y);
         const bool whole = of.curvature > 0 && length(edge.front() - edge.back()) < 1e-6;
-        // Flat and concave bodies have some material behind the deepest place.
+        // Flat and concave bodies have some material behind the deepest point.
         const double behind = down * (of.curvature > 0 ? reach : flat_depth_);
         std::vector<Spot> area = edge;
         if (!whole) {
@@ -125,7 +125,7 @@ private:
                                  .anchor = of.curvature == 0 ? Spot{0.7 * half_width_, down * 3.5} : aside,
                                  .clearance = 1.5});
         if (of.curvature == 0) return;
-        // The radius as an arrow from the centre to the profile, or from as far as the room goes.
+        // The radius as an arrow to the profile, from the centre or from the edge of the room.
         const double radius = 1 / (std::abs(of.curvature) * scale_);
         const int bulge = of.curvature > 0 ? down : -down;
         const Spot foot = edge[edge.size() / 4];
@@ -174,7 +174,7 @@ public:
           theme_(context.theme),
           found_(solution_of<HertzSolution>(context)),
           units_(context.solution.mechanism.units) {
-        // Across lies the longer axis of an ellipse, or the width of a line.
+        // The longer axis of an ellipse, or the width of a line contact, is horizontal.
         half_ = std::max(found_.a, found_.b);
         const double plan = found_.a > 0 ? 2 * found_.b : 0.8 * half_;
         const double high = 0.34 * room.y;
@@ -211,7 +211,7 @@ private:
         }
         const BodyColour& colour = theme_.body(BodyIndex(1));
         figure.marks.emplace_back(tinted(filled(arch, colour.tint)));
-        // What presses: arrows from the arch down to the face.
+        // The pressure: arrows from the curve down to the contact area.
         for (int i = -3; i <= 3; ++i) {
             if (i == 0) continue;
             const double x = 0.27 * i * half, y = high * std::sqrt(1 - 0.27 * 0.27 * i * i);
@@ -245,7 +245,7 @@ private:
                                  .clearance = 1.4});
     }
 
-    /// The face of contact; of a line a piece of its length, torn off at both ends.
+    /// The contact area; for a line contact a piece of it with break lines at both ends.
     void draw_plan(Figure& figure, double half) {
         const Spot middle{0, 9 + strip_};
         const BodyColour& colour = theme_.body(BodyIndex(1));

@@ -89,11 +89,11 @@ private:
             include(found_.bodies.at(i).centre, 0);
             if (found_.bodies.at(i).pivot) include(*found_.bodies.at(i).pivot, 0);
         }
-        constexpr double something = 0.05;  // m, of particles alone
+        constexpr double something = 0.05;  // m; for particles without other extent
         if (extent_.width() == 0 && extent_.height() == 0)
             extent_ = {extent_.min - Spot{something, something}, extent_.max + Spot{something, something}};
     }
-    /// The file's circle, or of a body hit in line with its centre that through the point of impact.
+    /// The circle in the file. For a central impact, the circle through the point of impact.
     std::optional<std::pair<Vector, double>> circle_of(std::size_t i) const {
         const ImpactSolution::Body& of = found_.bodies.at(i);
         if (const auto& circle = body(i).circle)
@@ -257,7 +257,7 @@ private:
     Spot origin_, normal_;
 };
 
-/// Vectors from one pole, to scale, with the axes of the impact.
+/// Vectors from one pole to scale, with the axes of the impact.
 class VelocityPlane {
 public:
     VelocityPlane(const DrawingContext& context, const char* id, Words caption, Spot room)
@@ -291,7 +291,7 @@ public:
         figure.scale = scale_ / si;
         figure.unit = unit_.symbol;
         draw_axes(figure, {(si / scale_) * extent.min, (si / scale_) * extent.max});
-        // Vectors on one line would cover each other: they are drawn side by side.
+        // Collinear vectors would overlap; they are drawn side by side.
         const bool side_by_side = are_collinear();
         Spot tail;
         if (!side_by_side)
@@ -311,7 +311,7 @@ private:
         return std::all_of(arrows.begin(), arrows.end(),
                            [&](const Arrow& each) { return cross(each.tip, found_.normal).is_zero(); });
     }
-    /// Across the drawing, whatever it spans.
+    /// Across the whole drawing.
     void draw_axes(Figure& figure, const Box& box) {
         const auto axis = [&](const Vector& direction, const char* name, const std::vector<double>& kind) {
             const Spot d = unit(spot_of(direction, 1));
@@ -363,7 +363,7 @@ private:
     double scale_ = 1;
 };
 
-/// A straight line α + β x + γ y = 0 within a box, as its two ends; none where it misses it.
+/// The ends of the straight line α + β x + γ y = 0 within a box; empty if it misses the box.
 std::vector<Spot> clipped(double alpha, double beta, double gamma, const Box& box) {
     std::vector<Spot> ends;
     const auto add = [&](Spot s) {
@@ -456,7 +456,7 @@ Figure impact_routh_figure(const DrawingContext& context, double room_x, double 
         if (values.size() > 1) plot.curves.push_back({one_piece(in(name, context.language)), id, std::move(values)});
     };
     plot.curves.push_back(path);
-    // u_n = 0, u_t = 0 in impulses along unit vectors.
+    // u_n = 0 and u_t = 0, in terms of impulses along unit vectors.
     add({"compression", "compressione"}, "compression", clipped(found.approach.to_double() * size, a, b, box));
     add({"sticking", "adesione"}, "sticking", clipped(found.slip.to_double() * size, b, c, box));
     const double reach = std::min(most, f > 0 ? high / f : most);

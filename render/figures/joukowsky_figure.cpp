@@ -1,9 +1,9 @@
-// Joukowsky's lever: the velocities of the points of application turned a quarter turn, the forces at their tips, the
-// arms from the pole. Owns what they show; takes forces, velocities and powers from the Solution, computes no statics.
+// Joukowsky's lever: the velocities of the points of application turned by a quarter turn, the forces at their tips,
+// the arms from the pole. Forces, velocities and powers come from the Solution.
 //
-// Method: z∧v is counter-clockwise of v, so the moment of F at the tip of z∧v about the pole is −F·v; the powers of all
-// that acts from outside on a mechanism with ideal pairs add up to nothing, hence so do the moments (N. E. Joukowsky,
-// the lever).
+// Method: z∧v is v turned counter-clockwise, so that the moment of F at the tip of z∧v about the pole is −F·v. The
+// powers of all external forces on a mechanism with ideal pairs have the sum zero, and therefore the moments, too (N.
+// E. Joukowsky, the lever).
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -19,10 +19,10 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double longest_force = 25;   // mm
-constexpr double least_velocity = 12;  // of the longest velocity, mm
-constexpr double label_rim = 3;        // what labels may add beyond the strokes on each side, as a first guess
-constexpr double past_the_foot = 5;    // of a line of action past the arm's foot
-constexpr double least_arm = 0.2;      // mm: shorter ones are the pole itself
+constexpr double least_velocity = 12;  // mm; of the longest velocity
+constexpr double label_rim = 3;        // initial estimate of the space for labels beyond the strokes, on each side
+constexpr double past_the_foot = 5;    // of a line of action beyond the foot of the arm
+constexpr double least_arm = 0.2;      // mm; a shorter arm coincides with the pole
 constexpr double corner_size = 1.7;    // of the mark of a right angle
 
 const VirtualWork& work_of(const Solution& solution) {
@@ -30,13 +30,13 @@ const VirtualWork& work_of(const Solution& solution) {
     return *solution.virtual_work;
 }
 
-/// A force at the tip of its turned velocity; y downwards, in the file's units.
+/// A force at the tip of its turned velocity; y downwards, in the units of the file.
 struct Placed {
     const VirtualWork::Entry* entry;
     Spot turned_velocity, force;
     double value;
-    StatementIndex statement;  // after which the force is known; none: it is given
-    StatementIndex motion;     // that draws the velocity of the point it acts at
+    StatementIndex statement;  // from which the force is known; none: it is given
+    StatementIndex motion;     // that draws the velocity of its point of application
 };
 
 using Form = Holds::Form;
@@ -99,7 +99,7 @@ private:
         Spot tail, tip;
     };
 
-    /// The body's point that a force acts at; none: it has none.
+    /// The named point of application of a force; none if it has no name.
     PointIndex point_of(const VirtualWork::Entry& entry) const {
         for (const PointIndex p : context_.solution.mechanism.bodies[at_index(entry.body)].points)
             if ((context_.solution.pose.at(p) - entry.at).is_zero()) return p;
@@ -116,7 +116,7 @@ private:
     }
     static Spot tip_of(const Placed& each, double scale) { return (1 / scale) * each.turned_velocity; }
 
-    /// Each from its point on, or up to it, or past those that stand there: its line of action is the same.
+    /// Each arrow begins or ends at its point, or is moved along its line past others there.
     std::vector<Arrow> arrows_at(double scale) const {
         std::vector<Arrow> arrows;
         for (const Placed& each : placed_) {
@@ -124,7 +124,7 @@ private:
             Arrow best{at, at + whole};
             double least = 1e300;
             for (int k = 0; k < 6; ++k) {
-                // 0: pulls; 1: pushes; then further and further off.
+                // 0: pulls; 1: pushes; then at increasing distances.
                 const int steps_off = k / 2;
                 const double gap = 2.5 * steps_off;
                 const Spot along = unit(whole);
@@ -139,7 +139,7 @@ private:
         }
         return arrows;
     }
-    /// The share of an arrow that lies nearly on another stroke.
+    /// The fraction of an arrow that nearly coincides with another stroke.
     static double shared(const Arrow& arrow, const Arrow& other) {
         constexpr int pieces = 16;
         const Spot way = other.tip - other.tail;
@@ -161,7 +161,7 @@ private:
         for (std::size_t i = 0; i < placed_.size(); ++i) {
             const Spot along = unit(placed_[i].force), tail = arrows[i].tail, tip = arrows[i].tip;
             const Spot foot = tail - dot(tail, along) * along;
-            // The line of action as far as the arm, and the place of the force on it.
+            // The line of action to the foot of the arm, and the point of the force on it.
             const Spot at = tip_of(placed_[i], figure.scale);
             const double from = dot(tail, along), to = dot(tip, along), place = dot(at, along);
             const double low = std::min({0.0, place, from}), high = std::max({0.0, place, to});
@@ -181,7 +181,7 @@ private:
             figure.marks.emplace_back(line({0, 0}, foot, arm));
             hang(figure.marks, figure.marks.size() - 1, {Form::segment, {held_pole(), held}});
             if (length(foot) < 1.6 * corner_size) continue;
-            // Into the corner away from the arrow, where there is one.
+            // In the corner away from the arrow, if possible.
             const Spot back = -corner_size * unit(foot),
                        aside = (0.5 * (from + to) > 0 ? -corner_size : corner_size) * along;
             figure.marks.emplace_back(polyline({foot + back, foot + back + aside, foot + aside}, corner));
@@ -246,13 +246,13 @@ private:
         }
     }
 
-    /// The image of the point that a force acts at, where it has a name; the pole first.
+    /// The images of the points of application with their names; the pole first.
     void label_tips(Figure& figure) const {
         struct Cluster {
             Spot at;
             RichText text;
             std::set<std::string> names;
-            std::string place;  // held
+            std::string place;  // binding
         };
         const Symbol pole{Symbol::Letter::pole, "v", ""};
         std::vector<Cluster> clusters{{{0, 0}, typeset(pole, context_.language), {name_of(pole)}, held_pole()}};
@@ -283,7 +283,7 @@ private:
         }
     }
 
-    /// Both scales as bars, one beside the other under the figure.
+    /// Both scale bars side by side below the figure.
     void draw_bars(Figure& figure) const {
         const Language language = context_.language;
         std::vector<Mark> bars, second;
@@ -302,7 +302,7 @@ private:
     const Unit &velocity_, &force_;
     std::vector<Placed> placed_;
     double force_scale_ = 1;
-    Spot min_, max_;  // of the turned velocities, the pole at the origin
+    Spot min_, max_;  // of the turned velocities, relative to the pole
 };
 
 }  // namespace

@@ -1,5 +1,4 @@
-// The loops on the mechanism: each side a vector, head to tail, with its letter, and the angle that names its
-// direction.
+// The loops on the mechanism: each side as a vector, head to tail, with its letter and its angle.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -20,7 +19,7 @@ namespace {
 
 using Side = Equations::Side;
 
-/// Each vector once, whichever loops pass it.
+/// Each vector once, even if several loops share it.
 std::vector<Side> sides_of(const Equations& equations) {
     std::vector<Side> all;
     const auto add = [&](const std::vector<Side>& sides) {
@@ -52,7 +51,7 @@ RichText text_of(const Equations& equations, const Equations::Angle& angle) {
     return text;
 }
 
-/// An arc from +x, drawn as a thin ray, to the side; on paper counter-clockwise is the negative turn.
+/// An arc from a thin ray along +x to the side. On paper counter-clockwise is the negative sense.
 void draw_angle(Sketch& sketch, const Equations& equations, const Side& side, Spot tail, double longest, Colour colour,
                 double shrink) {
     const double angle = value_of(equations, side.angle);
@@ -83,7 +82,7 @@ void draw_side(Sketch& sketch, const Equations& equations, const Side& side, std
     if (side.angle.letters.empty() || length(tip - tail) < 4 ||
         !angles.insert(plain(text_of(equations, side.angle))).second)
         return;
-    // Angles at one place stand one outside the other.
+    // Angles at the same point have different radii.
     const auto before = std::count_if(tails.begin(), tails.end(), [&](Spot each) { return coincide(each, tail); });
     tails.push_back(tail);
     draw_angle(sketch, equations, side, tail, length(tip - tail), colour.letter,

@@ -1,5 +1,5 @@
-// The mechanism to scale, and the velocities on it: which layers, at which scale, within which room. Takes every place
-// from the Solution and computes no mechanics.
+// The mechanism to scale, and the velocities on it. Owns the layers, the scale and the use of the room; all positions
+// come from the Solution.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -20,21 +20,21 @@ using namespace drawing;
 
 namespace {
 
-/// Arrows of motion besides the rates of the drivers.
+/// Arrows of motion in addition to the rates of the drivers.
 struct Arrows {
     std::vector<Symbol::Letter> found{};    ///< ω or α of the bodies
-    bool accelerations_of_drivers = false;  ///< that the file gives
+    bool accelerations_of_drivers = false;  ///< given in the file
 };
 
-/// What a mechanism's figure shows besides the mechanism.
+/// Optional content of a mechanism figure.
 struct Shows {
     bool centres = false;
     Arrows arrows{};
     const std::vector<Way>* ways = nullptr;
-    Box without_ways{};  ///< what the mechanism alone spans, m; with ways
+    Box without_ways{};  ///< extent of the mechanism alone, m; only with ways
 };
 
-/// On paper, at a scale of m for each mm.
+/// On paper, at a scale in m per mm.
 std::vector<Spot> spots_of(const Way& way, double scale) {
     std::vector<Spot> spots;
     for (const auto& place : way.places) spots.push_back({place.x / scale, -place.y / scale});
@@ -60,14 +60,14 @@ std::vector<std::vector<Spot>> pieces_within(const Box& box, const std::vector<S
     return pieces;
 }
 
-/// How far round the mechanism a centrode is followed: not far where it goes on to infinity.
+/// The area in which a centrode is drawn; smaller if it extends to infinity.
 Box room_of(const Way& way, const Box& mechanism) {
     const double share = way.comes_from_infinity || way.goes_to_infinity ? 0.45 : 1.5;
     return grown(mechanism, share * std::max(mechanism.width(), mechanism.height()));
 }
 
-/// The fixed centrode full, the moving one broken; an arrow where it goes on towards infinity. The pole is a dot with
-/// its name. `ends`: where an arrow stands already, for a way that is gone forth and back.
+/// The fixed centrode is solid, the moving one dashed, with an arrow where it goes to infinity. The pole is a dot with
+/// its name. `ends`: positions of the arrows drawn so far, because a path may be traversed in both directions.
 void draw_centrode(Sketch& sketch, const Way& way, const Box& mechanism, std::vector<Spot>& ends) {
     const Theme& theme = sketch.theme;
     if (way.kind == Way::Kind::pole) {
@@ -100,7 +100,7 @@ void draw_centrode(Sketch& sketch, const Way& way, const Box& mechanism, std::ve
     sketch.construction.emplace_back(GroupEnd{});
 }
 
-/// Each centrode is named once, at its longest piece; whose it is, where there are those of several pairs.
+/// Each centrode is named once, at its longest piece; with its pair if there are several.
 void name_centrodes(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanism) {
     std::map<std::pair<std::string, Way::Kind>, std::vector<Spot>> longest;
     std::set<std::string> pairs;
@@ -122,8 +122,7 @@ void name_centrodes(Sketch& sketch, const std::vector<Way>& ways, const Box& mec
     }
 }
 
-/// Other positions thin behind the mechanism, paths of points a little stronger.
-/// `mechanism`: what it spans, mm.
+/// Other positions are thin, paths of points slightly stronger. `mechanism`: its extent, mm.
 void draw_ways(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanism) {
     std::vector<Spot> ends;
     for (const Way& way : ways) {
@@ -147,7 +146,7 @@ void draw_ways(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanis
     }
 }
 
-/// What the ways themselves ask to be called.
+/// The labels of the ways.
 void name_ways(Sketch& sketch, const std::vector<Way>& ways) {
     for (const Way& way : ways) {
         if (way.label.empty()) continue;
@@ -157,7 +156,7 @@ void name_ways(Sketch& sketch, const std::vector<Way>& ways) {
     }
 }
 
-/// The mechanism with the centres that are near enough to be shown, m.
+/// The extent of the mechanism with the centres that are near enough to be shown, m.
 Box extent_with_centres(const Subject& subject) {
     Box extent = subject.box;
     const Box near = grown(subject.box, 0.6 * subject.size());
@@ -168,7 +167,7 @@ Box extent_with_centres(const Subject& subject) {
     return extent;
 }
 
-/// One figure of the mechanism and all that it shows, tried at several scales.
+/// A figure of the mechanism with optional content; draws it at several scales.
 struct MechanismFigure {
     const DrawingContext& context;
     Spot room;
@@ -177,7 +176,7 @@ struct MechanismFigure {
     std::optional<double> asked = asked_scale(subject.mechanism, "mechanism");
 
     Figure fitted(double coarsest) const {
-        // Symbols and names need a rim; the first guess leaves the least that they take.
+        // The first scale leaves a minimum of space for symbols and names.
         const Box extent = shows.centres ? extent_with_centres(subject) : subject.box;
         const double first = choose_scale(extent.width(), extent.height(), std::max(room.x - 10, 10.0),
                                           std::max(room.y - 18, 10.0), asked);
@@ -192,23 +191,24 @@ struct MechanismFigure {
         };
         Figure figure = fitted_with(shows.arrows);
         if (!shows.arrows.accelerations_of_drivers || accelerations_given() == 0) return figure;
-        // What is given stands there, but the mechanism comes no smaller for it; where names go to a key all is small.
+        // Given accelerations are shown only if the mechanism does not become smaller. With a key for names it is small
+        // anyway.
         if (figure.has_key) return figure;
         Figure without = fitted_with({shows.arrows.found, false});
         return without.scale < figure.scale ? without : figure;
     }
 
-    /// The same with ω and α, or ω alone, where that costs it neither its scale nor a name or a dimension its place;
-    /// else empty and at any_scale.
+    /// The same with ω and α, or with ω alone. Empty and at any_scale if the scale, a name or a dimension would be
+    /// lost.
     Figure with_more_arrows(const Figure& plain) const {
         using enum Symbol::Letter;
         struct Choice {
             std::vector<Symbol::Letter> found;
-            double most_pulled;  // of them, by a leader: they are looked for then rather than seen
+            double most_pulled;  // greatest fraction of them with a leader, which are hard to find
         };
         const std::vector<Choice> choices{{{omega, alpha}, 0.5}, {{omega}, 0.7}};
-        constexpr std::size_t most = 6;        // more crowd any figure
-        constexpr double room_of_each = 1200;  // mm²: in less none found a place
+        constexpr std::size_t most = 6;        // with more, any figure is crowded
+        constexpr double room_of_each = 1200;  // mm²; in less space no label found a position
         const Trial trial{.scale = plain.scale, .strict = true};
         for (const auto& [found, most_pulled] : choices) {
             const Arrows arrows{found, true};
@@ -227,7 +227,7 @@ struct MechanismFigure {
     }
 
 private:
-    /// Dimensions that are not asked for cost the mechanism no step of its scale and no name its place: they come last.
+    /// Automatic dimensions are added last, so that they change neither the scale nor the position of a name.
     Figure drawn(const Trial& trial, const Arrows& arrows) const {
         Sketch sketch(subject, context, trial.scale, "");
         const Box alone{(1 / trial.scale) * shows.without_ways.min, (1 / trial.scale) * shows.without_ways.max};
@@ -257,7 +257,7 @@ private:
         return figure;
     }
 
-    /// ", without P_24, P_25": the list of centres has them all, so of many the first will do.
+    /// ", without P_24, P_25". If there are many, only the first are named, since the list of centres is complete.
     RichText without(const std::vector<RichText>& centres) const {
         constexpr std::size_t most = 6;
         RichText text = one_piece(word("without centres", context.language) + " ");
@@ -289,7 +289,7 @@ private:
         const std::vector<Driver>& drivers = subject.mechanism.drivers;
         return static_cast<std::size_t>(std::count_if(drivers.begin(), drivers.end(), is_given));
     }
-    /// With the rates of the drivers, which take their room, too.
+    /// With the rates of the drivers, which also need space.
     std::size_t count_of(const Arrows& arrows) const {
         std::size_t count = arrows.accelerations_of_drivers ? accelerations_given() : 0;
         for (const BodyMotion& motion : context.solution.bodies)
@@ -299,21 +299,20 @@ private:
             }
         return count;
     }
-    /// … and all its names are set.
+    /// … and all its names are placed.
     bool has_room(const Figure& figure) const {
         return figure.labels.empty() && figure.box.width() <= room.x && figure.box.height() <= room.y;
     }
 };
 
-// --- velocities, accelerations on the mechanism
-// ------------------------------------------------------------------------------
+// --- velocities and accelerations on the mechanism
 
-/// What stands on the repetition of the mechanism: of its points and of its bodies.
+/// The quantities on this mechanism figure: vectors of points and rates of bodies.
 struct OnMechanism {
     const char* name;  // of the figure
     const char* caption;
     Symbol::Letter of_points, of_bodies;
-    Quantity::Kind kind;  // of the points' vectors
+    Quantity::Kind kind;  // of the vectors of points
     const char* si;
     Recorded<Vector> PointMotion::*vector;
     Unit Units::*unit;
@@ -337,7 +336,7 @@ struct ShownVector {
     Spot value;
 };
 
-/// The polygon's colour for the same vector, where it is drawn there; else that of the first body that moves.
+/// The body whose colour the vector has in the polygon; if it is not drawn there, the first moving body of the point.
 BodyIndex body_of(const Solution& solution, const PointMotion& motion, const Symbol& symbol) {
     for (const DrawnVector& drawn : solution.protocol.vectors)
         if (drawn.role == DrawnVector::Role::absolute && drawn.symbol.letter == symbol.letter &&
@@ -363,7 +362,7 @@ struct Ray {
     Bar bar;
     StatementIndex statement;
 };
-/// From a point towards a centre: as far as the view shows, with the centre where that is within.
+/// From a point towards a centre, within the view.
 Ray draw_ray(Sketch& sketch, const InstantCentre& centre, Spot at, Spot pole, const Box& view) {
     const Interval seen = within(view, at, unit(pole - at));
     const double whole = length(pole - at);
@@ -371,7 +370,7 @@ Ray draw_ray(Sketch& sketch, const InstantCentre& centre, Spot at, Spot pole, co
     return {{at, at + std::clamp(whole, 0.0, std::max(seen.to, 8.0)) * unit(pole - at)}, centre.statement};
 }
 
-/// Rays from a point to the absolute centres of the bodies that carry it, square to its velocity.
+/// Rays from a point to the absolute centres of its bodies, perpendicular to its velocity.
 void draw_rays(Sketch& sketch, const PointMotion& motion, Spot tip, const Box& view, std::vector<Ray>& rays) {
     const Spot at = sketch.spot(motion.point);
     bool squared_off = false;
@@ -382,7 +381,7 @@ void draw_rays(Sketch& sketch, const PointMotion& motion, Spot tip, const Box& v
         const double whole = length(pole - at);
         if (!std::isfinite(whole) || whole < 0.1) continue;
         rays.push_back(draw_ray(sketch, centre, at, pole, view));
-        // The right angle between ray and velocity, once at each point.
+        // The right angle between ray and velocity, once for each point.
         constexpr double corner = 1.8;
         if (squared_off || length(tip - at) <= 3 * corner) continue;
         const Spot r = corner * unit(pole - at), v = corner * unit(tip - at);
@@ -411,7 +410,7 @@ void draw_shown_vector(Sketch& sketch, const OnMechanism& what, const ShownVecto
     label.toward = arrow.to;
 }
 
-/// The mechanism again, in grey. `rays`: to the centres that the vectors are square to.
+/// The mechanism in grey. `with_rays`: with rays to the centres, which the vectors are perpendicular to.
 Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what, Spot room, bool with_rays) {
     const Solution& solution = context.solution;
     const Subject subject(solution);

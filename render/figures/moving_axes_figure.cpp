@@ -1,5 +1,5 @@
-// A relative motion taken apart: the moving axes on the mechanism in grey, and at the point what their observer sees of
-// it, with its components along them; Coriolis' term, which is v_rel turned with ω.
+// The parts of a relative motion: the moving axes on the mechanism in grey; at the point the relative velocity with its
+// components along them; and Coriolis' term, which has the direction of v_rel turned with ω.
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +26,7 @@ RichText letter(const char* text, const char* superscript, const std::string& su
     return {piece};
 }
 
-/// O′x′y′, the arrows as long as there is room.
+/// The axes O′x′y′, as long as there is space.
 void draw_axes(Sketch& sketch, const Apart& apart, BodyIndex observer, Spot along) {
     const Spot at = sketch.spot(apart.origin), across{along.y, -along.x};  // y downwards: counter-clockwise on paper
     const double reach = std::clamp(0.3 * sketch.size(), 12.0, 26.0);
@@ -41,7 +41,7 @@ void draw_axes(Sketch& sketch, const Apart& apart, BodyIndex observer, Spot alon
     axis(across, "y′");
 }
 
-/// A vector at a place, with its two components broken.
+/// A vector at a point, with its two components dashed.
 void draw_letter_vector(Sketch& sketch, const RichText& text, const std::string& name, Spot at, Spot along, Spot across,
                         double value, Colour colour) {
     const Spot tip = at + along + across;
@@ -62,7 +62,7 @@ void draw_letter_vector(Sketch& sketch, const RichText& text, const std::string&
     label.toward = tip;
 }
 
-/// The sense of ω: from v_rel to Coriolis' term, over a quarter turn.
+/// The sense of ω: a quarter turn from v_rel to Coriolis' term.
 void draw_turning_sense(Sketch& sketch, const RelativeMotion& motion, Spot at, Spot v) {
     if (motion.apart->no_coriolis != Apart::NoCoriolis::there_is || length(v) < 5) return;
     const bool counter_clockwise = motion.apart->omega->sign() > 0;

@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A pair of the plane. P is the origin of either half.
+/// A pair in the plane. P is the origin of each half.
 class PlanePairFigure {
 public:
     PlanePairFigure(const DrawingContext& context, JointKind kind)
@@ -54,7 +54,7 @@ private:
         if (pair_.rolls()) {
             pen_.bar({-11, 0.9}, {11, 0.9}, second);
         } else if (pair_.meshes()) {
-            pen_.gear({6.5, 0}, 6.5, 15, 0, second);  // an odd number: a gap at the pitch point
+            pen_.gear({6.5, 0}, 6.5, 15, 0, second);  // an odd number, so that there is a gap at the pitch point
         } else if (pair_.touches()) {
             pen_.cap({0, 15}, 15, second);
         } else if (pair_.is_sleeve()) {
@@ -110,12 +110,12 @@ private:
     const PlanePair& pair_;
 };
 
-/// A place or a direction in space.
+/// A position or a direction in space.
 struct Space {
     double x = 0, y = 0, z = 0;
 };
 
-/// A lower pair in space, seen from above and aside; axis z.
+/// A lower pair in space, seen from above and from the side; axis z.
 class SpacePairFigure {
 public:
     SpacePairFigure(const DrawingContext& context, const SpacePair& pair)
@@ -144,7 +144,7 @@ private:
         return letter == 'x' ? Space{size, 0, 0} : letter == 'y' ? Space{0, size, 0} : Space{0, 0, size};
     }
 
-    /// Points of a circle about the axis, by the angle on paper: 0 right, π/2 in front.
+    /// Points of a circle about the axis. `angle` on paper: 0 right, π/2 in front.
     static Spot round(double radius, double z, double angle) {
         return Spot{radius * std::cos(angle), radius * std::sin(elevation) * std::sin(angle)} + seen({0, 0, z});
     }
@@ -161,7 +161,7 @@ private:
         pen_.panel(outline, body);
         pen_.panel(arc(radius, high, 0, 2 * pi), body);
     }
-    /// The three faces that are seen.
+    /// The three visible faces.
     void box(const Space& least, const Space& most, int body) {
         const auto corner = [&](bool x, bool y, bool z) {
             return seen({x ? most.x : least.x, y ? most.y : least.y, z ? most.z : least.z});
@@ -198,7 +198,7 @@ private:
             if (key_ == "helical") thread(5, 12);
         }
     }
-    /// The seen parts of a helix on the shaft.
+    /// The visible parts of a helix on the shaft.
     void thread(double low, double high) {
         constexpr double pitch = 1.75, radius = 3;
         for (double z = low; z + pitch <= high + 1e-9; z += pitch) {
@@ -213,7 +213,7 @@ private:
     }
     void draw_ball() {
         constexpr double outer = 8, ball = 6.6;
-        std::vector<Spot> cup;  // its silhouette below the rim, then the rim behind
+        std::vector<Spot> cup;  // its outline below the rim, then the rear part of the rim
         constexpr int pieces = 48;
         for (int i = 0; i <= pieces; ++i) cup.push_back(outer * polar_spot(pi * i / pieces));
         pen_.panel(cup, second);
@@ -256,8 +256,8 @@ private:
         const Spot middle = seen(from), reach = 6.0 * unit(seen(axis(letter, 1)));
         pen_.both_ways(middle, reach, name);
     }
-    /// Most of a circle about an axis through a place, its end an arrowhead; counter-clockwise as seen from the axis's
-    /// tip.
+    /// Most of a circle about an axis through a point, with an arrowhead; counter-clockwise as seen from the tip of the
+    /// axis.
     void turn_about(char letter, const Space& at, double radius, const char* name) {
         std::vector<Spot> spots;
         constexpr int pieces = 40;
@@ -272,7 +272,7 @@ private:
         pen_.curved(spots, name);
     }
 
-    /// Along each axis what it carries: a force from the origin, a couple farther out.
+    /// The reactions on each axis: a force at the origin, a couple farther out.
     void draw_reactions() {
         std::istringstream words{std::string(pair_.reactions)};
         std::vector<std::string> carried;
@@ -285,7 +285,7 @@ private:
             const Spot along = unit(seen(axis(letter, 1)));
             pen_.axis({0, 0}, 17 * along);
             pen_.name(std::string("{") + letter + "}", 17 * along);
-            // Of a screw F_z and M_z hang together by its advance.
+            // In a screw F_z and M_z depend on each other by its lead.
             const bool tied = letter == 'z' && key_ == "helical";
             const std::string of = std::string("_") + letter;
             if (carries("F" + of) || tied) pen_.force({0, 0}, 8 * along, "{F" + of + "}", tied);
@@ -299,14 +299,14 @@ private:
     const SpacePair& pair_;
 };
 
-/// The ends of a link with so many pairs.
+/// The ends of a link with `pairs` pairs.
 std::vector<Spot> ends_of_link(int pairs) {
     if (pairs == 2) return {{-9, 5}, {9, -5}};
     if (pairs == 3) return {{-9, 7}, {10, 5}, {-2, -8}};
     return {{-9, 7}, {9, 8}, {10, -6}, {-7, -8}};
 }
 
-/// A place on paper for each of up to four bodies of a scheme.
+/// Position on paper for each of up to four bodies of a scheme.
 Spot corner_of_scheme(std::size_t body) {
     constexpr std::array<std::array<double, 2>, 4> corners{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}};
     return {corners.at(body)[0], corners.at(body)[1]};
@@ -384,7 +384,7 @@ Figure triple_hinge_figure(const DrawingContext& context, const BinaryScheme* sc
         for (const auto& hinge : scheme->hinges)
             id += "-" + std::to_string(hinge[0] + 1) + std::to_string(hinge[1] + 1);
     PairPen pen(context, id);
-    // The body that carries both binary pins has one at either side of the place where all three met.
+    // A body with both binary pins has one on each side of the original hinge.
     std::array<int, 3> hinges{};
     if (scheme)
         for (const auto& hinge : scheme->hinges)

@@ -157,7 +157,7 @@ void PairPen::turn(Spot centre, double radius, double from, double to, const std
 void PairPen::curved(std::vector<Spot> spots, const std::string& name) {
     spots = there(std::move(spots));
     const Spot tip = spots.back();
-    // The head takes the place of the last pieces.
+    // The head replaces the last pieces.
     constexpr double head = 2.8, wide = 1.0;
     std::vector<Spot> shaft = spots;
     while (shaft.size() > 2 && length(shaft.back() - tip) < head) shaft.pop_back();

@@ -15,7 +15,7 @@ namespace {
 
 using Kind = Quantity::Kind;
 
-/// Marks between which a reader can count: 1-2-5 × 10ⁿ, of degrees parts of a turn.
+/// Distance of ticks: 1, 2 or 5 × 10ⁿ; for degrees a fraction of a turn.
 double tick_step(double range, int most, bool degrees) {
     if (degrees)
         for (const double step : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0})
@@ -58,7 +58,7 @@ public:
                                  return is_constant(table, column);
                              });
         if (is_flat) {
-            // A constant lies in the middle; what is rounding is zero.
+            // A constant is drawn in the middle; rounding errors are shown as zero.
             double middle = y_.most < y_.least ? 0 : (y_.most + y_.least) / 2;
             if (std::abs(middle) <= in_y(rounding_of(table, columns.front()))) middle = 0;
             const double half = middle == 0 ? 1 : std::abs(middle) / 2;
@@ -67,7 +67,7 @@ public:
         y_step_ = tick_step(y_.width(), std::max(2, static_cast<int>(room.y / 9)), y_unit_.symbol == "°");
         const double lowest = y_.least;
         y_ = {std::floor(y_.least / y_step_ - 1e-9) * y_step_, std::ceil(y_.most / y_step_ + 1e-9) * y_step_};
-        // The least value stands below its mark, and not among the numbers of the axis.
+        // The label of the least value stands below its mark and needs space above the numbers of the axis.
         constexpr double letters = 4;
         if (!is_flat && lowest < 0 && lowest - y_.least < letters / std::max(room.y - 15, 12.0) * y_.width())
             y_.least -= y_step_;
@@ -118,7 +118,7 @@ private:
         for (double y = y_.least; y <= y_.most + y_step_ / 2; y += y_step_)
             widest = std::max(
                 widest, context_.fonts.shape(one_piece(tick(near_zero(y, y_step_), y_step_)), theme_.small).width);
-        // Above the frame names and unit, below it the numbers and what they are.
+        // Above the frame names and unit, below it the numbers and the quantity.
         constexpr double above = 6, below = 9, beside = 2.5, right = 4;
         frame_ = rectangle(widest + beside, above, room_.x - right, std::max(room_.y - below, above + 12));
     }
@@ -178,7 +178,7 @@ private:
         return coordinate;
     }
 
-    /// The drawn position as a thin line, dead and change points as broken ones.
+    /// The drawn position as a thin line, dead and change points as dashed ones.
     void draw_upright_lines() {
         const auto upright = [&](double coordinate, const char* cls, const Pen& pen) {
             const double x = in_x(coordinate);
@@ -193,7 +193,7 @@ private:
         else if (table_.parameter->drawn)
             upright(*table_.parameter->drawn, "drawn-position", thin);
         const Pen broken{theme_.outline, theme_.secondary, dashes(), false};
-        if (table_.travel.times) return;  // limits and change points are places, and these are times
+        if (table_.travel.times) return;  // limits and change points are positions, but this axis is time
         if (table_.travel.starts_at_limit) upright(table_.travel.from, "dead-point", broken);
         if (table_.travel.ends_at_limit) upright(table_.travel.to, "dead-point", broken);
         for (const double each : table_.travel.change_points) upright(each, "change-point", broken);
@@ -240,7 +240,7 @@ private:
                                   .clearance = 1.1});
     }
 
-    /// The greatest and the least value, and where the curve passes zero; not of a constant.
+    /// Marks the largest and the least value and the zeros of a curve that is not constant.
     void mark_extremes(std::size_t curve) {
         const std::size_t column = columns_[curve];
         if (table_.rows.size() < 3 || is_constant(table_, column)) return;
@@ -249,7 +249,7 @@ private:
             if (each.value != 0)
                 mark(curve, at(in_x(each.at), in_y(each.value)), number(in_y(each.value), 4, context_.language), false);
         const std::vector<double> zeros = zeros_of(table_, column);
-        // Beyond these, a reader counts.
+        // With more zeros labels would be too crowded.
         constexpr std::size_t most_zeros = 4;
         if (zeros.size() > most_zeros) return;
         for (const double zero : zeros) {
@@ -280,7 +280,7 @@ private:
     const PlotNotes& notes_;
     std::string id_;
     Spot room_;
-    std::size_t over_;  ///< column of the abscissas
+    std::size_t over_;  ///< column of the abscissa
     Unit x_unit_, y_unit_;
     Range x_, y_;
     double x_step_ = 1, y_step_ = 1;
@@ -347,7 +347,7 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
             return symbol(q.kind == Kind::couple ? "C" : "F", along(pair), Face::regular);
         }
         default: {
-            // As the solved sheet calls it: a couple "m" is M with the index m.
+            // Named as on the sheet: a couple "m" is M with the index m.
             const Effort& effort = mechanism.efforts[at_index(q.given)];
             const std::string name = std::visit([](const auto& each) { return each.name; }, effort);
             const bool is_couple = std::holds_alternative<CoupleEffort>(effort);

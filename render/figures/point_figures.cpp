@@ -24,7 +24,7 @@ Box box_of_places(const std::vector<Spot>& spots) {
 }
 double size_of(const Box& box) { return std::max(box.width(), box.height()); }
 
-/// What all figures of a point share.
+/// Common parts of all figures of a point.
 class PointPen {
 public:
     PointPen(const DrawingContext& context, Spot room)
@@ -63,7 +63,7 @@ protected:
         figure_.marks.emplace_back(GroupEnd{});
         name(text, tail + 0.8 * reach, colour.letter, tail + reach);
     }
-    /// Five places at equal times.
+    /// Five positions at equal intervals of time.
     static std::vector<std::size_t> ticks(std::size_t count) {
         std::vector<std::size_t> found;
         constexpr std::size_t parts = 6;
@@ -108,7 +108,7 @@ public:
     }
 
 private:
-    /// The trajectory; the origin and the circle of curvature where they do not make it too small.
+    /// The extent of the trajectory, with origin and circle of curvature unless these would make it too small.
     void measure() {
         std::vector<Spot> spots{spot_of(found_.place, 1)};
         for (const auto& each : found_.course) spots.push_back(spot_of(each.place, 1));
@@ -309,7 +309,7 @@ private:
         figure_.marks.emplace_back(
             polyline({corner + side * along, corner + side * (along + across), corner + side * across}, thin()));
     }
-    /// The longest v at which all of it fits.
+    /// The greatest length of v for which the figure fits.
     void choose() {
         const Units& units = context_.solution.mechanism.units;
         const double speed_si = units.velocity.si.to_double(), acceleration_si = units.acceleration.si.to_double();
@@ -326,7 +326,7 @@ private:
     double speed_scale_ = 1, acceleration_scale_ = 1;
 };
 
-/// One quantity of the course over time, with its value at the instant.
+/// One quantity over time, with its value at the instant.
 struct Curve {
     std::string symbol;
     double PointMotionSolution::At::*value = nullptr;

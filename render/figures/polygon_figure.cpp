@@ -1,6 +1,6 @@
-// Polygon figures: the scene of a polygon of motion to scale: pole, vectors, images of points, construction lines with
-// their direction. Owns how far they run and what is said beside them; knows no protocol, no sheet. The tip of every
-// arrow lies exactly on its vertex.
+// Polygon figures: a polygon of motion to scale with pole, vectors, images of points, and construction lines with their
+// directions. Owns the lengths of lines and their labels; depends on no protocol and no sheet. The tip of each arrow
+// lies exactly on its vertex.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,21 +15,21 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double past_the_meet = 12;  // of a construction line past the meet: it was found, not given
-constexpr double short_of_pole = 3;   // … and before its support
-constexpr double seen_apart = 1.5;    // where it ends, from the other line of the meet, …
+constexpr double past_the_meet = 12;  // of a construction line beyond the intersection that it found
+constexpr double short_of_pole = 3;   // … and before its starting point
+constexpr double seen_apart = 1.5;    // distance of its end from the other line of the intersection
 constexpr double most_overshoot = 25;
 constexpr double trial_overshoot = 4;
-constexpr double least_image = 12;      // mm²: of a link's image, or it is no figure to be seen
-constexpr double least_image_line = 4;  // mm: of that of a link whose points lie on one line
-constexpr double letters_beyond = 2.8;  // what letters take at least beyond the strokes, on each side
+constexpr double least_image = 12;      // mm²; least area of the image of a link
+constexpr double least_image_line = 4;  // mm; least length of the image of a link whose points are collinear
+constexpr double letters_beyond = 2.8;  // least space for letters beyond the strokes, on each side
 
-/// What stands in the corners of a polygon: the scale's bar, and why the Coriolis term has its direction.
+/// The corners of a polygon figure: the scale bar, and a sketch of the direction of the Coriolis term.
 class CornersOfPolygon {
 public:
     CornersOfPolygon(const DrawingContext& context, const PolygonScene& scene) : context_(context), scene_(scene) {}
 
-    /// The bar stands in a corner that nothing crosses, else under the figure.
+    /// The bar stands in a corner that nothing crosses, otherwise below the figure.
     void draw_bar(Figure& figure) const {
         if (scene_.empty()) return;
         std::vector<Mark> bar;
@@ -51,7 +51,7 @@ public:
         figure.marks.insert(figure.marks.end(), bar.begin(), bar.end());
     }
 
-    /// Why the Coriolis term has its direction, where a corner is free: v_rel, and v_rel turned a quarter with ω.
+    /// In a free corner: v_rel, and v_rel turned by a quarter turn with ω, which is the direction of the Coriolis term.
     void draw_coriolis(Figure& figure, const SceneCoriolis& shown) const {
         constexpr double arm = 11, turn = 5.5, reach = 7;  // mm; `reach`: of the letters
         const Spot along{shown.along.x, -shown.along.y};
@@ -127,7 +127,7 @@ class PolygonDrawing {
 public:
     PolygonDrawing(const DrawingContext& context, const PolygonScene& scene)
         : context_(context), scene_(scene), numbers_(scene) {}
-    /// One without letters, for what its strokes take.
+    /// A drawing without letters, to measure the size of its strokes.
     static PolygonDrawing of_strokes(const DrawingContext& context, const PolygonScene& scene) {
         PolygonDrawing drawing(context, scene);
         drawing.has_names_ = false;
@@ -146,7 +146,7 @@ public:
         return result;
     }
 
-    /// Strokes and label requests at a scale, the group still open.
+    /// Strokes and label requests at a scale, with an open group.
     Figure at(double scale) const {
         const Figure empty = empty_at(scale);
         return with_parts(empty, parts_of(empty), {});
@@ -201,8 +201,8 @@ private:
         return text;
     }
 
-    /// Similar to the body, turned and to another scale: a tint, and an edge where no vector is. Of points on one line
-    /// the image is a line, on which they divide it as they divide the body.
+    /// The image is similar to the body: a tint, with an edge where there is no vector. If the points are collinear,
+    /// the image is a line that they divide in the same ratio.
     void draw_images_of_bodies(Figure& figure) const {
         for (const SceneFace& face : scene_.faces) {
             std::vector<Spot> corners;
@@ -227,7 +227,7 @@ private:
             area += 0.5 * std::abs(cross(corners[i - 1] - corners[0], corners[i] - corners[0]));
         return area;
     }
-    /// The outermost two of three corners or more that lie apart on one line; nothing of others.
+    /// For three or more distinct collinear corners the outermost two; otherwise empty.
     static std::optional<std::vector<Spot>> line_of(const std::vector<Spot>& corners) {
         Spot from, to;
         for (std::size_t i = 0; i < corners.size(); ++i)
@@ -290,7 +290,7 @@ private:
         }
         run_on_until_apart(parts, first, rays);
     }
-    /// Lines that meet at a small angle run on until they are seen to part.
+    /// Lines that meet at a small angle are extended until they are visibly apart.
     static void run_on_until_apart(PolygonParts& parts, std::size_t first, const std::vector<Ray>& rays) {
         for (std::size_t i = 0; i < rays.size(); ++i)
             for (const Ray& other : rays) {
@@ -301,8 +301,8 @@ private:
             }
     }
 
-    /// A line that is drawn ⟂ to a known vector through its tip, as a^t to a^n, or through its tail, as a^rel to a
-    /// Coriolis term that is set off last.
+    /// Adds a right angle if a line is ⟂ to a known vector through its tip, such as a^t to a^n, or through its tail,
+    /// such as a^rel to a Coriolis term that is drawn last.
     static void add_corner(PolygonParts& parts, StatementIndex statement, Spot support, Spot along, double reach) {
         for (const PolygonVector& vector : parts.vectors) {
             if (!vector.has_right_angles) continue;
@@ -315,7 +315,7 @@ private:
         }
     }
 
-    /// What was assumed and drawn on the way: thin, broken and grey; its vertices carry the number of the trial.
+    /// Trial assumptions of the construction are thin, dashed and grey; their vertices have the number of the trial.
     void add_trials(PolygonParts& parts, const Figure& figure) const {
         for (const SceneTrial& each : scene_.trials) {
             const Spot start = spot(figure, each.from), end = spot(figure, each.to);
@@ -331,7 +331,7 @@ private:
         drawn.statement = statement;
         return drawn;
     }
-    /// The line that a trial misses, broken like all of it, and by how much, full.
+    /// The line that a trial misses, dashed, and the distance, solid.
     void add_miss(PolygonParts& parts, const Figure& figure, const SceneMiss& miss) const {
         const Spot through = spot(figure, miss.through), foot = spot(figure, miss.foot), tip = spot(figure, miss.tip);
         if (length(tip - foot) < coincident) return;
@@ -386,22 +386,22 @@ private:
     bool has_names_ = true;
 };
 
-// Where a room is too small for lettering at all, the smallest figure that still shows something is handed out: no
-// smaller than this, and no more than so many steps below the scale at which its strokes have room, for letters do not
-// shrink.
+// If a room is too small for labels, the last trial is the smallest figure that still shows something: at least this
+// size (mm), and at most `most_steps` steps coarser than the scale at which the strokes have room, because letters do
+// not shrink.
 constexpr double least_polygon = 12;
 constexpr int most_steps = 2;
-// Names that would take more of the room than this hardly ever find places: not worth trying where another room may do.
+// If names need more than this fraction of the room, they hardly ever find positions: the room is refused if that is
+// allowed.
 constexpr double crowded = 0.25;
-// … and if they would take even more they are not tried at several scales: the smallest is taken, whatever places they
-// find.
+// … and above this fraction only the smallest figure is drawn, with any positions of the names.
 constexpr double hopeless = 0.4;
-// So many names leave no room beside the polygon, whatever the room.
+// With more names there is no space for details.
 constexpr std::size_t most_names_with_details = 48;
-// A polygon smaller than this is worth more than details beside it.
+// mm; a polygon is not made smaller than this for the sake of details.
 constexpr double least_with_details = 60;
 
-/// The drawing in a room, lettered, with details where they have places.
+/// Fits the drawing into a room, with labels, and with details if they have positions.
 class Fitting {
 public:
     Fitting(const PolygonDrawing& drawing, const DrawingContext& context, Spot room, double coarsest)
@@ -414,7 +414,7 @@ public:
             return figure;
         }
         const std::optional<double> asked = drawing_.asked();
-        // Where not even the strokes have room nothing needs drawing.
+        // Not even the strokes have room at an acceptable scale.
         if (!asked && first_scale() > coarsest_) return Figure::empty_at(any_scale);
         const FitPolicy policy{.room = room_,
                                .first = first_scale(),
@@ -434,7 +434,7 @@ public:
     }
 
 private:
-    /// What is drawn at a scale before it is lettered; the group is open still.
+    /// The drawing at a scale before labels are placed, with an open group.
     struct Strokes {
         Figure empty;
         PolygonParts parts;
@@ -450,7 +450,7 @@ private:
         made.details = details_of(made.strokes.parts, scale, 1, made.letters);
         return made;
     }
-    /// Several questions are put to one scale: how much room its strokes and its names take, and it is lettered.
+    /// Cached, because the size of strokes, the size of names and the labelling all use it.
     const Strokes& strokes(double scale) const {
         const auto [found, fresh] = strokes_.try_emplace(scale);
         Strokes& made = found->second;
@@ -466,7 +466,7 @@ private:
         return choose_scale(drawing_.width(), drawing_.height(), room_.x, room_.y, std::nullopt);
     }
     double extent() const { return std::max(drawing_.width(), drawing_.height()); }
-    /// So many steps below the scale at which the strokes have room, mm.
+    /// The size at `most_steps` steps beyond the scale at which the strokes have room, mm.
     double smallest_worth_lettering() const {
         double scale = first_scale();
         while (extent() / scale > least_polygon && !fits(strokes_at(scale), letters_beyond)) scale = next_scale(scale);
@@ -474,23 +474,23 @@ private:
         constexpr double a_little_less = 0.999;
         return a_little_less * extent() / scale;
     }
-    /// `reach`: what is added on each side.
+    /// `reach`: added on each side.
     bool fits(const Figure& figure, double reach = 0) const {
         return figure.box.width() + 2 * reach <= room_.x && figure.box.height() + 2 * reach <= room_.y;
     }
-    /// Whether the labels have places; the group is closed then.
+    /// Places the labels and closes the group. False if they have no positions.
     bool finish(Figure& figure, bool whatever_it_takes) const {
         const Labelling labelling = whatever_it_takes ? Labelling::free : Labelling::if_it_fits;
         if (!place_labels(figure, context_.fonts, room_, labelling, context_.theme.secondary)) return false;
         figure.marks.emplace_back(GroupEnd{});
         return true;
     }
-    /// With its details; nothing where it wants none, or they have no room or leave the letters none.
+    /// With details. Empty if it needs none, or if they or the labels have no positions.
     std::optional<Figure> detailed(const Attempt& made) const {
         if (made.details.empty()) return std::nullopt;
         const PolygonParts& parts = made.strokes.parts;
         Figure figure = drawing_.with_parts(made.strokes.empty, parts, made.details);
-        // Letters cost more than all else.
+        // Placing labels is the slowest part.
         if (!may_hold_details(figure, context_, made.details, room_)) return std::nullopt;
         if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free, context_.theme.secondary) ||
             !fits(figure))
@@ -514,7 +514,7 @@ private:
         figure.lacks_details = !made.details.empty();
         return figure;
     }
-    /// `may_have_details`: else there is no room for them beside so many names.
+    /// `may_have_details`: false if there are too many names beside them.
     std::optional<Figure> tried(const Trial& trial, bool may_have_details) const {
         if (!trial.last && !fits(strokes_at(trial.scale), letters_beyond)) return std::nullopt;
         const Attempt made = attempt(trial.scale);
@@ -524,7 +524,7 @@ private:
         if (!finish(figure, trial.last) || (!trial.last && !fits(figure))) return std::nullopt;
         figure.lacks_details = !made.details.empty();
         if (!figure.lacks_details || !may_have_details) return figure;
-        // One step smaller with its details is better than without.
+        // One step coarser with details is better than without.
         const double smaller = next_scale(trial.scale);
         if (extent() / smaller > least_with_details && smaller <= coarsest_)
             if (auto with_details = detailed(attempt(smaller))) return with_details;

@@ -1,4 +1,4 @@
-// Polygon parts: how they are drawn, which places want a detail, and where the details stand.
+// Draws polygon parts, selects the details and places them.
 #include "render/figures/polygon_parts.hpp"
 
 #include <algorithm>
@@ -17,19 +17,19 @@ namespace {
 
 constexpr double corner_side = 1.8;  // of the mark of a right angle
 
-// A vector shorter than its own arrowhead is none any more, and is read off to no better than some 2 %.
+// mm; a vector shorter than its arrowhead is hard to see, and its reading has an error of 2 % or more.
 constexpr double too_short = 4.6;
-constexpr double beside_long = 8;   // … where the polygon is so many times as long
-constexpr double most_across = 22;  // of what the detail is for, at its own scale …
+constexpr double beside_long = 8;   // … if the polygon is at least this many times longer
+constexpr double most_across = 22;  // extent of the vectors in a detail, at its scale …
 constexpr double least_across = 12;
-constexpr double share_across = 0.28;    // … and of the longest vector: a detail does not outshine its polygon
-constexpr double rim = 7;                // round it in the detail, for the letters
-constexpr double least_magnified = 2.5;  // or it shows nothing new
-constexpr double most_magnified = 1e4;   // of the polygon: what is smaller yet is no longer beside the rest
-constexpr double least_circle = 2.2;     // radius of the circle round the place
+constexpr double share_across = 0.28;    // … and relative to the longest vector: smaller than the polygon
+constexpr double rim = 7;                // space for letters in the detail
+constexpr double least_magnified = 2.5;  // with less a detail shows nothing new
+constexpr double most_magnified = 1e4;   // relative to the polygon; smaller vectors are not comparable with the rest
+constexpr double least_circle = 2.2;     // of the circle round the place
 constexpr std::size_t most_details = 3;  // of one figure
 constexpr double between_circles = 1.5;
-constexpr double apart_from_figure = 3.5;  // of the detail from all else
+constexpr double apart_from_figure = 3.5;  // distance of the detail from the figure
 
 double distance_to_pole(const PolygonParts& parts, Spot spot) {
     double least = 1e300;
@@ -38,7 +38,7 @@ double distance_to_pole(const PolygonParts& parts, Spot spot) {
     return least;
 }
 
-/// The part of a segment within a circle about the origin: from and to as shares of it.
+/// The part of a segment within a circle about the origin, as parameters in [0, 1].
 std::optional<std::pair<double, double>> within_circle(Spot from, Spot to, double radius) {
     const Spot d = to - from;
     const double a = dot(d, d), b = dot(from, d), c = dot(from, from) - radius * radius;
@@ -49,7 +49,7 @@ std::optional<std::pair<double, double>> within_circle(Spot from, Spot to, doubl
     return std::pair{enter, leave};
 }
 
-/// What a detail shows entirely, with some paper round it.
+/// Whether a detail shows the point with some space round it.
 bool is_in(const Detail& detail, Spot spot) {
     return length(spot - detail.centre) <= detail.radius - 2 / detail.magnification;
 }
@@ -61,7 +61,7 @@ bool is_in_any(const std::vector<Detail>& details, const Part& part) {
     return std::any_of(details.begin(), details.end(), [&](const Detail& detail) { return is_in(detail, part); });
 }
 
-/// Two that are too short to be told apart on paper are not equal for that.
+/// Vectors that are too short to be compared on paper do not count as equal.
 bool have_one_size(const PolygonVector& a, const PolygonVector& b) {
     constexpr double equal = 1e-3;
     return std::abs(a.value - b.value) <= equal * std::max(a.value, b.value);
@@ -72,7 +72,7 @@ bool fall_together(const PolygonVector& a, const PolygonVector& b) {
 bool are_opposite(const PolygonVector& a, const PolygonVector& b) {
     return have_one_size(a, b) && length(a.tail - b.tip) < coincident && length(a.tip - b.tail) < coincident;
 }
-/// So far along one line that one would hide the other.
+/// Whether one vector would cover the other on the same line.
 bool hide_each_other(const PolygonVector& a, const PolygonVector& b) {
     constexpr double beside = 0.4, shared = 1;  // mm
     if (a.internal || b.internal || length(a.tip - a.tail) < shared || length(b.tip - b.tail) < shared) return false;
@@ -83,7 +83,7 @@ bool hide_each_other(const PolygonVector& a, const PolygonVector& b) {
     return std::min(length(a.tip - a.tail), std::max(from, to)) - std::max(0.0, std::min(from, to)) > shared;
 }
 
-/// Where a vector stands beside a line: in its lane, counted along the normal.
+/// The offset of a vector beside a line: a lane, counted along the normal.
 struct Lane {
     int number = 0;
     Spot normal;
@@ -91,7 +91,7 @@ struct Lane {
 /// 0, 1, −1, 2, −2, …
 int nth_lane(int n) { return n % 2 == 1 ? (n + 1) / 2 : -n / 2; }
 
-/// Away from the rest of the polygon.
+/// The normal away from the rest of the polygon.
 Spot outward(const PolygonParts& parts, const PolygonVector& vector) {
     const Spot along = unit(vector.tip - vector.tail), normal{-along.y, along.x};
     double sum = 0;
@@ -102,8 +102,7 @@ Spot outward(const PolygonParts& parts, const PolygonVector& vector) {
     return normal.y < -noise || (normal.y < noise && normal.x > 0) ? normal : -1.0 * normal;
 }
 
-// --- one figure
-// ------------------------------------------------------------------------------------------------------------------
+// --- figures
 
 class PartsDrawing {
 public:
@@ -159,7 +158,7 @@ private:
         }
     }
 
-    /// A small square, where its legs are long enough to be seen and nothing runs through it.
+    /// A small square if the legs are long enough and nothing crosses it.
     void draw_corners() {
         for (const PolygonCorner& corner : parts_.corners) {
             if (corner.shorter_leg < 3 * corner_side || distance_to_pole(parts_, corner.at) < 2 * corner_side) continue;
@@ -208,10 +207,10 @@ private:
     /// A vector that is drawn already.
     struct Drawn {
         const PolygonVector* vector = nullptr;
-        bool arrow = false;  // else a broken line
+        bool arrow = false;  // false: dashed line
         std::optional<std::size_t> label;
     };
-    /// Broken lines lie below arrows; labels are in the order of the vectors.
+    /// Dashed lines are below arrows; labels are in the order of the vectors.
     void draw_vectors() {
         for (const PolygonPiece& piece : parts_.pieces)
             draw_shaft(figure_.marks, piece.from + piece.aside, piece.to + piece.aside, piece.has_tip, piece.colour,
@@ -227,9 +226,9 @@ private:
                                  std::make_move_iterator(marks->end()));
     }
     void draw_vector(const PolygonVector& vector, std::vector<Drawn>& drawn, std::vector<Mark>& marks) {
-        // Of those that fall together the first is drawn, and their one label has its colour: a_A = a_A^n. A side of
-        // forces met again (a two-force body lies between) is one stroke with both names; an outer force is the arrow.
-        // Two outer forces stand side by side: one stroke with two heads says nothing.
+        // Of coincident vectors, such as a_A = a_A^n, the first is drawn, and their common label has its colour. A
+        // repeated inner side of forces (of a two-force body) is one stroke with both names; an external force is the
+        // arrow. Two external forces stand side by side, because a stroke with two heads would be ambiguous.
         const auto with = std::find_if(drawn.begin(), drawn.end(), [&](const Drawn& other) {
             const bool one_stroke = parts_.opposites_share_label && (vector.internal || !other.arrow);
             return fall_together(*other.vector, vector) || (one_stroke && are_opposite(*other.vector, vector));
@@ -275,7 +274,7 @@ private:
         figure_.axes.push_back({vector.name, vector.tail + vector.aside, vector.tip + vector.aside, ""});
     }
 
-    /// Thin lines from the places of its ends to where it is drawn.
+    /// Thin lines from the true positions of its ends to where it is drawn.
     void lead_back(const PolygonVector& vector) {
         if (length(vector.aside) == 0) return;
         for (const Spot end : {vector.tail, vector.tip}) {
@@ -291,7 +290,7 @@ private:
                     ring(image.at, pole_radius, theme_.paper, {theme_.outline, theme_.text, {}, false}));
     }
 
-    /// Images that fall together share a label: b ≡ c; those at the pole stand with it.
+    /// Coincident images share a label: b ≡ c. Those at the pole are named with it.
     struct Cluster {
         Spot at;
         RichText text;
@@ -326,7 +325,7 @@ private:
                 .names.assign(cluster.names.begin(), cluster.names.end());
         }
     }
-    /// Where a detail tells several images apart; the pole is always named, and so is an image that stands alone.
+    /// True if a detail separates the images. The pole and single images are always named here.
     bool is_named_in_detail_only(const std::vector<Cluster>& clusters, const Cluster& cluster) const {
         if (cluster.pole) return false;
         return std::any_of(details_.begin(), details_.end(), [&](const Detail& detail) {
@@ -343,7 +342,7 @@ private:
                            [&](const PolygonPiece& p) { return near(p.from + p.aside) || near(p.to + p.aside); });
     }
 
-    /// The circle round a place that is drawn again, with its letter.
+    /// The circle round the place of a detail, with its letter.
     void draw_circles() {
         for (const Detail& detail : details_) {
             const double radius = std::max(detail.radius, least_circle);
@@ -370,14 +369,13 @@ private:
 };
 
 // --- details
-// ---------------------------------------------------------------------------------------------------------------------
 
 std::string roman(std::size_t number) {
     constexpr std::array<const char*, 10> numerals{"I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X"};
     return number <= numerals.size() ? numerals[number - 1] : std::to_string(number);
 }
 
-/// The group of a detail, a figure within a figure.
+/// Whether it is the group of a detail, which is a figure within a figure.
 bool is_detail(const GroupBegin& group) {
     return group.cls == "figure" && !group.attributes.empty() && group.attributes.front().second == "detail";
 }
@@ -405,7 +403,7 @@ Detail detail_round(const std::vector<Spot>& ends, double scale, double across) 
     return detail;
 }
 
-/// The parts that a detail shows, about its own centre and in its own mm; cut at its circle.
+/// The parts within a detail, relative to its centre, in mm at its scale, cut at its circle.
 PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
     const double radius = detail.magnification * detail.radius;
     const auto larger = [&](Spot spot) { return detail.magnification * (spot - detail.centre); };
@@ -443,10 +441,10 @@ PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
                                                   : is_in(detail, each.at)) {
             all.images.push_back(each);
             all.images.back().at = larger(each.at);
-            // The pole is named in the polygon; here its ring says enough.
+            // The pole is named in the polygon; here its ring is enough.
             if (each.kind == PolygonImage::Kind::pole) all.images.back().text.clear();
         }
-    // What falls on the pole is named with it.
+    // Images at the pole are named with it.
     std::erase_if(all.images, [&](const PolygonImage& image) {
         return image.kind == PolygonImage::Kind::image && distance_to_pole(all, image.at) < coincident;
     });
@@ -460,10 +458,10 @@ PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
     return all;
 }
 
-/// A detail with its circle and caption, labels placed, to be moved.
+/// A detail with circle and caption and with its labels placed; it is positioned later.
 struct Inset {
     Figure figure;
-    Spot of;  ///< the place it shows, in the figure that it stands in
+    Spot of;  ///< position of the place it shows, in the enclosing figure
 };
 
 double radius_of(const Detail& detail) { return detail.magnification * detail.radius; }
@@ -480,7 +478,7 @@ Figure blank_inset(const Figure& figure, const DrawingContext& context, const De
 Path circle_of(const Detail& detail, const Theme& theme) {
     return circle({0, 0}, radius_of(detail), {theme.thin, theme.text, {}, false});
 }
-/// Its name and its scale over what is drawn of an inset, its scale bar under that.
+/// Name and scale above an inset, its scale bar below.
 void add_legend(Figure& inset, const DrawingContext& context, double radius) {
     const Theme& theme = context.theme;
     const Box drawn = box_of(inset.marks);
@@ -503,7 +501,7 @@ public:
     bool set(const PolygonParts& parts, const std::vector<Detail>& details) {
         for (const Detail& detail : details) {
             const PolygonParts larger = magnified(parts, detail);
-            // Nested once: what is too short in the detail too.
+            // One level of nesting, for vectors that are too short in the detail, too.
             const std::vector<Detail> inner = details_of(larger, detail.scale, detail.magnification, letters_);
             const Spot at = place(inset(larger, detail, inner), detail, detail.centre);
             for (const Detail& each : inner) place(inset(magnified(larger, each), each, {}), each, at + each.centre);
@@ -532,11 +530,10 @@ private:
         return inset;
     }
 
-    /// Where nothing is drawn yet: as little outside of the figure and as near to what it shows as can be. The centre
-    /// it got.
+    /// Finds a free position that enlarges the figure least and is near the place shown. Returns the centre.
     Spot place(Figure inset, const Detail& shown, Spot of) {
         const Box box = figure_.box;
-        // What may be inked after all: the room about the figure as it stands, wherever the inset goes.
+        // The area that may be occupied, wherever the inset goes.
         const Spot reach{std::max(room_.x - box.width(), inset.box.width() + apart_from_figure),
                          std::max(room_.y - box.height(), inset.box.height() + apart_from_figure)};
         const Spot origin = box.min - reach;
@@ -586,7 +583,7 @@ private:
 }  // namespace
 
 void set_side_by_side(PolygonParts& parts) {
-    constexpr double pitch = 2.2;  // mm: a head and a little air
+    constexpr double pitch = 2.2;  // mm; an arrowhead with a small distance
     std::vector<Lane> lanes;
     for (PolygonVector& vector : parts.vectors) {
         std::optional<Lane> own;
@@ -622,7 +619,7 @@ std::vector<Detail> details_of(const PolygonParts& parts, double scale, double m
         return length(a.centre - b.centre) <
                std::max(a.radius, least_circle) + std::max(b.radius, least_circle) + between_circles;
     };
-    // Neighbours share a detail as long as it is one.
+    // Clusters whose details overlap are merged if a common detail still magnifies enough.
     for (bool changed = true; changed;) {
         changed = false;
         for (std::size_t i = 0; i < clusters.size() && !changed; ++i)
@@ -638,7 +635,7 @@ std::vector<Detail> details_of(const PolygonParts& parts, double scale, double m
                 changed = true;
             }
     }
-    // Else the one with the shortest vector has it.
+    // Of overlapping details the one with the shortest vector is kept.
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < clusters.size(); ++i) order.push_back(i);
     std::stable_sort(order.begin(), order.end(),
@@ -668,7 +665,7 @@ bool may_hold_details(const Figure& strokes, const DrawingContext& context, cons
                       Spot room) {
     const Box& box = strokes.box;
     if (!(box.width() > 0 && box.height() > 0)) return true;
-    // Where an inset may stand, and what is kept round it. The figure only grows, and so does what is inked of it.
+    // The possible positions of an inset with its margin. The figure and its occupied area only grow.
     const Spot apart{apart_from_figure, apart_from_figure};
     const Box within{box.max - room - apart, box.min + room + apart};
     if (!(within.width() > 0 && within.height() > 0)) return true;
@@ -678,7 +675,7 @@ bool may_hold_details(const Figure& strokes, const DrawingContext& context, cons
     std::erase_if(spots, [](Spot spot) { return spot.x < 0 || spot.y < 0; });
     occupancy.block(spots);
     return std::all_of(details.begin(), details.end(), [&](const Detail& detail) {
-        // Its circle at least, and of a free stretch the whole millimetres.
+        // A lower bound of the size: circle and legend, rounded down to whole millimetres.
         Figure inset = blank_inset(strokes, context, detail);
         inset.marks.emplace_back(circle_of(detail, context.theme));
         add_legend(inset, context, radius_of(detail));
@@ -695,7 +692,7 @@ bool set_details(Figure& figure, const DrawingContext& context, const PolygonPar
 
 namespace {
 
-/// The details of a figure with the letters that they get, `before` being given already. Those within others come last.
+/// The details of a figure with new letters; `before`: number of letters in use. Nested details are last.
 std::vector<DetailOn> lettered_anew(const std::vector<DetailOn>& details, std::size_t before) {
     std::vector<DetailOn> anew = details;
     for (DetailOn& each : anew)
@@ -709,7 +706,7 @@ std::vector<DetailOn> lettered_anew(const std::vector<DetailOn>& details, std::s
     return anew;
 }
 
-/// Details of a figure as they were and as they are called from now on.
+/// Old and new letters of the details of a figure.
 class Lettering {
 public:
     Lettering(Figure& figure, const DrawingContext& context, std::size_t before)
@@ -748,8 +745,7 @@ private:
             }
     }
 
-    /// A longer letter may want another place beside its circle, and no leader or another one; a heading stays in the
-    /// middle.
+    /// A longer letter may need another position beside its circle, with or without a leader; a heading stays centred.
     void set_letters_anew() {
         std::vector<Mark> kept;
         for (Mark& mark : figure_.marks) {
@@ -765,7 +761,7 @@ private:
             }
         }
         figure_.marks = std::move(kept);
-        // Outside of all groups, so that none of the details takes them in: what ends with no group has none open.
+        // Outside all groups, so that it belongs to no detail. At the end of the marks no group is open.
         const auto end = static_cast<std::ptrdiff_t>(figure_.marks.size());
         figure_.marks.emplace_back(Path{});
         figure_.labels = std::move(letters_);

@@ -1,6 +1,6 @@
-// Polygon parts: what a polygon figure shows, vectors, construction lines, images, right angles, in mm about its pole;
-// and the details, places where vectors are too short to be drawn as such, drawn again at a larger scale. Owns how
-// these look and which of them get a detail; knows no protocol and no mechanics.
+// Polygon parts: the content of a polygon figure, that is vectors, construction lines, images and right angles, in mm
+// about its pole; and the details, which show places with very short vectors at a larger scale. Owns their look and the
+// choice of details; depends on no protocol and no mechanics.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@
 namespace kinegraph::render {
 
 inline constexpr double pole_radius = 0.9;  // mm
-inline constexpr double coincident = 0.02;  // mm: drawn as one
+inline constexpr double coincident = 0.02;  // mm; points closer than this are drawn as one
 
-/// A thin line; where it is a direction of the construction, with its words beyond the meet that it was drawn to.
+/// A thin line. A direction of the construction has a label beyond the intersection that it was drawn to.
 struct PolygonLine {
     Spot from, to;
     Pen pen;
     RichText mark;  ///< empty: none
     Spot mark_at, mark_toward;
-    bool mark_along = true;  ///< it is turned with the line
+    bool mark_along = true;  ///< the label is turned with the line
     StatementIndex statement = none;
 };
 struct PolygonVector {
@@ -30,23 +30,22 @@ struct PolygonVector {
     double value = 0;  ///< in the figure's unit
     RichText text;
     BodyColour colour;
-    bool internal = false;          ///< a broken line without a head: it falls out of the sum
-    bool has_right_angles = false;  ///< a line ⟂ to it through one of its ends is so by construction
+    bool internal = false;          ///< dashed and without a head, because it cancels in the sum
+    bool has_right_angles = false;  ///< a line through one of its ends is ⟂ to it by construction
     StatementIndex statement = none;
-    Spot aside{};  ///< from its place to where it is drawn: beside others that lie on the same line
+    Spot aside{};  ///< offset that separates it from others on the same line
 };
-/// Begins the group of a polygon, once it has its kind, caption, scale and unit; drawn by a statement where one is
-/// named.
+/// Opens the group of a polygon whose kind, caption, scale and unit are set. `statement`: the one that draws it.
 void open_group(Figure& figure, StatementIndex statement = none);
 
-/// What a detail shows of a vector that leaves it.
+/// The part within a detail of a vector that leaves it.
 struct PolygonPiece {
     Spot from, to;
     bool has_tip = false;
     BodyColour colour;
     bool internal = false;
     StatementIndex statement = none;
-    Spot aside{};  ///< as PolygonVector's
+    Spot aside{};  ///< as in PolygonVector
 };
 struct PolygonImage {
     using Kind = SceneImage::Kind;
@@ -56,10 +55,10 @@ struct PolygonImage {
     RichText text;
     StatementIndex statement = none;
 };
-/// A right angle of the construction: at an end of a known vector the line of the next one begins.
+/// A right angle of the construction: at the end of a known vector the line of the next one begins.
 struct PolygonCorner {
     Spot at;
-    Spot first, second;  ///< unit vectors of its legs
+    Spot first, second;  ///< unit vectors along its legs
     double shorter_leg = 0;
     StatementIndex statement = none;
 };
@@ -70,40 +69,42 @@ struct PolygonParts {
     std::vector<PolygonImage> images;
     std::vector<PolygonCorner> corners;
     bool opposites_share_label = false;  ///< as forces do: F_32 = −F_23
-    bool has_names = true;               ///< else it is drawn for what its strokes take: no labels, no groups
+    bool has_names = true;               ///< false: drawn only to measure its strokes; no labels, no groups
 };
 
-/// Vectors that would lie upon each other stand side by side, as in books: the first in its place, each other in the
-/// first lane that is free beside it. Their ends are led back to their places by thin lines.
+/// Moves vectors that would cover each other apart, as in textbooks: the first keeps its place, each other one takes
+/// the first free lane beside it. Thin lines connect their ends with their true positions.
 void set_side_by_side(PolygonParts& parts);
 
-/// A place of a figure that is drawn again, larger.
+/// A part of a figure that is drawn again at a larger scale.
 struct Detail {
     Spot centre;
-    double radius = 0;  ///< of what it shows, mm of the figure
-    double scale = 1;   ///< its own, units per mm
+    double radius = 0;  ///< of the circle that it shows, mm in the figure
+    double scale = 1;   ///< of the detail, units per mm
     double magnification = 1;
     std::string letter;  ///< "I", "II", …
 };
-/// The details that the parts of a figure want; none overlaps another. `letters`: how many the sheet's figure has
-/// already; it counts on. `magnified`: how much larger than the polygon the figure is already.
+/// The necessary details of a figure. They do not overlap. `letters`: number of letters used on the sheet, which is
+/// increased. `magnified`: scale of the figure relative to that of the polygon.
 std::vector<Detail> details_of(const PolygonParts& parts, double scale, double magnified, std::size_t& letters);
 
-/// Marks and label requests of the parts. What lies in a detail gets its label there, and the detail a circle here.
+/// Adds the marks and label requests of the parts. Vectors in a detail are labelled there; the detail gets a circle
+/// here.
 void draw_parts(Figure& figure, const DrawingContext& context, const PolygonParts& parts,
                 const std::vector<Detail>& details);
 
-/// Whether the details may find places in the room, as far as the strokes of the figure tell, which has neither names
-/// nor details yet: what this says no to set_details() can only draw out of the room.
+/// A quick test whether the details may find positions in the room, based on the strokes only. If false, set_details()
+/// would leave the room.
 bool may_hold_details(const Figure& strokes, const DrawingContext& context, const std::vector<Detail>& details,
                       Spot room);
-/// Draws the details, and their own, each into a free place of the figure or beside it, as figures of kind "detail"
-/// after its own group. The figure is finished, its labels are placed. `room`: mm; the figure leaves it only where it
-/// has no more. `letters` as above. False where a label of a detail found no free place; the figure is of no use then.
+/// Draws the details, and details of these, each at a free position in the figure or beside it, as figures of kind
+/// "detail" after its own group. Requires that the labels of the figure are placed. `room`: mm; the figure exceeds it
+/// only if there is no space. `letters`: as above. False if a label of a detail found no position; then the figure
+/// cannot be used.
 bool set_details(Figure& figure, const DrawingContext& context, const PolygonParts& parts,
                  const std::vector<Detail>& details, Spot room, std::size_t& letters);
 
-/// Letters the details of a finished figure anew, from the `before` that the sheet has already.
+/// Replaces the letters of the details of a finished figure. `before`: number of letters used earlier on the sheet.
 void letter_details_on(Figure& figure, const DrawingContext& context, std::size_t before);
 
 }  // namespace kinegraph::render

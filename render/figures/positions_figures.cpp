@@ -112,7 +112,7 @@ private:
         name(numbered(0, position), a, colour.letter);
         name(numbered(1, position), b, colour.letter);
     }
-    /// The join of both places and its bisector, with the right angle at the middle.
+    /// The line between both positions of a point and its bisector, with the right angle in the middle.
     void draw_way(const Displacement& displacement, std::size_t point, std::optional<Spot> pole) {
         const Spot from = place(displacement.from, point), to = place(displacement.to, point);
         if (length(to - from) < 0.5 || displacement.kind == Displacement::Kind::translation) return;
@@ -141,7 +141,7 @@ private:
         if (point == 0) name("{d}", 0.5 * (from + to), theme_.text, to);
     }
     void draw_pole(const Displacement& displacement, Spot pole, const std::string& both) {
-        // The rays of the point that lies further off, and the angle between them.
+        // The rays to the farther point, and the angle between them.
         std::size_t point = 0;
         if (length(place(displacement.from, 1) - pole) > length(place(displacement.from, 0) - pole)) point = 1;
         const Spot from = place(displacement.from, point), to = place(displacement.to, point);
@@ -156,7 +156,7 @@ private:
         name("{P_" + both + "}", pole, theme_.text);
     }
 
-    /// Bisectors 1–2 and 2–3, and the circle through the three places.
+    /// Bisectors 1–2 and 2–3, and the circle through the three positions.
     void draw_circle(std::size_t point, bool shown) {
         const FixedPivot& pivot = found_.pivots.at(point);
         if (pivot.kind == FixedPivot::Kind::straight) {
@@ -173,7 +173,7 @@ private:
         const Spot centre = spot(*pivot.centre);
         for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
             bisect(place(i, point), place(i + 1, point), centre);
-        // Only as far as the three places, and a little more.
+        // Only from the first to the last position, with a short extension.
         const double first = angle_of(place(0, point) - centre);
         double least = 0, most = 0;
         for (std::size_t i = 1; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// What the figures of all problems of contact, wear and impact begin and end with.
+// Common parts of the figures of all problems (contact, wear, impact): begin and end of a figure.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace kinegraph::render {
 
-/// The problem and its solution, known to be of this kind.
+/// The problem and its solution. Require that the context has this kind.
 template <class Problem>
 const Problem& problem_of(const DrawingContext& context) {
     return std::get<Problem>(context.solution.mechanism.problem->of);
@@ -19,13 +19,13 @@ template <class Found>
 const Found& solution_of(const DrawingContext& context) {
     return std::get<Found>(context.solution.problem->of);
 }
-/// A place or an arrow on paper, y downwards; `scale` for each mm.
+/// A position or an arrow on paper, mm, y downwards; `scale` per mm.
 inline Spot spot_of(const VectorOf<double>& v, double scale) { return {v.x / scale, -v.y / scale}; }
 inline Spot spot_of(const Vector& v, double scale) { return spot_of(to_double(v), scale); }
-/// A figure with its group opened; `scale` of `unit` for each mm.
+/// A figure with an open group; `scale` of `unit` per mm.
 Figure begun(const char* kind, const char* id, const Words& caption, double scale, const std::string& unit,
              Language language);
-/// Its group closed, its labels placed within the room, its box at the origin.
+/// Closes the group, places the labels within the room and moves the box to the origin.
 Figure finished(Figure figure, const DrawingContext& context, Spot room);
 
 }  // namespace kinegraph::render

@@ -115,8 +115,8 @@ private:
             if (p > 1.5 && std::abs(x - at) > 1.5) arrow({x, top + p}, {x, top}, theme_.thin, colour().line);
         }
         add(polyline(face, pen(theme_.outline, colour().line), true));
-        // Each parallel side made longer by the other, to opposite sides: the join meets the line of the middles in the
-        // centroid.
+        // Each of the parallel sides is extended by the other, in opposite directions: the line through the ends meets
+        // the median in the centroid.
         const Pen thin = pen(theme_.thin, theme_.secondary);
         add(line({left, top + first}, {left, top + first + second}, thin));
         add(line({right, top}, {right, top - first}, thin));
@@ -179,8 +179,8 @@ private:
         add(ring(pin, 1.4, theme_.paper, pen(2 * theme_.outline, colour().line)));
         name("{h}", 0.5 * pin, pin);
         draw_shoe_force(pin, drum);
-        // Friction turns a leading shoe the way its force does: the pivot lies to the right, so one within the drum is
-        // turned clockwise.
+        // Friction turns a leading shoe in the sense of its force. The pivot is on the right, so that the drum turns
+        // clockwise for an inner shoe.
         const double middle = 1.25 * pi;
         const bool counter = problem_.leading != problem_.inside;
         draw_arc_arrow(figure_.marks, {0, 0}, 0.6 * drum, -middle, -middle + (counter ? -0.8 : 0.8), theme_.outline,
@@ -219,8 +219,8 @@ private:
         add(arc({0, 0}, found_.pressure_radius / scale_, angle - 0.35, angle + 0.35,
                 pen(theme_.thin, theme_.secondary, dashes())));
     }
-    /// At the arm's distance from the pivot: on the back of the shoe where that reaches so far, else on a lever past
-    /// its toe.
+    /// At the distance of the arm from the pivot: on the back of the shoe if it is long enough, otherwise on a lever
+    /// beyond its end.
     Spot place_of_force(Spot pin, double drum, double arm) const {
         const double back = drum + (problem_.inside ? -3 : 3), across = length(pin);
         const double cosine = (across * across + back * back - arm * arm) / (2 * across * back);
@@ -232,9 +232,9 @@ private:
         const double arm = problem_.arm.to_double() / scale_, longest = 2.2 * drum;
         const Spot place = place_of_force(pin, drum, std::min(arm, longest));
         const Spot towards = unit(place - pin);
-        // A lever longer than the drawing is drawn as far as that goes, and dashed.
+        // A lever longer than the drawing is cut and dashed.
         add(line(pin, place, pen(theme_.thin, theme_.secondary, arm > longest ? dashes() : std::vector<double>{})));
-        // Across the arm, away from the drum's centre for an inner shoe, towards it for an outer one.
+        // Perpendicular to the arm: away from the drum's centre for an inner shoe, towards it for an outer one.
         Spot across = turned(towards);
         if (dot(across, round(1, 0.5 * (found_.begin + found_.end))) < 0) across = -1 * across;
         if (!problem_.inside) across = -1 * across;

@@ -28,7 +28,7 @@ void draw_strings(Sketch& sketch, const FreeBody::Funicular& funicular, const st
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) string(i, i + 1, i + 1, {});
     string(vertices.size() - 1, 0, vertices.size(), dashes());
     if (!funicular.resultant) return;
-    // The outer strings as far as they meet, on the line of the resultant.
+    // The outer strings to their intersection, on the line of the resultant.
     const Spot meet = sketch.spot(*funicular.resultant);
     if (!contains(grown(sketch.mechanism_box(), 0.6 * sketch.size()), meet)) return;
     for (const std::size_t i : {std::size_t{1}, vertices.size() - 2}) {

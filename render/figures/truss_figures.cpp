@@ -17,7 +17,7 @@ using namespace drawing;
 
 namespace {
 
-constexpr double meets_seen = 1.1;  // how far off the truss a meet is shown, in sizes of it
+constexpr double meets_seen = 1.1;  // greatest distance of an intersection from the truss, in sizes of the truss
 
 enum class Sense { idle, tension, compression };
 
@@ -30,7 +30,8 @@ Sense sense_of(const Solution& solution, std::size_t bar) {
     return tension_of(solution, bar) > 0 ? Sense::tension : Sense::compression;
 }
 
-/// Colours of the third and the first body, which differ most, in grey too; weights and line kinds tell without colour.
+/// Colours of the third and the first body, which differ most, also in grey. Widths and line kinds differ, too, for
+/// print without colour.
 Pen pen_of(const Theme& theme, Sense sense) {
     switch (sense) {
         case Sense::tension: return {theme.vector, theme.body(BodyIndex(3)).line, {}, false};
@@ -39,7 +40,7 @@ Pen pen_of(const Theme& theme, Sense sense) {
     }
     return {theme.outline, theme.secondary, {0.8, 0.8}, false};
 }
-/// In the plan, where heavy lines would hide its corners.
+/// For the force plan, where heavy lines would cover its corners.
 Pen thin_pen_of(const Theme& theme, Sense sense) {
     Pen pen = pen_of(theme, sense);
     pen.width *= 0.6;
@@ -52,10 +53,9 @@ RichText letter_of(const Truss::Space& space) {
 
 PointIndex point_of(const Truss& truss, int pin) { return truss.structure.pins[at_index(pin)].point; }
 
-// --- the space diagram
-// -------------------------------------------------------------------------------------------------------
+// --- space diagram
 
-/// Sections through a truss, each once, with the arms of the forces that they find.
+/// The sections through a truss, without repetition, with the arms of the forces that they find.
 class TrussCuts {
 public:
     explicit TrussCuts(Sketch& sketch)
@@ -73,14 +73,14 @@ public:
 private:
     Spot spot(int pin) const { return sketch_.spot(point_of(truss_, pin)); }
 
-    /// Across the bars at their middles, a little beyond them.
+    /// Across the bars at their midpoints, with a short extension.
     void draw_section(const Truss::Cut& cut) {
         std::vector<Spot> middles;
         for (const int bar : cut.bars) {
             const auto& ends = truss_.structure.bars[at_index(bar)].pins;
             middles.push_back(0.5 * (spot(ends[0]) + spot(ends[1])));
         }
-        // From one end to the other, along their longest distance.
+        // From one end to the other, in the direction of their greatest distance.
         Spot along{1, 0};
         for (const Spot a : middles)
             for (const Spot b : middles)
@@ -95,7 +95,7 @@ private:
         belong(sketch_.over_bodies, first, cut.statement);
     }
 
-    /// From where the others meet, at right angles to the bar.
+    /// From the intersection of the other bars, perpendicular to the bar.
     void draw_arm(const Truss::Cut& cut) {
         if (!cut.pivot) return;
         const Spot pivot = sketch_.spot(*cut.pivot);
@@ -108,7 +108,7 @@ private:
         belong(sketch_.construction, first, cut.statement);
         const Unit& unit = sketch_.mechanism.units.length;
         const double arm = truss_.numbers_of(cut, solution_.pose.points).arm / unit.si.to_double();
-        // Between the same parallel bars the arms are one.
+        // Parallel bars share an arm.
         const Spot across = foot - pivot;
         for (const Spot other : arms_)
             if (length(other - across) < 0.05 || length(other + across) < 0.05) return name_pivot(cut, pivot);
@@ -122,7 +122,7 @@ private:
         name_pivot(cut, pivot);
     }
 
-    /// One that no space has.
+    /// A letter that no space has.
     std::string letter_of_arms() const {
         for (const char* letter : {"b", "h", "r"})
             if (std::none_of(truss_.spaces.begin(), truss_.spaces.end(),
@@ -183,7 +183,7 @@ private:
             if (!joint.pair().is_hinge()) draw_roller(joint);
         }
     }
-    /// On a roller, on the far side of the bars.
+    /// A roller, on the side away from the bars.
     void draw_roller(const Joint& joint) {
         const Spot at = sketch_.spot(joint.point);
         Spot inward{0, 0};
@@ -223,7 +223,7 @@ private:
 
     const Unit& unit() const { return sketch_.mechanism.units.force; }
 
-    /// How near bars lie to a ray from a pin: the largest cosine.
+    /// How close bars are to a ray from a pin: the largest cosine of the angle.
     double crowding(int pin, Spot along) {
         double most = -1;
         for (const int bar : truss_.structure.pins[at_index(pin)].bars) {
@@ -233,7 +233,7 @@ private:
         for (const Spot taken : rays_[pin]) most = std::max(most, dot(along, taken) - 0.1);
         return most;
     }
-    /// Its head at the pin, or its tail where bars are in the way.
+    /// With its head at the pin, or with its tail if bars are in the way.
     void draw_external(const Truss::External& external) {
         constexpr double size = 14, gap = 2.2, beyond_support = 8;
         const Spot along = paper_direction(*external.force), at = spot(external.pin);
@@ -256,7 +256,7 @@ private:
         label.names = {name_of(external.symbol)};
     }
 
-    /// Inside at the middle of its pins, outside beside the longest of its bars, or between the forces of one pin.
+    /// Inside at the centroid of its pins; outside beside its longest bar, or between the forces at a pin.
     void name_space(const Truss::Space& space) {
         Spot at{0, 0};
         if (!space.outside) {
@@ -277,7 +277,7 @@ private:
             const Spot from = spot(space.pins[i]), to = spot(space.pins[i + 1]), off = to - from;
             if (length(off) <= longest) continue;
             longest = length(off);
-            // Clockwise round the truss the outside lies on the left; on paper y runs down.
+            // Clockwise round the truss the outside is on the left. On paper y is downwards.
             best = 0.5 * (from + to) + (away / longest) * Spot{off.y, -off.x};
         }
         if (longest > 0) return best;
@@ -289,7 +289,7 @@ private:
         return length(out) > 1e-6 ? best + (1.8 * away / length(out)) * out : best;
     }
 
-    /// The line of all that is given, and those of the reactions, to where they meet or towards it.
+    /// The line of the resultant of given forces, and those of the reactions, to or towards their intersection.
     void draw_whole() {
         if (!truss_.whole || truss_.whole->meets.empty()) return;
         const Truss::Whole& whole = *truss_.whole;
@@ -308,7 +308,7 @@ private:
                     point_to(at, pin, meet);
             }
             if (near) {
-                if (!is_of_strings(meet)) draw_line_of_whole(whole, at);  // they draw the resultant themselves
+                if (!is_of_strings(meet)) draw_line_of_whole(whole, at);  // strings draw the resultant themselves
                 sketch_.centres.emplace_back(ring(at, 1.0, sketch_.theme.paper, sketch_.outline()));
                 belong(sketch_.centres, sketch_.centres.size() - 1, meet.statement);
                 sketch_
@@ -326,7 +326,7 @@ private:
                                       *together.funicular->resultant == *meet.place;
                            });
     }
-    /// Culmann's line, which joins two meets, with what acts along it.
+    /// Culmann's line, which joins two intersections, with the force along it.
     void draw_line_of_meets(const AppliedForce& sum) {
         if (!truss_.whole) return;
         constexpr double size = 14;
@@ -364,17 +364,17 @@ private:
                    sketch_.theme.secondary, dashes());
         const auto loads = std::count_if(truss_.externals.begin(), truss_.externals.end(),
                                          [](const Truss::External& external) { return external.joint == none; });
-        if (loads < 2) return;  // it is that load, which has its letter
+        if (loads < 2) return;  // a single load has its own letter
         LabelRequest& label = sketch_.add_label(typeset(Symbol{Symbol::Letter::F, "R", {}}, sketch_.context.language),
                                                 sketch_.theme.text, at - 0.5 * half * along, 1.2, whole.statement);
         label.toward = at;
         label.names = {"F_R"};
     }
-    /// A meet outside of the drawing: an arrow from a pin that points there, and how far it is.
+    /// For an intersection outside the drawing: an arrow from a pin towards it, with the distance.
     void point_to(Spot meet, Spot pin, const Truss::Whole::Meet& named) {
         constexpr double off = 6, size = 16;
         const double away = length(meet - pin);
-        if (!std::isfinite(away)) return;  // past the range of doubles
+        if (!std::isfinite(away)) return;  // out of the range of doubles
         const Spot along = (1 / away) * (meet - pin), tip = pin + (off + size) * along;
         draw_arrow(sketch_.construction, pin + off * along, tip, sketch_.theme.thin, sketch_.theme.secondary, dashes());
         RichText text = typeset(Symbol{Symbol::Letter::point, named.name, ""}, sketch_.context.language);
@@ -382,7 +382,8 @@ private:
         LabelRequest& label = sketch_.add_label(std::move(text), sketch_.theme.text, tip, 1.2, named.statement);
         label.names = {named.name};
     }
-    /// Over the truss, each between the lines of two forces; the resultant stands where the outer ones meet.
+    /// Over the truss, each string between the lines of two forces; the resultant at the intersection of the outer
+    /// ones.
     void draw_strings_of(const FreeBody::Funicular& funicular, const std::vector<AppliedForce>& sums) {
         draw_strings(sketch_, funicular);
         const auto lead_to = [&](Spot pin, Spot along, Spot at) {
@@ -415,11 +416,10 @@ private:
     Sketch& sketch_;
     const Solution& solution_;
     const Truss& truss_;
-    std::map<int, std::vector<Spot>> rays_;  // of forces drawn, by pin
+    std::map<int, std::vector<Spot>> rays_;  // directions of the forces drawn, by pin
 };
 
-// --- the plan
-// ----------------------------------------------------------------------------------------------------------------
+// --- force plan
 
 class Plan {
 public:
@@ -488,8 +488,7 @@ private:
             figure.axes.push_back({name, tail, tip, {}});
         }
     }
-    /// Forces from outside of one direction would lie on each other: each goes into the first column beside that is
-    /// free there.
+    /// Parallel external forces would overlap: each is moved to the first free column.
     void draw_outer(Figure& figure) const {
         struct Column {
             Spot along, at;
@@ -555,7 +554,7 @@ private:
         label.names = {name};
         figure.labels.push_back(std::move(label));
     }
-    /// Spaces beside a bar that carries nothing have one corner.
+    /// Spaces on both sides of an unloaded bar share a corner.
     void name_corners(Figure& figure) const {
         struct Corner {
             Spot at;

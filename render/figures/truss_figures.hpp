@@ -1,5 +1,5 @@
-// The figures of a truss: the space diagram with Bow's letters, and the plan of its forces (Cremona). Bars look alike
-// on both: tension and compression differ in colour, in weight and in line kind.
+// The figures of a truss: the space diagram with Bow's notation, and the force plan (Cremona). Bars have the same style
+// in both: tension and compression differ in colour, width and line kind.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace kinegraph::render {
 
-/// What the space diagram spans, m; the plan, in the file's unit of force.
+/// Extents of the space diagram, m, and of the force plan, in the unit of force of the file.
 Box extent_of_truss(const Solution& solution);
 Box extent_of_plan(const Solution& solution);
 /// Kind and id "truss": bars by sense (groups of class "bar"), loads and reactions (of class "force"), letters of the
-/// spaces, the line of what is given as one force, cuts with their arms.
+/// spaces, the line of the resultant of given forces, cuts with their lever arms.
 Figure truss_figure(const DrawingContext& context, double room_x, double room_y);
-/// Kind "closure", id "cremona": forces from outside with heads, every bar once without, corners with the letters of
-/// the spaces.
+/// Kind "closure", id "cremona": external forces with heads, each bar once and without a head, corners with the letters
+/// of the spaces.
 Figure cremona_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
                       bool fixed);
 }  // namespace kinegraph::render

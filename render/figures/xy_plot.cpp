@@ -12,7 +12,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// 1-2-5 × 10ⁿ, at most so many of them in a range.
+/// A step of 1, 2 or 5 × 10ⁿ with at most `most` steps in a range.
 double step_of(double range, int most) {
     const double rough = range / most;
     const int exponent = static_cast<int>(std::floor(std::log10(rough)));
@@ -26,7 +26,7 @@ struct Scaled {
     double width() const { return most - least; }
 };
 
-/// Whole steps round all values, zero among them.
+/// Whole steps that include all values and zero.
 Scaled scaled_to(const XyPlot& plot, double Spot::*axis, int most_steps) {
     Scaled found;
     for (const XyCurve& curve : plot.curves)
@@ -50,7 +50,7 @@ public:
           room_(room),
           x_(scaled_to(plot, &Spot::x, std::max(3, static_cast<int>(room.x / 12)))),
           y_(scaled_to(plot, &Spot::y, std::max(3, static_cast<int>(room.y / 9)))) {
-        // What is said above a mark wants room there.
+        // The text above a mark needs space.
         for (const XyMark& mark : plot.marks)
             if (mark.at.y > y_.most - 0.5 * y_.step) {
                 y_.most += y_.step;
@@ -79,7 +79,7 @@ public:
             GroupBegin{"figure", plot_.id, plain(figure_.caption), {{"data-figure", "plot"}}, none});
         draw_x();
         draw_y();
-        // The first lies on top.
+        // The first curve is on top.
         for (std::size_t i = plot_.curves.size(); i-- > 0;) draw_curve(i);
         for (const XyMark& mark : plot_.marks) draw_mark(mark);
         draw_legend();
@@ -163,7 +163,7 @@ private:
         figure_.marks.emplace_back(disc(spot, 0.8, colour.line));
         const ShapedLine words = context_.fonts.shape(mark.words, theme_.small);
         const Spot start = start_of(words, spot);
-        // On a ground that the grid does not cross.
+        // On a background that covers the grid.
         const Box ground = ground_of(words, start);
         named_.push_back(ground);
         figure_.marks.emplace_back(tinted(filled(
@@ -173,7 +173,7 @@ private:
     static Box ground_of(const ShapedLine& words, Spot start) {
         return rectangle(start.x - 0.4, start.y - words.ascent - 0.3, start.x + words.width + 0.4, start.y + 0.6);
     }
-    /// Where a mark's words begin: above its place, or where the fewest curves pass, as near as can be.
+    /// The position of a mark's text: above the mark, or near it where it crosses the fewest curves.
     Spot start_of(const ShapedLine& words, Spot spot) const {
         const double above = spot.y - 1.8, below = spot.y + words.ascent + 1.8, level = spot.y + words.ascent / 2;
         const double right = spot.x + 1.8, left = spot.x - 1.8 - words.width, over = spot.x - words.width / 2;
@@ -183,7 +183,7 @@ private:
             const Spot start{std::clamp(place.x, frame_.min.x + 1, frame_.max.x - 1 - words.width),
                              std::clamp(place.y, frame_.min.y + words.ascent + 0.8, frame_.max.y - 0.8)};
             const Box ground = ground_of(words, start);
-            constexpr std::size_t worse = 8;  // than a line of the grid
+            constexpr std::size_t worse = 8;  // … than a line of the grid
             const std::size_t count = worse * lines_through(ground, spot) + grid_through(ground);
             if (count >= fewest) return;
             fewest = count;
@@ -211,10 +211,10 @@ private:
         return (is_crossed(x_, x(box.min.x), x(box.max.x)) ? 1U : 0U) +
                (is_crossed(y_, y(box.max.y), y(box.min.y)) ? 1U : 0U);
     }
-    /// Pieces of curves, other marks' dots and words within a box; and the mark itself.
+    /// The number of curve pieces, dots and texts of other marks within a box, and the mark itself.
     std::size_t lines_through(const Box& box, Spot own) const {
         std::size_t count = drawing::contains(box, own) ? 4 : 0;
-        constexpr double clear = 0.6;  // of half a stroke's width and the letters' own
+        constexpr double clear = 0.6;  // half of a stroke's width and the space of the letters
         const Box inked = drawing::grown(box, clear);
         for (const XyCurve& curve : plot_.curves)
             for (std::size_t i = 0; i + 1 < curve.values.size(); ++i) {
@@ -230,7 +230,7 @@ private:
                 ++count;
         return count;
     }
-    /// Names in rows above the frame, each with its line: as many in a row as have room.
+    /// Names in rows above the frame, each with its line; as many in a row as fit.
     void arrange_legend(double room) {
         if (plot_.curves.size() < 2) return;
         double used = room + 1;
@@ -271,7 +271,7 @@ private:
     Scaled x_, y_;
     std::vector<std::vector<std::size_t>> legend_;  ///< rows of curves
     Box frame_;
-    std::vector<Box> named_;  ///< the grounds of words that stand already
+    std::vector<Box> named_;  ///< backgrounds of the texts placed so far
     Figure figure_;
 };
 

@@ -1,4 +1,4 @@
-// A plot of one quantity over another, in the hand of the other figures: up to four curves, with marked places.
+// A plot of one quantity over another in the style of the other figures: up to four curves, with marked points.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace kinegraph::render {
 
 struct XyCurve {
     RichText name;
-    std::string id;            ///< its data-name
+    std::string id;            ///< for `data-name`
     std::vector<Spot> values;  ///< in the units of the axes
 };
 struct XyMark {
@@ -25,11 +25,11 @@ struct XyPlot {
     std::string x_unit, y_unit;
     std::vector<XyCurve> curves;
     std::vector<XyMark> marks;
-    bool square = false;  ///< both axes to one scale
+    bool square = false;  ///< both axes have the same scale
 };
-/// Line kinds of up to four curves, so that they are told apart without colour.
+/// Dash patterns for up to four curves, so that they differ without colour.
 std::vector<double> line_kind(std::size_t curve);
-/// Kind "plot", its groups as those of plot_figure().
+/// Kind "plot"; groups as in plot_figure().
 Figure xy_plot_figure(const DrawingContext& context, const XyPlot& plot, double room_x, double room_y);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,4 @@
-// What a figure is worth at each of its scales, and how the room of a band is divided among figures and text.
+// The scores of a figure's scales, and the search for the best arrangement of a band's figures and text.
 #include "render/layout/band_layout.hpp"
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace {
 constexpr double least_beside = 25;
 constexpr double price_of_columns = 0.05, worth_of_corner = 0.01;
 constexpr int most_beside = 3;          // columns of text
-constexpr int most_columns_more = 2;    // of a page of short lines, than the format has
-constexpr double room_of_a_name = 100;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
+constexpr int most_columns_more = 2;    // beyond those of the format, for a page of short lines
+constexpr double room_of_a_name = 100;  // mm², with its distance from the strokes; with less, names are placed far away
 
-/// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything. What is so long can
-/// be read to a hundredth or better: to be longer gains little.
+/// The score of a figure of this size (mm). Roughly the number of scale steps, with a penalty for small figures. Above
+/// 80 mm lengths can be read to a hundredth or better, and a larger figure gains little.
 double use_of_figure(double size) {
     constexpr double long_enough = 80, of_more = 0.3;
     const double read = std::min(size, long_enough);
@@ -28,8 +28,8 @@ double use_of_figure(double size) {
 std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format, const WantedFigures& all,
                                  bool crowded) {
     std::vector<FigureSize> sizes;
-    // What stands round a figure may fill a page by itself (a hundred terms under each other): half a page is left to
-    // the figure.
+    // The labels round a figure may be as large as a page (a hundred terms below each other). Half of the page is
+    // reserved for the strokes.
     const Spot most_round{0.5 * format.content.width(), 0.5 * format.content.height()};
     const double rim_x = std::min(wanted.rim_x, most_round.x), rim_y = std::min(wanted.rim_y, most_round.y);
     const double extent = std::max(wanted.extent_x, wanted.extent_y);
@@ -52,7 +52,7 @@ std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format
         if (wanted.asked) {
             sizes.push_back(at(*wanted.asked));
             if (!wanted.spare) sizes.back().worth += as_asked;
-            // It may cost a page, as long as there is a page that holds it.
+            // A scale in the file is kept even if it costs a page, provided that the figure fits on a page.
             const bool holds = sizes.back().x <= format.content.width() && sizes.back().y <= format.content.height();
             if (holds && !crowded && !wanted.spare) return sizes;
         }
@@ -93,7 +93,7 @@ BandTexts::Whole& BandTexts::begun(const Band& band, int divided, bool cornered)
 const Passage& BandTexts::passage(const Band& band, std::size_t part, int divided, bool cornered) {
     Whole& text = begun(band, divided, cornered);
     if (text.is_set[part]) return text.passages[part];
-    // Only what is another text here is set anew.
+    // Only steps differ if equations are in a corner; only results differ if a plan is repeated.
     const Band::Part::Kind kind = band.parts[part].kind;
     if (cornered && kind != Band::Part::Kind::steps)
         text.passages[part] = passage(band, part, divided, false);
@@ -115,7 +115,7 @@ bool BandTexts::has_too_wide(const Band& band, int divided, bool cornered) {
     if (band.first_row > 0 || band.end_row < Band{}.end_row) return false;
     const double measure = format_.span(1, divided);
     for (std::size_t part = 0; part < band.parts.size(); ++part) {
-        // Sentences are as wide as they are let be.
+        // Sentences adapt to any width.
         if (band.parts[part].kind == Band::Part::Kind::steps) continue;
         const Passage& set = passage(band, part, divided, cornered);
         if (!set.rows.empty() && is_wider(set, format_.text_size, measure)) return true;
@@ -188,8 +188,8 @@ bool BandLayouts::may_be_narrow(int divided, bool cornered) const {
 }
 
 double BandLayouts::taken_in(Width width, double height, Notch notch) const {
-    constexpr double of_text = 0.7;     // lines end before their columns do, tables have white between theirs
-    constexpr double of_figures = 0.5;  // much of a figure is white: two small ones fill a page better than one large
+    constexpr double of_text = 0.7;     // lines end before their columns do, and there is white space between tables
+    constexpr double of_figures = 0.5;  // much of a figure is white: two small ones fill a page better than one
     const BandLayout layout = in(width, height, notch);
     double sum = 0;
     if (layout.divided > 0) {
@@ -246,7 +246,8 @@ void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, 
         best.layout.stacked = stacked;
         best.layout.worth = layout.worth + share->worth;
         best.spare = std::min(spare, share_of_height * (room.y - (stacked ? share->length : share->across)));
-        // Several figures may share out a lower room otherwise; how text goes on under a figure is searched for.
+        // With several figures a lower room may have another division; with text below a figure the height is a result
+        // of a search.
         best.lasts = figures_.sizes().size() == 1 && share_of_height == 1;
     }
 }
@@ -259,7 +260,7 @@ std::vector<Spot> BandLayouts::rooms_of(const Best& best) const {
     KG_ASSERT(share, "what was tried has room");
     const std::vector<std::size_t> taken = figures_.taken_in(best.room, order);
     const double whole = order.stacked ? best.room.y : best.room.x, wide = order.stacked ? best.room.x : best.room.y;
-    // What is left is everybody's.
+    // The rest is divided equally among the figures shown.
     const double left = (whole - share->length) / std::max(share->shown, 1);
     for (std::size_t f = 0; f < figures_.sizes().size(); ++f) {
         const double needed = FigureShares::along(figures_.sizes()[f][taken[f]], order);
@@ -275,8 +276,8 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
     WorthByHeight& worth = found->second;
     worth.assign(static_cast<std::size_t>(most) + 1, BandLayout::impossible);
     struct Asked {
-        std::size_t least;  ///< height, about, at which it is still worth as much
-        bool is_certain;    ///< … what is between them then, too, and is known
+        std::size_t least;  ///< estimate of the least height with the same score
+        bool is_certain;    ///< `least` is exact, and the heights between are filled in
     };
     const auto ask = [&](std::size_t height) -> Asked {
         const Best best = best_in(width, static_cast<double>(height) * step, notch);
@@ -290,7 +291,7 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
                       worth.begin() + static_cast<std::ptrdiff_t>(height), worth[height]);
         return {least, best.lasts};
     };
-    // Between two heights that are known.
+    // Fills the scores between two known heights by bisection.
     const std::function<void(std::size_t, std::size_t)> fill = [&](std::size_t low, std::size_t high) {
         if (worth[low] == worth[high])
             std::fill(worth.begin() + static_cast<std::ptrdiff_t>(low),
@@ -301,7 +302,7 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
         fill(low, asked.is_certain ? std::max(asked.least, low) : middle);
         fill(middle, high);
     };
-    // From the top down, each time to where it is about to be worth less.
+    // From the top down, each time to the height at which the score is expected to fall.
     std::size_t high = worth.size() - 1, stride = 1;
     Asked asked = ask(high);
     while (high > 1 && worth[high] > BandLayout::possible) {
@@ -375,14 +376,14 @@ void BandLayouts::try_all(Best& best, const Arrangement& base, double whole, dou
     }
     layout.beside = true;
     for (layout.columns = 1; layout.columns <= most_beside && !figures_.sizes().empty(); ++layout.columns) {
-        // Each column more costs more.
+        // The penalty grows with the number of columns.
         layout.worth = base.worth + worth_of_beside - price_of_columns * layout.columns;
         if (!may_improve(best, layout)) break;
         const double left = whole - layout.columns * (words.measure() + gap);
         if (left < least_beside || words.height(layout.columns) > above) continue;
         const double spare = above - words.height(layout.columns);
         try_figures(best, layout, {left, above}, spare);
-        // Figures stand left of the title block, the text above it.
+        // Figures may stand left of the title block with the text above it.
         if (notch.high > 0 && std::min(left, notch.left) > least_beside)
             try_figures(best, layout, {std::min(left, notch.left), height}, spare);
     }
@@ -393,7 +394,7 @@ TextColumns Arrangement::text_columns(double whole, double measure, double figur
     TextColumns all;
     for (int i = 0; i < columns; ++i) {
         const bool below = !beside || i < under;
-        // Those beside the figures keep to the right edge.
+        // Columns beside the figures are aligned with the right edge.
         const double x = below ? i * (measure + gap) : whole - (columns - i) * (measure + gap) + gap;
         const bool over_block = notch.high > 0 && x + measure > notch.left + 0.05;
         all.push_back({x, below && figures > 0 ? figures + text_gap : 0, over_block ? notch.high : 0});
@@ -401,7 +402,8 @@ TextColumns Arrangement::text_columns(double whole, double measure, double figur
     return all;
 }
 
-/// Figures in the upper left corner, text under them and then beside: as high as the text lets them be.
+/// Tries figures in the upper left corner with text below and beside them. The height of the figures is the greatest
+/// for which the text fits, found by bisection.
 void BandLayouts::try_round(Best& best, Arrangement layout, double whole, double height, Notch notch) const {
     const ColumnText& words = text(layout.divided, layout.cornered);
     layout.beside = true;
@@ -411,7 +413,7 @@ void BandLayouts::try_round(Best& best, Arrangement layout, double whole, double
     for (layout.under = 1; layout.under < layout.columns; ++layout.under) {
         const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);
         double low = least_beside, high = left <= notch.left || notch.high == 0 ? height : height - notch.high;
-        // Not worth a search where even all of the height makes nothing better, or all that the text leaves of it.
+        // Skip the search if neither the full height nor the height that the text can leave improves the score.
         const double most = (layout.columns * height - words.least_height(layout.columns)) / layout.under - text_gap;
         if (left < least_beside || !improves(best, layout, {left, std::min(high, most)})) continue;
         TextColumns columns = layout.text_columns(whole, words.measure(), least_beside, notch);
@@ -425,7 +427,7 @@ void BandLayouts::try_round(Best& best, Arrangement layout, double whole, double
             const double middle = 0.5 * (low + high);
             (holds(middle) ? low : high) = middle;
         }
-        // What the figures lose in height, the text gains in all of its columns.
+        // A height taken from the figures is divided among all columns of text.
         try_figures(best, layout, {left, low}, height, static_cast<double>(layout.under) / layout.columns);
     }
 }

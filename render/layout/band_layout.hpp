@@ -1,5 +1,5 @@
-// How a band stands in a room: its figures left and its text right of them, or its text under them. Owns what a room is
-// worth to a band; draws nothing.
+// Band layout: the arrangement of one band in a given space, with its text beside or below its figures. Computes the
+// score of each arrangement; draws nothing.
 #pragma once
 
 #include <map>
@@ -17,60 +17,61 @@
 
 namespace kinegraph::render {
 
-/// A band is so many of the columns wide that a page is divided into.
+/// The width of a band: `columns` of the `of` equal columns that the page is divided into.
 struct Width {
     int columns = 1, of = 1;
     auto operator<=>(const Width&) const = default;  // NOLINT(modernize-use-nullptr): as in quantity.hpp
 };
 
-/// What the title block takes of a room: its lower right corner.
+/// The part of a space that the title block covers: its lower right corner.
 struct Notch {
-    double left = 0;  ///< of it the room is as wide
+    double left = 0;  ///< the width that stays free left of the block
     double high = 0;
 };
 
-/// How figures and text of a band stand to each other. (A plan compares tens of thousands: nothing here asks for
-/// memory.)
+/// An arrangement of the figures and the text of a band. A plan compares tens of thousands of them, so that nothing
+/// here allocates memory.
 struct Arrangement {
     static constexpr double impossible = -1e300, possible = 0.5 * impossible;
     double worth = impossible;
-    int divided = 0;        ///< the text's column is a page divided by this; 0: no text
-    int columns = 0;        ///< of text
-    bool beside = false;    ///< the text stands right of the figures, else under them
-    int under = 0;          ///< beside: so many of its columns, the first, go on under the figures
-    bool stacked = false;   ///< the figures stand one under the other
+    int divided = 0;        ///< number of columns that the page is divided into for the text; 0: no text
+    int columns = 0;        ///< columns of text
+    bool beside = false;    ///< the text stands right of the figures, otherwise below them
+    int under = 0;          ///< if beside: the number of its first columns that stand below the figures
+    bool stacked = false;   ///< the figures stand below each other
     bool cornered = false;  ///< the equations stand in a corner of the figure
 
-    /// The columns of its text, in a room so wide of which the title block takes a corner; `figures`: how high these
-    /// are.
+    /// The columns of its text. `whole`: width of the space, mm; `measure`: width of a column; `figures`: height of the
+    /// figures.
     TextColumns text_columns(double whole, double measure, double figures, const Notch& notch) const;
 };
 struct BandLayout : Arrangement {
-    std::vector<Spot> rooms{};  ///< of the figures; no width: left out
+    std::vector<Spot> rooms{};  ///< of the figures; width 0: the figure is left out
 };
 
-/// The text of bands as they were set, kept from one plan to the next. A text that goes on over pages is set once.
+/// Cache of the typeset text of bands, kept from one plan to the next. A text that is divided over pages is typeset
+/// once.
 class BandTexts {
 public:
-    /// `planned`: the same with other results, of which the rest is taken.
+    /// `planned`: texts with other results; everything that does not depend on results is copied from it.
     BandTexts(const Bands& bands, const std::vector<ResultRow>& results, const SheetFormat& format,
               BandTexts* planned = nullptr)
         : bands_(bands), results_(results), format_(format), planned_(planned) {}
 
-    /// In the columns of a page divided by so many; `cornered`: without its equations.
+    /// The text for columns of a page that is divided into `divided`; `cornered`: without its equations.
     const ColumnText& of(const Band& band, int divided, bool cornered);
-    /// Whether some of it, a table, is found to be too wide for such columns: then the rest need not be set for them.
-    /// Of a text that goes on over pages nothing is said.
+    /// Whether a table is too wide for such columns; the other parts are not typeset then. Always false for a text that
+    /// is divided over pages.
     bool has_too_wide(const Band& band, int divided, bool cornered);
-    /// How many rows it has.
+    /// Number of rows.
     std::size_t rows(const Band& band);
-    /// … by its passages, in their order.
+    /// Number of rows of each passage, in order.
     std::vector<std::size_t> rows_by_passage(const Band& band);
-    /// As a block to stand in a corner of a figure.
+    /// The equations as a block for a corner of a figure.
     const Block& equations(const Band& band);
-    /// What was set of a band that now says more.
+    /// Removes the text of a band from the cache, because the text has changed.
     void forget(const std::string& question);
-    /// How often that was.
+    /// How often forget() was called for it.
     int times_forgotten(const std::string& question) const {
         const auto found = forgotten_.find(question);
         return found == forgotten_.end() ? 0 : found->second;
@@ -78,7 +79,7 @@ public:
 
 private:
     using Setting = std::tuple<std::string, int, bool>;  // question, division, cornered
-    /// Passages by part; those that were not asked for yet are not set.
+    /// Passages by part; they are typeset when they are first needed.
     struct Whole {
         std::vector<Passage> passages;
         std::vector<bool> is_set;
@@ -98,51 +99,51 @@ private:
     std::map<std::string, int> forgotten_;
 };
 
-/// What a band is worth in rooms of one width, by their height in steps. It never falls with the height: between two
-/// heights at which it is the same it need not be asked for.
+/// The score of a band by height, in steps, for one width. It does not decrease with the height, so that heights
+/// between two equal scores need no computation.
 using WorthByHeight = std::vector<double>;
 
 class BandLayouts {
 public:
-    /// `force_scale`: no force polygon is drawn larger. `crowded`: figures may be so small that they are hard to read;
-    /// `cornered`: equations may stand in a corner of their polygon; `narrow`: columns may be narrower than the
-    /// format's.
+    /// `crowded`: figures may be hard to read; `cornered`: equations may stand in a corner of their polygon; `narrow`:
+    /// columns may be narrower than those of the format.
     BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format,
                 bool crowded, bool cornered, bool narrow);
 
-    /// The best in a room so high.
+    /// The arrangement with the highest score for this height, mm.
     BandLayout in(Width width, double height, Notch notch = {}) const;
-    /// By heights that are multiples of `step`, the greatest `most` of them; kept once asked for.
+    /// The scores for the heights 0, step, … most × step. Cached.
     const WorthByHeight& worth(Width width, const Notch& notch, double step, int most) const;
-    /// What it takes of such a room, about, mm²: its text, and its figures with their letters.
+    /// Estimate of the area that text and lettered figures cover in such a space, mm².
     double taken_in(Width width, double height, Notch notch) const;
-    /// Whether another has the same figures and the same text, so that all it was asked for holds here.
+    /// Whether `other` has the same figures and text, so that the cached scores are valid for both.
     bool is_like(const BandLayouts& other) const;
-    /// The text in the columns of a page divided by so many.
+    /// The text for columns of a page that is divided into `divided`.
     const ColumnText& text(int divided, bool cornered) const;
-    /// The equations, where they may stand in a corner.
+    /// The equations that may stand in a corner. Only if there are some.
     const Block& equations() const { return *equations_; }
-    /// What of a room is for the equations in the figure's corner.
+    /// By how much the space must be wider for the equations in the corner of the figure, mm.
     double wider_in(Spot room) const;
-    /// Of a figure of the band, by its place among them: the scale that a room promises.
+    /// The scale planned for a figure (by its index in the band) in this space.
     double scale_in(std::size_t figure, Spot room) const;
 
 private:
     const FigureSize& size_in(std::size_t figure, Spot room, bool cornered) const;
-    /// Whether its text may stand in narrower columns than the format's.
+    /// Whether its text may stand in narrower columns than those of the format.
     bool may_be_narrow(int divided, bool cornered) const;
-    /// The best of what was tried, and what its figures share.
+    /// The best arrangement so far, and bounds for the search.
     struct Best {
         Arrangement layout{};
         Spot room{};
-        double most_of_figures = 0;  ///< no worth of them is more
-        double spare = 0;            ///< by how much the room may be lower and still hold it, about
-        bool lasts = false;          ///< … for certain
+        double most_of_figures = 0;  ///< upper bound of the score of the figures
+        double spare = 0;            ///< by how much the height may decrease with the same arrangement, about, mm
+        bool lasts = false;          ///< `spare` is exact
     };
     Best best_in(Width width, double height, Notch notch) const;
     void try_round(Best& best, Arrangement layout, double whole, double height, Notch notch) const;
     void try_all(Best& best, const Arrangement& base, double whole, double height, Notch notch) const;
-    /// `spare`: of the text, as Best's; `share_of_height`: by how much the room is lower where the figures are by 1 mm.
+    /// `spare`: the same bound for the text; `share_of_height`: the decrease of the height for a decrease of 1 mm of
+    /// the figures.
     void try_figures(Best& best, const Arrangement& layout, Spot room, double spare, double share_of_height = 1) const;
     bool may_improve(const Best& best, const Arrangement& layout) const;
     bool improves(const Best& best, const Arrangement& layout, Spot room) const;
@@ -152,11 +153,11 @@ private:
     const Band& band_;
     const SheetFormat& format_;
     FigureShares figures_;
-    const Block* equations_ = nullptr;  // that find room in a corner; they are the texts'
+    const Block* equations_ = nullptr;  // those for a corner, owned by texts
     bool narrow_;
-    int times_forgotten_;                                                       // its text, before
+    int times_forgotten_;                                                       // of its text, when this was made
     mutable std::vector<const ColumnText*> texts_;                              // by division and whether cornered
-    mutable std::vector<std::optional<bool>> may_be_narrow_;                    // … too
+    mutable std::vector<std::optional<bool>> may_be_narrow_;                    // by the same index
     mutable std::map<std::tuple<Width, double, double>, WorthByHeight> worth_;  // by width and notch
 };
 

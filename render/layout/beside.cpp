@@ -1,4 +1,4 @@
-// Beside a figure: see beside.hpp.
+// Implementation of beside.hpp.
 #include "render/layout/beside.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ bool set_beside(std::vector<Mark>& marks, Figure& figure, const Block& block, co
     const std::vector<Spot> spots = covered(figure.marks);
     const double spare_x = room.width() - figure.box.width(), spare_y = room.height() - figure.box.height();
     if (spare_x < 0 || spare_y < 0 || block.width > room.width() || block.height > room.height()) return false;
-    // The figure stays in the middle and under its caption as far as the block lets it.
+    // Prefers positions of the figure near the middle and near its caption.
     for (const double down : {0.0, 0.5, 1.0})
         for (const double aside : {0.5, 0.75, 1.0})
             for (const bool bottom : {false, true})

@@ -1,4 +1,4 @@
-// Beside a figure: a block in a corner of its room that it leaves free.
+// Places a block in a free corner beside a figure.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace kinegraph::render {
 
-/// The figure is moved within the room, and the block set into a corner that it leaves free; false where there is none.
+/// Moves the figure within the room and places the block in a free corner. False if no corner is free.
 bool set_beside(std::vector<Mark>& marks, Figure& figure, const Block& block, const Box& room);
 
 }  // namespace kinegraph::render

@@ -1,5 +1,5 @@
-// Column text: a heading never parts from the lines below it, no line stands alone in a column, and a table that goes
-// on has its head again.
+// Column text. Rules: a heading stays with the lines below it, no line stands alone in a column, and a table repeats
+// its head in the next column.
 #include "render/layout/column_text.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 constexpr double passage_gap = 3.5, rounding_grace = 1e-6;
 constexpr double two_lines = 7.5;  // mm; rows lower than this do not stand alone in a column
 
-/// Where the rows from one on that stay together end: the first ones of a passage stay with its heading, no line by
-/// itself, and none by itself in the end.
+/// End of the group of rows that begins at `first` and stays together: the first rows of a passage stay with its
+/// heading, and no single line is left at the beginning or the end.
 std::size_t end_of_group(const std::vector<SharedBlock>& rows, double scale, std::size_t first) {
     std::size_t end = first + 1;
     double height = rows[first].height() * scale;
@@ -108,8 +108,8 @@ double ColumnText::height_found(std::size_t columns) const {
 }
 
 void ColumnText::set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose) const {
-    constexpr double most_air = 1.5;  // mm, under a long sentence
-    double air = 0;                   // above a row, of all those over it in its column
+    constexpr double most_air = 1.5;  // mm, below a long sentence
+    double air = 0;                   // above a row: the sum over all rows above it in its column
     flow(columns, height(columns), [&](const Group& group, bool turns, std::size_t column, double y) {
         const Passage& passage = passages_[group.passage];
         if (turns) air = 0;

@@ -1,5 +1,4 @@
-// Column text: passages set in columns side by side, as even as their rows let them. Knows rows and headings, no
-// sentence.
+// Column text: passages in columns side by side, balanced as far as their rows allow. Works on rows and headings only.
 #pragma once
 
 #include <vector>
@@ -8,49 +7,50 @@
 
 namespace kinegraph::render {
 
-/// A column that text flows through: where it stands, where it begins, and how far above the others it ends.
+/// A column for text: its position and top, and by how much its end is above the end of the others, mm.
 struct TextColumn {
     double x = 0, top = 0, lift = 0;
 };
 using TextColumns = std::vector<TextColumn>;
 
-/// Whether a table or a heading is wider than a column of `measure` mm, rows scaled.
+/// Whether a table or a heading is wider than a column of `measure` mm. `scale`: that of the rows.
 bool is_wider(const Passage& passage, double scale, double measure);
 
 class ColumnText {
 public:
-    /// Rows as they are set, scaled where they come to stand; `measure`: width of a column, mm.
+    /// Rows are typeset at scale 1 and scaled when they are placed; `measure`: width of a column, mm.
     ColumnText(std::vector<Passage> passages, double measure, double scale);
 
     bool empty() const { return passages_.empty(); }
     double measure() const { return measure_; }
     /// Whether a table or a heading is wider than its column.
     bool is_too_wide() const { return too_wide_; }
-    /// The least height at which it stands in so many columns.
+    /// The least height for this number of columns, mm.
     double height(int columns) const {
         const auto index = static_cast<std::size_t>(columns);
         return index < heights_.size() && heights_[index] >= 0 ? heights_[index] : height_found(index);
     }
-    /// `loose`: rows stand by so much of their height, at most, farther apart.
+    /// `loose`: the greatest additional space between rows, as a fraction of their height.
     void set(std::vector<Mark>& marks, Spot at, int columns, double between, double loose) const;
 
-    /// The same in columns of different heights, from the first to the last.
+    /// The same for columns of different tops and ends, from the first to the last.
     bool fits(const TextColumns& columns, double height) const;
     double height(const TextColumns& columns) const;
     void set(std::vector<Mark>& marks, Spot at, const TextColumns& columns, double loose) const;
-    /// One column under the other.
+    /// The height in a single column.
     double whole_height() const;
-    /// What so many columns together must have at least: where one ends, what is between two passages may fall away.
+    /// A lower bound of the sum of the heights of `columns` columns: the space between two passages may vanish at the
+    /// end of a column.
     double least_height(int columns) const;
 
 private:
-    /// Rows that no column parts, and how high they are with what stands over them: the heading over the first ones of
-    /// a passage, the head over these and where a column begins.
+    /// Rows that stay in one column. Their height includes what stands above them: the heading of a passage above its
+    /// first rows, the head of a table there and at the top of a column.
     struct Group {
         std::size_t passage, first, end;
-        double on, anew;  ///< going on in a column, beginning one
+        double on, anew;  ///< height when the column goes on, and at the top of a column
     };
-    /// Shows place() each group, whether it begins a column, and where; false where it does not fit.
+    /// Calls place() with each group, its position, and whether it begins a column. False if the text does not fit.
     template <class Place>
     bool flow(const TextColumns& columns, double height, Place place) const;
 
@@ -62,8 +62,8 @@ private:
     std::vector<Group> groups_;
     double measure_;
     bool too_wide_ = false;
-    mutable std::vector<double> heights_;  // by columns, once asked
-    mutable double whole_ = -1;            // … of all in one
+    mutable std::vector<double> heights_;  // by number of columns; negative: not computed
+    mutable double whole_ = -1;            // height in a single column; negative: not computed
 };
 
 }  // namespace kinegraph::render

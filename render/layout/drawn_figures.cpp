@@ -1,5 +1,5 @@
-// Each figure is drawn once for all rooms that let it be as large; what the figures of a band leave of their rooms is
-// shared out.
+// Draws each figure once for all rooms that give the same scale, and divides the space that the figures of a band
+// leave.
 #include "render/layout/drawn_figures.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// Whether a larger room than it was drawn for lets a figure be no larger, and it lacks nothing.
+/// Whether the figure would have the same scale in a larger room and has all its content.
 bool gains_nothing(const Wanted& wanted, const Figure& drawn, Spot room) {
     constexpr double rounding = 1e-9;
     if (!wanted.tells_its_extents() || wanted.asked || drawn.lacks_details || drawn.has_key) return false;
@@ -21,7 +21,7 @@ bool gains_nothing(const Wanted& wanted, const Figure& drawn, Spot room) {
     return finest >= drawn.scale * (1 - rounding);
 }
 
-/// For a figure that fills its room.
+/// Whether a figure that fills its room would hardly change in another room.
 bool is_hardly_other(Spot known, Spot room) {
     constexpr double hardly = 1.2;
     const double x = room.x / known.x, y = room.y / known.y;
@@ -46,7 +46,7 @@ bool DrawnFigures::draw(SheetPlan& plan, bool refuse) {
     return all_in_corners;
 }
 
-/// What the plan shows, not drawn yet.
+/// The figures of the plan with their rooms, not drawn yet.
 std::vector<DrawnFigures::InItsRoom> DrawnFigures::in_their_rooms(const SheetPlan& plan) {
     by_band_.clear();
     std::vector<InItsRoom> all;
@@ -60,7 +60,7 @@ std::vector<DrawnFigures::InItsRoom> DrawnFigures::in_their_rooms(const SheetPla
             if (!(size.x > 0)) continue;
             if (figures == nullptr) {
                 figures = &by_band_[placed.band];
-                figures->reserve(layout.rooms.size());  // they stay where they are
+                figures->reserve(layout.rooms.size());  // pointers to the elements are kept
             }
             DrawnFigure& drawn = figures->emplace_back();
             drawn.wanted = band.figures[f];
@@ -76,7 +76,7 @@ std::vector<DrawnFigures::InItsRoom> DrawnFigures::in_their_rooms(const SheetPla
     return all;
 }
 
-/// But for those that wait.
+/// Draws all figures except those that wait.
 void DrawnFigures::draw_each(const std::vector<InItsRoom>& all, bool refuse) {
     for (const InItsRoom& each : all) {
         const Wanted& wanted = wanted_.list[each.drawn->wanted];
@@ -104,7 +104,7 @@ void DrawnFigures::draw_what_fills_its_room() {
     for (auto& [band, figures] : by_band_) share_room(figures);
 }
 
-/// What has a finer scale of its own takes no more than its room.
+/// Replaces a figure by one with a finer scale of its own if that fits into the room.
 void DrawnFigures::enlarge(DrawnFigure& drawn) const {
     const Wanted& wanted = wanted_.list[drawn.wanted];
     if (!wanted.larger) return;
@@ -134,7 +134,7 @@ bool DrawnFigures::keep_to_rooms() const {
     });
 }
 
-/// What one figure of a band leaves of its room is for another that takes more than its own.
+/// Moves the borders between the figures of a band, so that one that is too large gets the space that others leave.
 void DrawnFigures::share_room(std::vector<DrawnFigure>& figures) const {
     const auto is_open = [](const DrawnFigure& drawn) { return drawn.waits || drawn.is_refused(); };
     if (figures.size() < 2 || std::any_of(figures.begin(), figures.end(), is_open)) return;
@@ -165,7 +165,7 @@ void DrawnFigures::share_room(std::vector<DrawnFigure>& figures) const {
     }
 }
 
-/// The equations into a corner of the room that the figure leaves free; false where there is none.
+/// Places the equations in a free corner of the room. False if none is free.
 bool DrawnFigures::set_in_corner(DrawnFigure& drawn, const Block& equations) const {
     const Box room = rectangle(0, 0, drawn.room.width(), drawn.room.height() - drawn.caption);
     if (!set_beside(drawn.beside, drawn.figure, equations, room)) return false;
@@ -173,9 +173,9 @@ bool DrawnFigures::set_in_corner(DrawnFigure& drawn, const Block& equations) con
     return true;
 }
 
-/// Drawn once for all rooms between the one it was drawn for and what it takes: its scale is the finest that fits. A
-/// room that holds it only smaller than at `coarsest` is refused, which costs less than to letter it there: the figure
-/// is empty then and at any_scale.
+/// Cached. A drawing is reused for all rooms between its own and its size, because its scale is the finest that fits.
+/// If the room does not allow the scale `coarsest`, the result is empty and at any_scale; that takes less time than to
+/// place the labels.
 const Figure& DrawnFigures::figure_in(std::size_t index, Spot room, double coarsest) {
     const Wanted& wanted = wanted_.list[index];
     std::vector<Known>& known = known_[index];
@@ -191,7 +191,7 @@ const Figure& DrawnFigures::figure_in(std::size_t index, Spot room, double coars
     return known.emplace_back(std::move(drawn)).figure;
 }
 
-/// Whether a drawing of the figure, or that there was none, holds for a room as well.
+/// Whether a cached drawing or refusal is valid for this room.
 bool DrawnFigures::serves(const Known& known, const Wanted& wanted, Spot room, double coarsest) const {
     constexpr double rounding = 1e-6;
     if (known.force_scale != (wanted.to_force_scale ? wanted_.force_scale : std::nullopt)) return false;
@@ -232,7 +232,7 @@ double DrawnFigures::height_of_caption(const DrawnFigure& drawn, double width) c
     return set_caption(words, context_, drawn.figure, drawn.number, {0, 0}, width);
 }
 
-/// The least width between two in which its caption is no higher than `most`; the greater one where none is.
+/// The least width in [low, high] for which its caption is no higher than `most`; `high` if there is none.
 double DrawnFigures::width_for_caption(const DrawnFigure& drawn, double most, double low, double high) const {
     constexpr double fine = 1;
     if (height_of_caption(drawn, low) <= most) return low;

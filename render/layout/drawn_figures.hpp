@@ -1,5 +1,5 @@
-// Drawn figures: those of a plan, each in the room that is its own. Owns what was drawn before, so that nothing is
-// drawn twice; chooses no room, but that figures of one band share out what they leave.
+// Drawn figures: draws the figures of a plan, each in its room. Owns a cache of the drawings. Chooses no room; only
+// figures of one band share the space that they leave free.
 #pragma once
 
 #include <map>
@@ -18,29 +18,30 @@ public:
     DrawnFigures(const DrawingContext& context, const WantedFigures& wanted, const Bands& bands, FigureNeeds& needs)
         : context_(context), wanted_(wanted), bands_(bands), needs_(needs), known_(wanted.list.size()) {}
 
-    /// All that the plan shows, but for what fills whatever room is left. `refuse`: figures may refuse a room that is
-    /// less than their plan promised. False where equations found no corner beside their figure; the plan is told.
+    /// Draws all figures of the plan except those that fill their rooms. `refuse`: a figure may refuse a room in which
+    /// its scale would be coarser than planned. False if equations found no free corner beside their figure; the plan
+    /// records it.
     bool draw(SheetPlan& plan, bool refuse);
-    /// Those that fill their rooms, once the rooms are those that all others are content with; then the letters of
-    /// details are known.
+    /// Draws the figures that fill their rooms. Call it once the rooms are final: it also letters the details (I, II,
+    /// …).
     void draw_what_fills_its_room();
-    /// With what else has room in the rooms that they have.
+    /// Adds optional content to the figures where their rooms have space for it.
     void enrich();
 
-    /// Whether none takes more than its room.
+    /// Whether every figure fits into its room.
     bool keep_to_rooms() const;
 
     ByBand& by_band() { return by_band_; }
     const ByBand& by_band() const { return by_band_; }
 
 private:
-    /// A drawing that was tried, and for which room.
+    /// A cached drawing, and the room it was drawn for.
     struct Known {
         Spot room;
         std::optional<double> force_scale;
         bool shrinks = false;
         Figure figure;
-        std::optional<double> refused_at;  // the scale that it had no room for
+        std::optional<double> refused_at;  // the finest scale for which it was found to have no room
     };
     struct InItsRoom {
         DrawnFigure* drawn;

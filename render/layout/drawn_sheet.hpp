@@ -1,4 +1,4 @@
-// A sheet drawn, with its figures where they stand: what a question and a key have in common with the solution.
+// A laid out sheet with the final positions of its figures. Question and key use the positions of the solution.
 #pragma once
 
 #include <vector>
@@ -12,13 +12,13 @@ namespace kinegraph::render {
 
 struct DrawnSheet {
     std::vector<Page> pages;
-    std::vector<Figure> figures;  ///< in the order of their numbers, each where it stands on its page
-    Spot caption;                 ///< of the first: its top left corner …
-    double caption_width = 0;     ///< … and the room it has
-    bool keeps_to_rooms = true;   ///< no figure takes more than was planned for it
+    std::vector<Figure> figures;  ///< in the order of their numbers, at their positions on the page
+    Spot caption;                 ///< of figure 1: its top left corner
+    double caption_width = 0;     ///< of figure 1: the width for it, mm
+    bool keeps_to_rooms = true;   ///< every figure fits into the room planned for it
 };
 
-/// The worked solution, in the detail asked for.
+/// The worked solution, with the detail of the options.
 DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,4 @@
-// Rims grow by what letters took; what is not known is tried.
+// Updates the estimated space for labels from drawings; without data it is increased by fixed steps.
 #include "render/layout/figure_needs.hpp"
 
 #include <algorithm>
@@ -10,15 +10,16 @@ namespace kinegraph::render {
 namespace {
 
 constexpr int most_refusals = 3;
-constexpr double ink = 0.25;  // mm, of rules at the rim of a figure: they may stand out of its room
+constexpr double ink = 0.25;  // mm: border lines of a figure may exceed its room by this
 
-/// A little more than was taken of a room, as far as the room has it: the plan must hold with what it taught.
+/// The size taken with a small reserve, at most that of the room, so that the next plan keeps a room that was large
+/// enough.
 double with_air(double taken, double room) {
     constexpr double air = 0.5;
     return taken < room + ink ? std::min(taken + air, room) : taken + air;
 }
 
-/// For what its letters took at a coarser scale; what is not known, is tried.
+/// Increases the estimate to the space that labels took at a coarser scale; without data by a fixed step.
 void give_more_room(Wanted& wanted, const DrawnFigure& drawn) {
     constexpr double more = 6;
     if (drawn.is_refused()) {
@@ -43,7 +44,7 @@ int& FigureNeeds::refusals_of(const Wanted& wanted) {
 }
 
 bool FigureNeeds::may_refuse(const Wanted& wanted) {
-    // Where figures are crowded a polygon refuses once, by the count of its names; a mechanism is lettered as it comes.
+    // If figures are crowded, a figure refuses once, based on its number of names; a mechanism accepts every room.
     if (wanted_.are_crowded()) return wanted.letters > 0 && refusals_of(wanted) < 1;
     return refusals_of(wanted) < most_refusals;
 }
@@ -56,7 +57,7 @@ void FigureNeeds::learn_from(const DrawnFigure& drawn) {
     const Spot guess = wanted.strokes_at(drawn.figure.scale) + Spot{wanted.rim_x, wanted.rim_y};
     const auto [known, fresh] = wanted.taken.try_emplace(drawn.figure.scale, taken);
     if (fresh) spared_ = std::max({spared_, guess.x - taken.x, guess.y - taken.y});
-    // In a room of another shape it may take more; were it to take less again, plans would not settle.
+    // The size may be larger in a room of another shape. It never decreases, otherwise the plans would not converge.
     known->second = {std::max(known->second.x, taken.x), std::max(known->second.y, taken.y)};
 }
 
@@ -70,7 +71,7 @@ bool FigureNeeds::asks_for_more_room(const DrawnFigure& drawn) {
     return is_coarser_than_promised(drawn) && may_refuse(wanted_.list[drawn.wanted]);
 }
 
-/// What it took at the promised scale in another room is not enough in one of this shape.
+/// The size recorded for the planned scale, from a room of another shape, was too small; it is increased.
 void FigureNeeds::wants_more_than_its_room(const DrawnFigure& drawn) {
     auto& taken = wanted_.list[drawn.wanted].taken;
     const auto known = taken.find(drawn.promised);
@@ -97,19 +98,19 @@ bool FigureNeeds::has_outgrown(const DrawnFigure& drawn) {
     if (wanted.fills) {
         fills_a_larger_room(drawn, drawn.is_too_wide(), drawn.is_too_high());
     } else {
-        // What cannot be read on paper anyway is drawn once.
+        // A figure that is too small to be read on paper is not drawn again.
         if (wanted_.are_crowded() && !wanted.to_force_scale)
             wanted.finest = std::max(wanted.finest, drawn.figure.scale);
         wanted.rim_x += std::max(drawn.figure.box.width() - drawn.room.width(), 0.0);
         wanted.rim_y += std::max(drawn.height() - drawn.room.height(), 0.0);
-        learn_from(drawn);  // its caption may have more lines by now
+        learn_from(drawn);  // the caption may have more lines now
     }
     return true;
 }
 
-/// Only the way in which it was too large: the other way it may have filled its room with a larger body. A wider room
-/// may do with fewer lines of its caption. One that outgrows one room after the other gets what it took; where that is
-/// of no avail it shrinks.
+/// Increases the least room only in the direction in which the figure was too large; in the other one it may just have
+/// filled its room. A wider room may save lines of the caption. After repeated failures the least room is the size
+/// drawn; after further failures the figure shrinks.
 void FigureNeeds::fills_a_larger_room(const DrawnFigure& drawn, bool too_wide, bool too_high) {
     constexpr int without_avail = 2;
     Wanted& wanted = wanted_.list[drawn.wanted];
@@ -140,7 +141,7 @@ bool FigureNeeds::gives_room_for_its_scale(const DrawnFigure& drawn) {
 
 void FigureNeeds::take_back(Refusal& refusal) {
     Wanted& wanted = wanted_.list[refusal.wanted];
-    // A coarser scale of one force polygon would be that of all.
+    // A coarser scale of one force polygon would change the scale of all.
     if (wanted.to_force_scale) return;
     std::swap(wanted.rim_x, refusal.rim_x);
     std::swap(wanted.rim_y, refusal.rim_y);
@@ -158,7 +159,7 @@ bool FigureNeeds::is_planned_as_it_came(const DrawnFigure& drawn) {
     Wanted& wanted = wanted_.list[drawn.wanted];
     if (wanted.to_force_scale || wanted.finest > 0 || drawn.is_refused() || !is_coarser_than_promised(drawn))
         return false;
-    // At first it is said to take more there, by what its letters took at the coarser scale.
+    // First, the size at the planned scale is estimated from the labels at the coarser one.
     if (said_to_take_more_.insert(wanted.name).second) {
         const Spot letters = drawn.size - wanted.strokes_at(drawn.figure.scale);
         const Spot more = wanted.strokes_at(drawn.promised) + letters;
@@ -167,7 +168,7 @@ bool FigureNeeds::is_planned_as_it_came(const DrawnFigure& drawn) {
         tried_ = Tried{drawn.wanted, drawn.promised, drawn.figure.scale};
         if (taken.x > drawn.own.x || taken.y > drawn.own.y - drawn.caption) return true;
     }
-    // Planned for less than can be read it would have no room at all.
+    // Below this size no room would be planned for it at all.
     if (std::max(wanted.extent_x, wanted.extent_y) / drawn.figure.scale < hardly_readable) return false;
     wanted.finest = drawn.figure.scale;
     return true;

@@ -1,5 +1,5 @@
-// Figure needs: what figures turn out to take once they are lettered, and what they refuse. Owns how a room that was
-// thought to do grows with what the drawing taught; draws nothing and plans nothing.
+// Figure needs: the space that figures were found to need once they were lettered, and the rooms that they refused.
+// Updates the estimates of WantedFigures from drawings; draws nothing and plans nothing.
 #pragma once
 
 #include <algorithm>
@@ -16,24 +16,24 @@
 
 namespace kinegraph::render {
 
-/// A figure as drawn, and the room it was drawn for (from the band's upper left corner).
+/// A figure as drawn, and the room it was drawn for (relative to the upper left corner of the band).
 struct DrawnFigure {
     std::size_t wanted = 0;
     Box room;
-    Spot own{};  ///< of it, what is not for equations in a corner
+    Spot own{};  ///< size of the room without the part for equations in a corner
     int number = 0;
-    double promised = 0;         ///< the scale that the room was planned for
-    double caption = 0;          ///< mm that it takes
-    bool has_own_scale = false;  ///< a force polygon that is finer than the scale of all
-    bool waits = false;          ///< for all others: it fills its room, whatever that is
+    double promised = 0;         ///< the scale planned for the room
+    double caption = 0;          ///< its height, mm
+    bool has_own_scale = false;  ///< a force polygon at a finer scale than the common one
+    bool waits = false;          ///< it fills its room, and is therefore drawn after all others
     Figure figure;
-    Spot size{};                 ///< of the figure alone
-    double wide_enough = 0;      ///< a room so wide would do, for its caption has fewer lines there; 0: none
-    std::vector<Mark> beside{};  ///< equations in its corner
+    Spot size{};             ///< of the figure alone
+    double wide_enough = 0;  ///< a room of this width would be enough, since the caption has fewer lines there; 0: none
+    std::vector<Mark> beside{};  ///< equations in a corner
     double height() const { return caption + figure.box.height(); }
-    bool is_refused() const { return figure.scale == any_scale; }  ///< the room, by the figure
+    bool is_refused() const { return figure.scale == any_scale; }  ///< the figure refused the room
     bool is_too_wide() const;                                      ///< for its room
-    bool is_too_high() const;                                      ///< …, with its caption
+    bool is_too_high() const;                                      ///< for its room, with its caption
 };
 
 class FigureNeeds {
@@ -44,22 +44,21 @@ public:
         refused_.clear();
         spared_ = 0;
     }
-    /// Whether a figure may refuse a room: a few times, then it is taken as it comes.
+    /// Whether a figure may refuse a room. After a few refusals it must accept any.
     bool may_refuse(const Wanted& wanted);
-    /// What a figure takes at the scale that it was drawn at is known from then on.
+    /// Records the space that a figure took at its scale.
     void learn_from(const DrawnFigure& drawn);
-    /// Whether it is coarser than its room was to let it be, and is given more room for that: a few times.
+    /// Whether the figure is coarser than planned and gets more room for that. Limited to a few times for each figure.
     bool asks_for_more_room(const DrawnFigure& drawn);
-    /// Whether it takes more than its room. It is known now what its letters take; where it refused, that they take
-    /// more.
+    /// Whether the figure takes more than its room or refused it. Updates the estimate of the space for its labels.
     bool has_outgrown(const DrawnFigure& drawn);
-    /// Whether it missed the scale that the file asks for.
+    /// Whether the file gives a scale for the figure and it was drawn at another.
     bool misses_its_scale(const DrawnFigure& drawn) const;
-    /// … and is given more room for that: once.
+    /// Adds space for that scale. True once for each figure, then false.
     bool gives_room_for_its_scale(const DrawnFigure& drawn);
-    /// Where the figures that refused their rooms in the last round want pages more for their letters, they take the
-    /// rooms that they had, as they come, but for those that may refuse without a page more, the weightiest first.
-    /// `has_room`: whether all has room now.
+    /// If honouring all refusals of the last round would add a page, the rooms are accepted as they are, except for
+    /// figures (largest weight first) whose refusal adds none. `has_room`: makes a plan and returns whether it needs no
+    /// more pages.
     template <class HasRoom>
     void take_back_until(HasRoom has_room) {
         if (const auto tried = std::exchange(tried_, std::nullopt)) {
@@ -79,10 +78,11 @@ public:
         }
         if (!settled) has_room();
     }
-    /// Whether a figure came coarser than its room was planned for and is planned for more room, or, where that did not
-    /// help, no larger from now on: what it does not use of its room is for others.
+    /// Whether the plan must change because a figure is coarser than planned. First the figure is planned with more
+    /// room; if that does not help, its scale is limited to the drawn one, so that other figures get the space it
+    /// leaves.
     bool is_planned_as_it_came(const DrawnFigure& drawn);
-    /// Whether letters take so much less than was set aside for them that another plan may do with less paper; a few
+    /// Whether labels take so much less space than estimated that a new plan may need fewer pages. True at most a few
     /// times.
     bool take_less_than_thought();
 
@@ -91,16 +91,15 @@ private:
     void fills_a_larger_room(const DrawnFigure& drawn, bool too_wide, bool too_high);
     void wants_more_than_its_room(const DrawnFigure& drawn);
 
-    /// Of a room in the last round, by a figure: its rim there, and how often it is said to have refused where it takes
-    /// it.
+    /// A refusal in the last round: the figure, and the values that take_back() exchanges.
     struct Refusal {
         std::size_t wanted = 0;
         double rim_x = 0, rim_y = 0;
         int refusals = 0;
     };
-    /// … or again not.
+    /// Undoes a refusal; a second call restores it.
     void take_back(Refusal& refusal);
-    /// A figure that is planned for more room at a scale at which it did not come.
+    /// A figure that is planned with more room for a scale that it did not reach.
     struct Tried {
         std::size_t wanted = 0;
         double promised = 0, came = 0;
@@ -108,14 +107,14 @@ private:
     void give_up(const Tried& tried);
     WantedFigures& wanted_;
     std::vector<Refusal> refused_;
-    /// So often it refused; of a force polygon at the scale that all share now, for at another it has other rooms.
+    /// Number of refusals. For a force polygon it is counted for each common scale, because its room depends on it.
     int& refusals_of(const Wanted& wanted);
-    std::map<std::pair<std::string, double>, int> refusals_;  // by the figure's name and that scale
-    std::set<std::string> roomier_;                           // figures that got more room for the scale asked for
+    std::map<std::pair<std::string, double>, int> refusals_;  // by name of the figure and common scale of forces
+    std::set<std::string> roomier_;                           // figures that got more room for the scale in the file
     std::set<std::string> said_to_take_more_;
-    std::optional<Tried> tried_;  // the last of them
-    double spared_ = 0;           // mm, of a room as it was planned in the last round
-    int times_less_ = 0;          // plans anew because letters took less than was thought
+    std::optional<Tried> tried_;  // the last one
+    double spared_ = 0;           // mm; largest overestimate in the last round
+    int times_less_ = 0;          // number of new plans because labels took less than estimated
 };
 
 }  // namespace kinegraph::render

@@ -1,4 +1,4 @@
-// Figure shares: see figure_shares.hpp.
+// Implementation of figure_shares.hpp.
 #include "render/layout/figure_shares.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::size_t FigureShares::fitting_from(std::size_t figure, std::size_t first, do
     return first;
 }
 
-/// The largest that has room is what the way comes to, too.
+/// For a single figure the sequence ends at its largest size that fits.
 std::optional<FigureShares::Share> FigureShares::of_one(Spot room, Order order) const {
     const double whole = order.stacked ? room.y : room.x, wide = order.stacked ? room.x : room.y;
     for (const FigureSize& size : sizes_.front()) {
@@ -56,7 +56,7 @@ std::optional<FigureShares::Share> FigureShares::in(Spot room, Order order) cons
     if (sizes_.size() == 1) return of_one(room, order);
     const double whole = order.stacked ? room.y : room.x, wide = order.stacked ? room.x : room.y;
     const std::vector<double>& widths = widths_[order.stacked ? 1 : 0];
-    // They are few: to count them is sooner done than to divide them.
+    // There are few widths: a linear count is faster than a binary search.
     std::size_t reached = 0;
     for (const double each : widths) reached += each <= wide ? 1 : 0;
     Way& way = ways_[(order.stacked ? 2 : 0) + (order.cornered ? 1 : 0)][reached];
@@ -107,7 +107,7 @@ void FigureShares::go_on(Way& way, double wide, Order order) const {
     note(way, order);
 }
 
-/// Where the way has come to, unless an earlier share was as short.
+/// Appends the current sizes unless an earlier share was as short.
 void FigureShares::note(Way& way, Order order) const {
     Share share;
     for (std::size_t f = 0; f < sizes_.size(); ++f) {

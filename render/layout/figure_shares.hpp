@@ -1,5 +1,5 @@
-// Figure shares: how the figures of a band share one room, beside or under each other. Owns at which of its scales each
-// figure stands in it; knows no text and no page.
+// Figure shares: how the figures of a band share one room, side by side or stacked. Chooses one of the possible scales
+// for each figure; depends on neither text nor pages.
 #pragma once
 
 #include <array>
@@ -11,63 +11,64 @@
 
 namespace kinegraph::render {
 
-/// What a figure takes at a scale, its caption included, and what that is worth.
+/// Space that a figure needs at a scale, its caption included (mm), and the score of that scale.
 struct FigureSize {
     double x = 0, y = 0, worth = 0, scale = 0;
-    double wider = 0;  ///< for its equations in a corner
+    double wider = 0;  ///< additional width for equations in a corner
     bool operator==(const FigureSize&) const = default;
 };
 
-/// Each figure begins as large as the room is wide enough for; that which loses least for what it gives becomes smaller
-/// until all have room beside each other. Which one gives way next does not hang on how long the room is. A plan asks
-/// thousands of times: so these steps are gone once, as far as some room was short, and a room is answered by the first
-/// that it is long enough for.
+/// A greedy search: each figure begins with the largest size that the room is wide enough for; then the figure that
+/// loses the least score for the length it frees is made smaller, until all fit. This sequence does not depend on the
+/// length of the room. It is therefore memoised for each width, extended only as far as needed, and searched by length.
 class FigureShares {
 public:
-    /// Figures stand one under the other, or side by side; they have their equations in a corner.
+    /// How the figures stand, and whether they have equations in a corner.
     struct Order {
         bool stacked = false, cornered = false;
     };
     struct Share {
         double worth = 0, length = 0;
-        double across = 0;  ///< what it takes the other way
-        int shown = 0;      ///< figures that are not left out
+        double across = 0;  ///< extent in the other direction
+        int shown = 0;      ///< number of figures that are not left out
     };
 
-    /// `sizes`: of each figure, the largest first.
+    /// `sizes`: for each figure, the largest first.
     explicit FigureShares(std::vector<std::vector<FigureSize>> sizes = {});
 
     const std::vector<std::vector<FigureSize>>& sizes() const { return sizes_; }
-    /// No share of a room, or of a part of it, is worth more: each figure as it would be worth most had it the room to
-    /// itself. Less than any worth where the room is too small for one of them.
+    /// Upper bound of the score of any share of the room or of a part of it: the sum of the best scores of each figure
+    /// alone. Below any score if the room is too small for one of them.
     double most_worth_in(Spot room) const;
-    /// Nothing where the room is too small.
+    /// Empty if the room is too small.
     std::optional<Share> in(Spot room, Order order) const;
-    /// Which size each figure has then; the way there is gone again, for few are asked for.
+    /// The index of the size of each figure in that share. It repeats the search, because few calls need it.
     std::vector<std::size_t> taken_in(Spot room, Order order) const;
 
     static double along(const FigureSize& size, Order order);
 
 private:
     std::optional<Share> of_one(Spot room, Order order) const;
-    /// Shares in rooms that are wide enough for the same sizes, each shorter than all before.
+    /// The memoised sequence for rooms that are wide enough for the same sizes. Each share is shorter than those before
+    /// it.
     struct Way {
         bool begun = false, ended = false;
-        std::vector<std::size_t> now;  // which sizes, where it has come to
+        std::vector<std::size_t> now;  // current index of the size of each figure
         std::vector<Share> shares;
     };
     static double across(const FigureSize& size, Order order);
-    /// The largest size from one on that has room; a coarser scale may take more across, for letters crowd.
+    /// Index of the largest size from `first` on that is not wider than `wide`. A coarser scale may be wider, since its
+    /// labels are crowded.
     std::size_t fitting_from(std::size_t figure, std::size_t first, double wide, Order order) const;
     void begin(Way& way, double wide, Order order) const;
-    /// Until a share is no longer than `whole`, or there is none.
+    /// Extends the sequence until a share is no longer than `whole` or no figure can be made smaller.
     void go_until(Way& way, double whole, double wide, Order order) const;
     void go_on(Way& way, double wide, Order order) const;
     void note(Way& way, Order order) const;
 
     std::vector<std::vector<FigureSize>> sizes_;
-    std::array<std::vector<double>, 2> widths_;     // that some size has across, ascending: side by side, stacked
-    mutable std::array<std::vector<Way>, 4> ways_;  // by order; by how many of the widths have room
+    std::array<std::vector<double>, 2> widths_;     // extents across, ascending; side by side, stacked
+    mutable std::array<std::vector<Way>, 4> ways_;  // by order; by number of widths that have room
 };
 
 }  // namespace kinegraph::render

@@ -12,15 +12,15 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double step = 3;       // mm: heights are multiples of it
-constexpr int least_height = 5;  // steps, of a band
+constexpr double step = 3;       // mm; all heights are multiples of it
+constexpr int least_height = 5;  // of a band, in steps
 constexpr int gap_steps = 2;     // at least row_gap
 static_assert(gap_steps * step >= row_gap);
 constexpr std::size_t most_cells = 3, most_in_a_cell = 2, most_in_a_row = 4, most_on_a_page = 8;
 constexpr double impossible = BandLayout::impossible, possible = BandLayout::possible;
 constexpr double above_block = 4;
 
-/// All ways to share `of` columns among so many bands, each at least one.
+/// All ways to divide `of` columns among `bands` bands, each with at least one.
 void shares(int of, std::size_t bands, std::vector<int>& now, std::vector<std::vector<int>>& all) {
     if (bands == 1) {
         all.push_back(now);
@@ -40,7 +40,7 @@ int steps_of(const SheetFormat& format, bool first_page) {
 double taken_by_block(const SheetFormat& format) {
     return content_of(format, true).max.y - format.block.min.y + above_block;
 }
-/// What the title block takes of a cell of the lowest row of the first page.
+/// The part of a cell of the lowest row of the first page that the title block covers.
 Notch notch_of(const SheetFormat& format, double left, Width width) {
     const double free = format.block.min.x - above_block - left;
     return free >= format.span(width.columns, width.of) ? Notch{} : Notch{free, taken_by_block(format)};
@@ -104,43 +104,44 @@ private:
     struct Split {
         int of;
         std::vector<int> columns;
-        std::vector<std::size_t> stands{}, at_block{};  ///< of its cells; in the lowest row of the first page
+        std::vector<std::size_t> stands{},
+            at_block{};  ///< of its cells, in general and in the lowest row of the first page
     };
-    /// How the bands of a row are dealt out to its cells.
+    /// Number of bands in each cell of a row.
     using Filling = std::vector<int>;
     struct Row {
         double worth = impossible;
         const Split* split = nullptr;
         const Filling* filling = nullptr;
     };
-    /// What a band is worth where it stands, by height.
+    /// The score of a band in a stand, by height.
     struct Curve {
         const WorthByHeight* worth = nullptr;
-        std::vector<int> changes{};  ///< heights at which it is another than one step lower
+        std::vector<int> changes{};  ///< heights at which the score differs from that of one step less
         bool never_falls = true;
     };
-    /// Two bands, one under the other, by the height of both.
+    /// Two bands, one below the other, by their total height.
     struct Pair {
         WorthByHeight worth{};
         std::vector<int> upper{};  ///< height of the upper one
     };
-    /// The best of the rows that end with a band, by the height they take.
+    /// The best rows that end before a given band, for a given height of all rows.
     struct State {
         double worth = impossible;
         std::size_t count = 0;  // of bands in the last row
         int height = 0;         // of the last row
     };
-    using Table = std::vector<std::vector<State>>;  // by bands, by height
-    /// The pages from a band on.
+    using Table = std::vector<std::vector<State>>;  // by number of bands, by height used
+    /// The best pages from a given band on.
     struct Rest {
         static constexpr int none = 1 << 20;
         int pages = none;
-        bool is_reached = false;  ///< a page of the fewest begins with the band
+        bool is_reached = false;  ///< a plan with the fewest pages has a page that begins here
         double worth = impossible;
-        std::size_t end = 0;  ///< of the first of them
+        std::size_t end = 0;  ///< end of the first of these pages
     };
 
-    /// The pages that begin with a band where as few follow as can be: look(end, worth).
+    /// Calls look(end, worth) for each page that begins with `first` and belongs to a plan with the fewest pages.
     template <class Look>
     void for_each_page(const std::vector<Rest>& rest, std::size_t first, Look look) const {
         const std::vector<State>& ends = tables_[first].second;
@@ -165,8 +166,9 @@ private:
         return rest;
     }
 
-    /// A page before the last that is half empty looks like a mistake: to fill it is worth smaller figures, of which a
-    /// step of the scale is worth 0.7. One that is very empty is worse than two that are a little.
+    /// Penalty for white space. A half empty page before the last looks like a mistake; to avoid it figures may become
+    /// smaller (a step of the scale has a score of 0.7). It is quadratic, because one very empty page is worse than two
+    /// slightly empty ones.
     double price_of_emptiness(std::size_t first, std::size_t end) {
         constexpr double price_of_an_empty_page = 100;
         const Box content = content_of(format_, first == 0);
@@ -188,11 +190,11 @@ private:
         return kinegraph::render::notch_of(format_, left_of(split, i), {split.columns[i], split.of});
     }
 
-    /// Where a band may stand: so wide, with that much taken by the title block.
+    /// A possible position of a band: its width, and what the title block covers.
     struct Stand {
         Width width;
         Notch notch;
-        std::size_t upright = 0;  ///< the stand of this width that the block takes nothing of
+        std::size_t upright = 0;  ///< the stand of the same width without the title block
     };
     std::size_t stand_of(Width width, const Notch& notch) {
         const auto same = [&](const Stand& stand) {
@@ -220,7 +222,7 @@ private:
         }
         return known;
     }
-    /// A band over the one after it.
+    /// A band and the next one below it.
     const Pair& pair(std::size_t first, std::size_t stand) {
         Pair& known = pairs_[first * stands_.size() + stand];
         if (!known.worth.empty()) return known;
@@ -235,7 +237,8 @@ private:
                 if (sum > known.worth[height]) known.worth[height] = sum, known.upper[height] = upper;
             }
         };
-        // An upper band that is higher and worth no more leaves less to the lower one.
+        // A higher upper band with the same score only leaves less to the lower one: try only heights at which the
+        // score changes.
         offer(least_height);
         if (under.never_falls) {
             for (const int upper : over.changes)
@@ -245,11 +248,12 @@ private:
         }
         return known;
     }
-    /// Of one band, or of two one under the other.
+    /// A cell with one band or with two, one below the other.
     const WorthByHeight& cell(std::size_t first, int count, std::size_t stand) {
         return count == 1 ? *curve(first, stand).worth : pair(first, stand).worth;
     }
-    /// Cells side by side, by height; `at_block`: the lowest row of the first page.
+    /// The best division of `count` bands into cells side by side, by height. `at_block`: in the lowest row of the
+    /// first page.
     const std::vector<Row>& rows(std::size_t first, std::size_t count, bool at_block) {
         std::vector<Row>& best = rows_[(first * (most_in_a_row + 1) + count) * 2 + (at_block ? 1 : 0)];
         if (!best.empty()) return best;
@@ -261,7 +265,7 @@ private:
                 std::size_t band = first;
                 for (std::size_t i = 0; i < filling.size(); ++i) {
                     cells.push_back(&cell(band, filling[i], (at_block ? split.at_block : split.stands)[i]));
-                    // What has no room there at any height has none in this row.
+                    // A cell without room even at the greatest height excludes this division.
                     if (cells.back()->back() < possible) break;
                     band += static_cast<std::size_t>(filling[i]);
                 }
@@ -278,7 +282,7 @@ private:
         return rows(first, count, at_block)[at_index(height)];
     }
 
-    /// A height from which on a row is worth so much. Between two of them height is wasted.
+    /// The least height at which a row has a score. Heights between two of them are never useful.
     struct Rise {
         int height;
         double worth;
@@ -292,7 +296,7 @@ private:
         return rises;
     }
 
-    /// All rows from a band on; the lowest of the first page apart.
+    /// Table for all rows from a band on, and the best last rows of a page.
     std::pair<Table, std::vector<State>> tables(std::size_t first) {
         const bool first_page = first == 0;
         const int whole = steps_of(format_, first_page);
@@ -311,7 +315,7 @@ private:
                     const auto offer = [](State& state, State other) {
                         if (other.worth > state.worth + 1e-9) state = other;
                     };
-                    // The last row takes what is left.
+                    // The last row takes the remaining height.
                     if (top < whole)
                         offer(ends[b + count],
                               {before + row(first + b, count, whole - top, first_page).worth, count, whole - top});
@@ -367,14 +371,14 @@ private:
     const std::vector<BandLayouts>& layouts_;
     const std::vector<Band>& bands_;
     const SheetFormat& format_;
-    std::array<std::vector<Split>, most_cells + 1> splits_;         // by the number of cells
-    std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;  // by the number of bands
-    std::size_t heights_;                                           // that a row may have, in steps
+    std::array<std::vector<Split>, most_cells + 1> splits_;         // by number of cells
+    std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;  // by number of bands
+    std::size_t heights_;                                           // number of possible heights of a row, in steps
     std::vector<Stand> stands_;
-    std::vector<std::pair<Table, std::vector<State>>> tables_;  // by the first band
+    std::vector<std::pair<Table, std::vector<State>>> tables_;  // by first band
     std::vector<Curve> curves_;                                 // by band and stand
-    std::vector<Pair> pairs_;                                   // by the upper band and stand
-    std::vector<std::vector<Row>> rows_;  // by the first band, count, whether at the block; by height
+    std::vector<Pair> pairs_;                                   // by upper band and stand
+    std::vector<std::vector<Row>> rows_;                        // by first band, count and at_block; by height
 };
 
 }  // namespace

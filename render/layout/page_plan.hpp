@@ -1,5 +1,5 @@
-// Page plan: which bands share a page, in which rows, how wide and how high. Sets bands in their order onto the fewest
-// pages, and on these so that their figures are worth most. Draws nothing.
+// Page plan: the rows, widths and heights of bands on pages. Finds the fewest pages that hold all bands in their order,
+// then the plan of that length with the highest score, by dynamic programming. Draws nothing.
 #pragma once
 
 #include <vector>
@@ -8,26 +8,26 @@
 
 namespace kinegraph::render {
 
-/// A band in its place on a page.
+/// A band and its position on a page.
 struct PlacedBand {
     std::size_t band = 0;
     Width width;
     Box room;
     Notch notch{};
 };
-using PlannedCell = std::vector<PlacedBand>;  ///< one under the other
+using PlannedCell = std::vector<PlacedBand>;  ///< one below the other
 using PlannedRow = std::vector<PlannedCell>;  ///< side by side
 using PlannedPage = std::vector<PlannedRow>;
 
 constexpr double row_gap = 6;  ///< between rows of bands, mm
 
-/// What the bands of a page after the first may take: above the strip.
+/// The area for bands: on pages after the first it ends above the strip.
 Box content_of(const SheetFormat& format, bool first_page);
 
-/// What a band is worth on a page that it has to itself; less than BandLayout::possible where none holds it.
+/// The score of a band that has a page to itself. Below BandLayout::possible if the page cannot hold it.
 double worth_of_a_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page);
 struct PagePlan {
-    std::vector<PlannedPage> pages;  ///< none where some band has no room on any
+    std::vector<PlannedPage> pages;  ///< empty if no page can hold some band
     double worth = BandLayout::impossible;
 };
 PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format);

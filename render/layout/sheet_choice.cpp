@@ -1,4 +1,4 @@
-// Squares are inked by what crosses them; sizes count by their logarithms, as steps of a scale do.
+// Fill is measured in squares with ink; the score of sizes is logarithmic, like the steps of scales.
 #include "render/layout/sheet_choice.hpp"
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 namespace kinegraph::render {
 namespace {
 
-/// What can be read to a hundredth or better gains little by being larger.
+/// Above a certain size lengths can be read to a hundredth or better, and a larger figure gains little.
 double use_of_square(double size) {
     constexpr double long_enough = 80, of_more = 0.3;
     return std::log(std::min(size, long_enough) + of_more * std::max(0.0, size - long_enough));
 }
 
-/// Squares of 10 mm within a frame, with what inks them.
+/// A grid of squares of 10 mm within a frame that records which have ink.
 class Squares {
 public:
     explicit Squares(const Box& frame)
@@ -35,21 +35,21 @@ public:
         }
         if (path.filled) fill(outline);
     }
-    /// Letters are smaller than a square by far: one by one, from where they stand to half of their height.
+    /// Letters are much smaller than a square: only the origin and the middle of each are marked.
     void ink(const TextMark& text) {
         constexpr double half = 0.35;  // em
         for (const Glyph& glyph : text.glyphs)
             for (const Spot spot : {glyph.origin, glyph.origin - Spot{0, half * glyph.size}})
                 ink(text.angle == 0 ? spot : text.pivot + at_angle(spot - text.pivot, text.angle));
     }
-    /// 1: not one square has room.
+    /// 1 if the frame is smaller than a square.
     double share() const {
         const auto count = static_cast<double>(std::count(inked_.begin(), inked_.end(), true));
         return inked_.empty() ? 1 : count / static_cast<double>(inked_.size());
     }
 
 private:
-    static constexpr double square = 10, off_frame = 1;  // its own line is no filling
+    static constexpr double square = 10, off_frame = 1;  // the line of the frame does not count
 
     static Spot at_angle(Spot spot, double angle) { return std::cos(angle) * spot + std::sin(angle) * turned(spot); }
     static int count(double length) { return std::max(0, static_cast<int>((length - 2 * off_frame) / square)); }
@@ -59,7 +59,7 @@ private:
             inked_[at_index(row * columns_ + column)] = true;
     }
     void ink_between(Spot from, Spot to) {
-        constexpr double apart = 2;  // mm: no corner that is cut off counts
+        constexpr double apart = 2;  // mm; a corner that is only touched does not count
         const auto steps = static_cast<int>(std::min(length(to - from), 1e4) / apart);
         for (int i = 1; i <= steps; ++i) ink(from + (static_cast<double>(i) / (steps + 1)) * (to - from));
     }
@@ -67,7 +67,7 @@ private:
         return static_cast<int>(std::floor(std::clamp((x - corner_.x) / square, -1.0, 1e3)));
     }
     int row_of(double y) const { return static_cast<int>(std::floor(std::clamp((y - corner_.y) / square, -1.0, 1e3))); }
-    /// The squares whose middle lies inside.
+    /// Marks the squares whose centre is inside.
     void fill(const std::vector<Spot>& corners) {
         if (corners.size() < 3) return;
         Box box{corners.front(), corners.front()};
@@ -79,7 +79,7 @@ private:
                 if (is_inside(corners, middle)) ink(middle);
             }
     }
-    /// By the even-odd rule.
+    /// Even-odd rule.
     static bool is_inside(const std::vector<Spot>& corners, Spot spot) {
         bool inside = false;
         for (std::size_t i = 0, before = corners.size() - 1; i < corners.size(); before = i++) {
@@ -100,7 +100,8 @@ bool is_polygon(const Figure& figure) {
     return std::find(std::begin(kinds), std::end(kinds), figure.kind) != std::end(kinds);
 }
 
-/// How much the tables of what is known and what is not say: in narrow columns those of forces have no room.
+/// The number of entries in the tables of known and unknown quantities. Tables of forces are omitted if columns are
+/// narrow.
 std::size_t known_and_unknown(const std::vector<Page>& pages) {
     std::size_t count = 0;
     for (const Page& page : pages)
@@ -122,10 +123,10 @@ double fill_of(const Page& page, const Box& frame) {
     return squares.share();
 }
 
-/// On average; or one of the polygons, which are read.
+/// On average, or for a single polygon, because polygons are measured.
 bool SheetChoice::is_much_smaller(const Sizes& sizes) const {
     constexpr double least = 0.58, least_of_polygon = 0.4;
-    constexpr double most_gained = 2;  // one that is much larger makes up for no other
+    constexpr double most_gained = 2;  // limits the effect of a single large figure
     double sum = 0;
     for (const auto& [id, own] : sizes) {
         const auto found = first_.find(id);
@@ -145,7 +146,7 @@ void SheetChoice::offer(DrawnSheet sheet) {
     constexpr double price_of_a_page = 1, price_of_lack = 20;
     constexpr double dot = 1;  // mm
     Sizes sizes;
-    std::map<std::string, int> times;  // of two pages each may have a "mechanism"
+    std::map<std::string, int> times;  // several pages may have a figure "mechanism"
     for (const Figure& figure : sheet.figures)
         sizes[{figure.id, times[figure.id]++}] = {std::max({figure.box.width(), figure.box.height(), dot}),
                                                   is_polygon(figure)};

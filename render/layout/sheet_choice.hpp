@@ -1,5 +1,5 @@
-// Sheet choice: of several layouts of one solution the one that a reader would rather have. Owns what pages and the
-// size of figures are worth against each other; lays nothing out.
+// Sheet choice: selects the best of several layouts of one solution. Owns the score, which weighs the number and the
+// fill of pages against the size of figures; lays out nothing.
 #pragma once
 
 #include <map>
@@ -12,37 +12,37 @@
 
 namespace kinegraph::render {
 
-/// The share (0 to 1) of squares of 10 mm within a frame on which a page has anything, tints included; 1: a frame of
-/// less than a square.
+/// The share (0 to 1) of squares of 10 mm within a frame on which the page has ink or a tint. 1 if the frame is smaller
+/// than a square.
 double fill_of(const Page& page, const Box& frame);
 
 class SheetChoice {
 public:
-    /// `frame`: of each page.
+    /// `frame`: that of every page.
     explicit SheetChoice(const Box& frame) : frame_(frame) {}
 
-    /// The first one is what the others are held against: they are not taken where they show its figures much smaller,
-    /// nor where figures leave their rooms or tables of equations were left out.
+    /// The first layout is the reference. Later ones are rejected if they show its figures much smaller, if a figure
+    /// leaves its room, or if tables of equations are missing.
     void offer(DrawnSheet sheet);
-    /// Whether all pages of the best one are full, but for the last, which ends where the solution does; or figures
-    /// leave the rooms of the first one, as they would those of another.
+    /// Whether no further layout is needed: all pages of the best one but the last are well filled, or figures leave
+    /// their rooms in the first one, as they would in others.
     bool is_settled() const { return is_settled_; }
-    /// Of those offered, one at least.
+    /// Requires that at least one was offered.
     DrawnSheet best() && { return std::move(*best_); }
 
 private:
     struct Size {
         double size;   ///< mm, of the longer side
-        bool is_read;  ///< vectors are measured on it
+        bool is_read;  ///< vectors are measured on the figure
     };
-    using Sizes = std::map<std::pair<std::string, int>, Size>;  // by the figure's id, and which of those that have it
+    using Sizes = std::map<std::pair<std::string, int>, Size>;  // by id and its count among equal ids
     bool is_much_smaller(const Sizes& sizes) const;
 
     const Box frame_;
     std::optional<DrawnSheet> best_;
     Sizes first_;
-    std::size_t told_by_first_ = 0;  // in its tables of what is known and what is not
-    double worth_ = 0;               // of the best
+    std::size_t told_by_first_ = 0;  // marks ✓ and ? in its tables of known and unknown quantities
+    double worth_ = 0;               // score of the best
     bool is_settled_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Rows from the top of the page downwards, each as high as its highest cell.
+// Places rows from the top of the page downwards, each as high as its highest cell.
 #include "render/layout/sheet_pages.hpp"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace {
 
 constexpr double notch_grace = 0.05;
 
-/// What two figures of a page both show, as the mechanism and the mechanism with its lines of action do, has one name
-/// by the file: in the second figure it begins with that figure's own, which is "mechanism-2".
+/// Makes names unique on a page. Two figures may show the same element, such as the mechanism and the mechanism with
+/// lines of action; in the second one its name begins with that of the figure, such as "mechanism-2".
 void tell_apart(std::vector<Mark>& figure, const std::string& name, std::set<std::string>& names_on_page) {
     const auto for_each_name = [&](auto look) {
         for (Mark& mark : figure)
@@ -55,7 +55,6 @@ std::vector<Page> SheetPages::set(std::size_t after) {
 }
 
 // --- heights
-// ----------------------------------------------------------------------------------------------------------------
 
 SheetPages::Standing SheetPages::standing(const PlacedBand& placed) const {
     Standing band{&placed, contents_.plan.layout_of(placed)};
@@ -86,7 +85,7 @@ SheetPages::Standing SheetPages::standing(const PlacedBand& placed) const {
 double SheetPages::Standing::height(double loose) const {
     return std::max(figures, above + (1 + loose) * words + below);
 }
-/// Bands one under the other.
+/// Bands one below the other.
 double SheetPages::height_of(const StandingCell& cell, double loose) {
     double height = -row_gap;
     for (const Standing& band : cell) height += row_gap + band.height(loose);
@@ -102,7 +101,7 @@ double SheetPages::height_of(const std::vector<StandingRow>& rows, double loose)
     for (const StandingRow& row : rows) height += row_gap + height_of(row, loose);
     return height;
 }
-/// By how much the rows of text may stand farther apart on a page so high.
+/// By how much rows of text may be spaced on a page of this height.
 double SheetPages::looseness_of(const std::vector<StandingRow>& rows, double height) {
     constexpr double most = 0.15, fine = 0.01;
     if (height_of(rows, most) <= height) return most;
@@ -114,8 +113,7 @@ double SheetPages::looseness_of(const std::vector<StandingRow>& rows, double hei
     return low;
 }
 
-// --- what stands where
-// ------------------------------------------------------------------------------------------------------
+// --- positions
 
 std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& scale_of_mechanism) {
     std::vector<Mark> marks;
@@ -129,7 +127,7 @@ std::vector<Mark> SheetPages::marks_on(std::size_t page, std::optional<double>& 
         }
     }
     const Box content = content_of(format_, page == 0);
-    // What is left loosens the text, and a little of it the rows.
+    // The remaining height spaces the text and, a little, the rows.
     constexpr double most_air = 6;
     const double loose = looseness_of(rows, content.height());
     const double air =
@@ -161,7 +159,7 @@ void SheetPages::set_band(std::vector<Mark>& marks, std::optional<double>& scale
     marks.emplace_back(GroupEnd{});
 }
 
-/// The height that they take.
+/// Returns their height.
 double SheetPages::set_figures(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism,
                                std::vector<DrawnFigure>& figures, bool stacked, Spot at) {
     double down = 0, below = 0;

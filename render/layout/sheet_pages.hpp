@@ -1,5 +1,4 @@
-// Sheet pages: the bands of a plan with their drawn figures and their text, set on pages with frame and title block.
-// Owns what is set where; plans nothing.
+// Sheet pages: places the drawn figures and the text of a plan on pages with frame and title block. Plans nothing.
 #pragma once
 
 #include <optional>
@@ -13,7 +12,7 @@
 
 namespace kinegraph::render {
 
-/// The text of bands with the lengths that are measured on the figures as drawn.
+/// The text of bands, with the lengths measured on the drawn figures.
 class DrawnText {
 public:
     DrawnText(const Bands& bands, const DrawnFigures& figures, const SheetFormat& format, BandTexts& planned);
@@ -29,7 +28,7 @@ private:
     BandTexts texts_;
 };
 
-/// What stands on the pages.
+/// The content of the pages.
 struct SheetContents {
     const SheetPlan& plan;
     const Bands& bands;
@@ -43,21 +42,21 @@ public:
                SheetContents contents)
         : context_(context), format_(format), signature_(signature), contents_(contents) {}
 
-    /// Figures are moved to where they stand. `after`: how many pages are bound behind these.
+    /// Makes the pages and moves the figures to their positions. `after`: number of pages bound behind these.
     std::vector<Page> set(std::size_t after);
-    /// Of figure 1: its upper left corner, and the room it has.
+    /// Of the caption of figure 1: its upper left corner and its width, mm.
     Spot first_caption() const { return first_caption_; }
     double first_caption_width() const { return first_caption_width_; }
 
 private:
-    /// A band with what it takes of its room once it is drawn.
+    /// A drawn band and the heights that it takes of its room, mm.
     struct Standing {
         const PlacedBand* placed;
         BandLayout layout;
-        double figures = 0;  ///< their height, with what the title block takes under them
-        double above = 0;    ///< where the first column of its text begins
-        double words = 0;    ///< how high the text is from there on
-        double below = 0;    ///< what the title block takes under it
+        double figures = 0;  ///< height of the figures, with what the title block takes below them
+        double above = 0;    ///< top of the first column of text
+        double words = 0;    ///< height of the text from there on
+        double below = 0;    ///< what the title block takes below it
         double height(double loose) const;
     };
     using StandingCell = std::vector<Standing>;

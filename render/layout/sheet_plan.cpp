@@ -1,4 +1,5 @@
-// Pages first; then what no page holds is divided; then the scale that all force polygons share.
+// First the pages are planned; then bands that no page can hold are divided; then the common scale of all force
+// polygons is found.
 #include "render/layout/sheet_plan.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ void SheetPlan::make() {
         give_each_a_page();
         return make();
     }
-    // Figures have learnt since that they take more: what was too fine on so many pages is so still.
+    // Since then figures were found to need more space: a scale that was too fine for this number of pages still is.
     share_force_scale(too_fine && pages_.size() <= before ? next_scale(*too_fine) : 0);
 }
 
@@ -36,7 +37,7 @@ bool SheetPlan::makes_another() {
     const bool keeps_force_scale = wanted_.keeps_force_scale;
     looks_again_ = true;
     make();
-    // Layouts refer to their bands: where these were divided anew there is no way back.
+    // Layouts refer to their bands. If these were divided anew, the old plan cannot be restored.
     if (pages_.size() <= pages.size() || times_divided_ != times_divided) return is_made_ = true;
     pages_ = pages;
     layouts_ = std::move(layouts);
@@ -51,7 +52,7 @@ void SheetPlan::draw_forces_at(double scale) {
     looks_again_ = true;
 }
 
-/// Whether force polygons have room at their common scale on as few pages as before.
+/// Whether the plan with the current force scale needs no more pages.
 bool SheetPlan::plans_at_same_force_scale() {
     const std::size_t pages = pages_.size();
     plan_all();
@@ -71,13 +72,12 @@ void SheetPlan::plan_all() {
     worth_ = plan.worth;
 }
 
-// --- what no page holds
-// -----------------------------------------------------------------------------------------------------
+// --- bands that no page can hold
 
 namespace {
 
-/// So many rows, or some fewer: neither the last row of a list or table stands alone on the page that follows, nor its
-/// first one on this; never fewer than `fewest`.
+/// Reduces a number of rows so that neither the first row of a list or table stands alone on a page nor its last one on
+/// the next. Not below `fewest`.
 std::size_t without_widows(const std::vector<std::size_t>& passages, std::size_t rows, std::size_t fewest) {
     std::size_t first = 0;
     for (const std::size_t own : passages) {
@@ -107,14 +107,15 @@ void SheetPlan::give_each_a_page() {
                 part_figures(b);
 }
 
-/// Of a band with a page to itself, its text only up to a row.
+/// The score of a band that has a page to itself, with its text up to row `end_row`.
 double SheetPlan::worth_of(std::size_t index, std::size_t end_row) {
     Band band = bands_.list[index];
     band.end_row = end_row;
     return worth_of_a_page(layouts_of(band), format_, index == 0);
 }
 
-/// How many of its rows a page holds with its figures about as large as without; 0: not even the fewest.
+/// The greatest number of rows with which a page shows the figures about as large as without text. 0: not even the
+/// fewest rows fit.
 std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
     constexpr std::size_t fewest = 2;
     constexpr double one_step = 0.7;  // of the scale
@@ -145,7 +146,7 @@ BandLayouts SheetPlan::layouts_of(const Band& band) {
             !wide_.contains(band.question)};
 }
 
-/// So many rows stay with the figures of a band; the rest goes on.
+/// Divides a band: `rows` rows stay with its figures, the rest becomes a band without figures.
 void SheetPlan::divide(std::size_t index, std::size_t rows) {
     Band& band = bands_.list[index];
     Band rest = band;
@@ -154,7 +155,7 @@ void SheetPlan::divide(std::size_t index, std::size_t rows) {
     bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
 }
 
-/// What was divided for figures of other sizes is one band again.
+/// Joins the parts of each divided band, because its figures may have other sizes now.
 void SheetPlan::rejoin() {
     std::vector<Band> whole;
     for (Band& band : bands_.list)
@@ -166,7 +167,8 @@ void SheetPlan::rejoin() {
     bands_.list = std::move(whole);
 }
 
-/// Half of its figures go on without text; of a single one, whose names leave no room beside it, all of the text does.
+/// Moves half of the figures to a band without text. If there is only one figure and no space beside it, all text is
+/// moved.
 void SheetPlan::part_figures(std::size_t index) {
     Band& band = bands_.list[index];
     if (band.figures.size() == 1 && band.first_row < std::min(band.end_row, texts_.rows(band))) return divide(index, 0);
@@ -180,11 +182,10 @@ void SheetPlan::part_figures(std::size_t index) {
     bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
 }
 
-// --- one scale for all forces
-// -----------------------------------------------------------------------------------------------
+// --- common scale of forces
 
-/// Triangles and closed polygon have one scale: the finest at which all of them have room on as few pages, unless it
-/// costs the other figures, polygons of motion among them, more than forces are worth.
+/// Finds the common scale of triangles and closed polygon: the finest for which the number of pages does not grow,
+/// unless a coarser one improves the score of the other figures by more than `price_of_a_step`.
 void SheetPlan::share_force_scale(double least) {
     double finest = std::max(least, least_force_scale_.value_or(0));
     for (const Band& band : bands_.list)
@@ -200,7 +201,7 @@ void SheetPlan::share_force_scale(double least) {
     constexpr double rounding = 1e-9;
     const std::size_t pages = pages_.size();
     wanted_.keeps_force_scale = true;
-    constexpr double price_of_a_step = 2.5;  // polygons are read: their size goes before that of mechanisms
+    constexpr double price_of_a_step = 2.5;  // high, because polygons are measured and mechanisms are not
     std::optional<double> chosen;
     double best = BandLayout::impossible, scale = finest;
     const auto plan_at = [&](double at) {
@@ -210,16 +211,16 @@ void SheetPlan::share_force_scale(double least) {
     for (; seeks_finest_force_scale_ && scale < coarsest * (1 + rounding); scale = next_scale(scale)) {
         plan_at(scale);
         if (pages_.empty() || pages_.size() > pages) continue;
-        if (chosen && !(worth_ > best + price_of_a_step)) break;  // nor is a coarser one
+        if (chosen && !(worth_ > best + price_of_a_step)) break;  // a coarser scale does not help either
         chosen = scale;
         best = worth_;
     }
-    // All of them have room at that of the one which has least.
+    // The coarsest planned scale is possible for all.
     if (!chosen) chosen = coarsest;
     if (wanted_.force_scale != chosen) plan_at(*chosen);
 }
 
-/// Of the scales that the plan promises them; 0: it shows none.
+/// The coarsest of the planned scales of force polygons; 0 if there are none.
 double SheetPlan::coarsest_of_forces() const {
     double coarsest = 0;
     for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {

@@ -1,5 +1,5 @@
-// Sheet plan: the bands of a solution on pages, divided where no page holds one, with one scale for all force polygons.
-// Owns what the drawing has taught so far about each band's place; draws nothing.
+// Sheet plan: the bands of a solution on pages, with one common scale for all force polygons. Divides bands that no
+// page can hold. Owns what drawings have shown about the space of each band; draws nothing.
 #pragma once
 
 #include <optional>
@@ -17,13 +17,13 @@ public:
     SheetPlan(WantedFigures& wanted, Bands& bands, const SheetFormat& format)
         : wanted_(wanted), bands_(bands), format_(format), texts_(bands, bands.results(), format) {}
 
-    /// Anew, by what is known of the figures by now. The text of what no page holds goes on over pages; where that
-    /// alone does not help the figures are shown smaller.
+    /// Makes a plan with the current data of the figures. The text of a band that no page can hold is divided over
+    /// pages; if that is not enough, its figures are shown smaller.
     void make();
-    /// Another plan by what is known now, at every scale of the force polygons; false where it took more pages: then
-    /// all is as it was. The next make() takes it.
+    /// Makes another plan with the current data, for every common scale of forces. False if it needs more pages: the
+    /// old plan is restored then. The next make() returns it.
     bool makes_another();
-    /// All is planned anew the next time, were it only for another scale of the force polygons.
+    /// Forces a new plan even if only the force scale changed.
     void look_again() { looks_again_ = true; }
 
     const std::vector<PlannedPage>& pages() const { return pages_; }
@@ -32,7 +32,7 @@ public:
     }
     const BandLayouts& layouts(std::size_t band) const { return layouts_[band]; }
     BandTexts& texts() { return texts_; }
-    /// Each band in its place, in their order: look(placed, layout).
+    /// Calls look(placed, layout) for each band in order.
     template <class Look>
     void for_each_band(Look look) const {
         for (const PlannedPage& page : pages_)
@@ -41,16 +41,16 @@ public:
                     for (const PlacedBand& placed : cell) look(placed, layout_of(placed));
     }
 
-    // What the drawing taught, for the next plan.
-    /// The figure of a band leaves its equations no corner.
+    // Results of the drawing, for the next plan.
+    /// The figure of a band has no free corner for its equations.
     void has_no_corner(const std::string& question) { cornerless_.insert(question); }
-    /// Tables of a band are too wide for narrow columns; false where that was known.
+    /// Tables of a band are too wide for narrow columns. False if that was recorded before.
     bool has_wide_tables(const std::string& question) { return wide_.insert(question).second; }
-    /// No force polygon can be drawn larger.
+    /// Sets the finest scale at which force polygons may be drawn.
     void draw_forces_at(double scale);
-    /// A finer scale of the force polygons is no longer looked for; false where it was not.
+    /// Stops the search for a finer scale of forces. False if it was stopped before.
     bool give_up_finest_force_scale() { return std::exchange(seeks_finest_force_scale_, false); }
-    /// … or is again: without it there are as many pages.
+    /// Resumes it; call it if stopping saved no page.
     void seek_finest_force_scale() { seeks_finest_force_scale_ = true; }
 
 private:
@@ -70,17 +70,17 @@ private:
     Bands& bands_;
     const SheetFormat& format_;
     BandTexts texts_;
-    std::set<std::string> crowded_;     // bands whose figures may be smaller than is well readable
-    std::set<std::string> cornerless_;  // … whose figure leaves their equations no corner
-    std::set<std::string> wide_;        // … whose tables are too wide for narrow columns
+    std::set<std::string> crowded_;     // bands whose figures may be hard to read
+    std::set<std::string> cornerless_;  // bands whose figure has no free corner for equations
+    std::set<std::string> wide_;        // bands whose tables are too wide for narrow columns
     std::vector<BandLayouts> layouts_;
     std::vector<PlannedPage> pages_;
-    double worth_ = BandLayout::impossible;  // of the pages
+    double worth_ = BandLayout::impossible;  // score of the pages
     bool seeks_finest_force_scale_ = true;
-    int times_divided_ = 0;                    // the bands
-    bool is_made_ = false;                     // the plan that make() would make
+    int times_divided_ = 0;                    // number of calls of give_each_a_page()
+    bool is_made_ = false;                     // the current plan is the one that make() would return
     bool looks_again_ = false;                 // for another force scale
-    std::optional<double> least_force_scale_;  // at which all force polygons that were drawn had room
+    std::optional<double> least_force_scale_;  // the finest scale at which all drawn force polygons had room
 };
 
 }  // namespace kinegraph::render

@@ -1,4 +1,4 @@
-// The data of the live page, see live_data.hpp.
+// Implementation of live_data.hpp.
 #include "render/live/live_data.hpp"
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// JSON that is written in one go; commas come by themselves.
+/// A writer for JSON in one pass; it inserts the commas.
 class Json {
 public:
     Json& open(char bracket) {
@@ -38,7 +38,7 @@ public:
         separate();
         for (const char c : json_text(words))
             if (c == '<')
-                out_ += "\\u003c";  // no "</script>" and no "<!--"
+                out_ += "\\u003c";  // so that neither "</script>" nor "<!--" appears
             else
                 out_ += c;
         return *this;
@@ -53,7 +53,7 @@ public:
         out_ += std::to_string(value);
         return *this;
     }
-    /// A start for Newton's method: seven digits are enough.
+    /// An initial value for Newton's method: seven digits are enough.
     Json& rough(double value) {
         if (std::abs(value) > 1e9) return number(value);
         return number(std::round(value * 1e7) / 1e7);
@@ -63,7 +63,7 @@ public:
         out_ += value ? "true" : "false";
         return *this;
     }
-    /// Any of these in a row.
+    /// Writes the values in a row.
     template <class... Values>
     Json& all(const Values&... values) {
         (one(values), ...);
@@ -210,7 +210,7 @@ private:
         if (setting.unit == QuantityKind::angular_acceleration) return {"rad/s²", 1};
         return suitable_unit(setting.value, setting.unit, solution_.mechanism.units);
     }
-    /// The way to the number through the data, and its terms.
+    /// The path to the number within the data, and its terms.
     void write(const MovingEffect& effect) {
         using List = MovingEffect::List;
         const int item = effect.item, part = effect.part;
@@ -250,7 +250,7 @@ private:
         json_.key("doubtfulBits").number(plan.program.doubtful_bits);
         json_.list("moving", plan.moving, [&](const MovingGiven& given) { write(given); });
         json_.list("sources", plan.sources, [&](const MovingPlan::Source& source) {
-            json_.number(source.known ? source.element.number() : -2);  // -1: an element that is none
+            json_.number(source.known ? source.element.number() : -2);  // -1: no element
         });
         json_.list("vectors", plan.vectors, [&](const MovingPlan::Vector& vector) {
             if (!vector.vanishes)
@@ -308,7 +308,7 @@ private:
         json_.list("shares", course.shares, [&](double each) { json_.number(each); });
         json_.list("samples", course.samples, [&](const MovingCourse::Sample& sample) {
             json_.open('{').key("at").number(sample.at).key("plan").number(sample.plan);
-            // Of most drivers the coordinate is the place, and there is no rate of its own.
+            // For most drivers the coordinate is the position itself, and has no separate rate.
             if (course.by_law) {
                 json_.key("coordinate").number(sample.coordinate);
                 json_.key("rate").number(sample.rate).key("acceleration").number(sample.acceleration);
@@ -391,7 +391,7 @@ std::string figure_json(const AloneFigure& figure) {
 namespace {
 
 constexpr std::string_view words_prefix = "live ";
-/// What the page's scripts say, in the order of the data.
+/// The words that the scripts of the page use, in the order of the data.
 constexpr std::string_view words_of_the_page[] = {"live play",
                                                   "live pause",
                                                   "live as drawn",

@@ -1,4 +1,4 @@
-// The data of the live page as JSON: what moves, and by which names the figures know it (shapes: render/live/types.js).
+// The data of the live page as JSON: the moving parts and their names in the figures (types: render/live/types.js).
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace kinegraph::render {
 
-/// In a page's script element: no "<" stands in it.
+/// Safe in a script element: contains no "<".
 std::string moving_json(const Moving& moving, const Solution& solution);
-/// What the figures' ids and labels name.
+/// Meaning of the ids and labels in figures.
 std::string names_json(const Solution& solution);
-/// Of a figure: where it stands, to which scale, and the names that its labels carry, in the order of the drawing.
+/// Data of a figure: position, scale, and the names in its labels, in drawing order.
 std::string figure_json(const AloneFigure& figure);
 /// The words of the page in both languages.
 std::string words_json();
-/// The columns' unit for readers: symbol and size in SI.
+/// The display unit of a column: symbol and size in SI.
 Unit unit_of_column(const Column& column, const Units& units);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,4 @@
-// The live page, see live_page.hpp. Owns the HTML; what moves is data (live_data.hpp) and the interpreter's.
+// Builds the HTML of the live page. The moving parts are data (live_data.hpp) and the interpreter.
 #include "render/live/live_page.hpp"
 
 #include <algorithm>
@@ -38,7 +38,8 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-/// A line without what a checker of types reads in it. What no line ends is begun: `in_comment`.
+/// A line without comments, which include the types for the type checker. `in_comment`: whether a comment continues
+/// from the line before; updated.
 std::string without_comments_of_line(std::string_view line, bool& in_comment) {
     std::string out;
     while (!line.empty()) {
@@ -52,15 +53,14 @@ std::string without_comments_of_line(std::string_view line, bool& in_comment) {
     return out;
 }
 
-/// Whether a slash of a line does more than divide: a pattern, a comment.
+/// Whether the line has a slash that is not a division: a regular expression or a comment.
 bool has_slash_of_its_own(const std::string& line) {
     for (std::size_t at = line.find('/'); at != std::string::npos; at = line.find('/', at + 1))
         if (at == 0 || at + 1 == line.size() || line[at - 1] != ' ' || line[at + 1] != ' ') return true;
     return false;
 }
-/// A line of the script without the blanks that it is read with, beside signs that part words anyhow; two signs like +
-/// + stay two. Strings in single quotes stay as they are; so does a line with other strings, a pattern or a comment in
-/// it.
+/// Removes the blanks of a script line that are next to punctuation; two signs such as + + stay apart. Strings in
+/// single quotes are kept. A line with other strings, regular expressions or comments is not changed.
 std::string without_blanks(const std::string& line) {
     if (line.find_first_of("\\\"`") != std::string::npos || std::count(line.begin(), line.end(), '\'') % 2 != 0 ||
         has_slash_of_its_own(line))
@@ -80,7 +80,7 @@ std::string without_blanks(const std::string& line) {
     return out;
 }
 
-/// A line of the style sheet without the blanks beside its signs; those between words part selectors.
+/// Removes blanks next to punctuation from a line of the style sheet. Blanks between words separate selectors and stay.
 std::string without_blanks_of_style(std::string line) {
     for (const std::string_view idle : {"{ ", "; ", ": ", ", ", " {", " }"}) {
         const std::string sign(idle.front() == ' ' ? idle.substr(1) : idle.substr(0, 1));
@@ -90,8 +90,8 @@ std::string without_blanks_of_style(std::string line) {
     return line;
 }
 
-/// The script and the style sheet as they are sent: without the comments and the indentation that they are read with.
-/// Their comments are whole lines, after two blanks, or in slashes and stars, which no string of theirs holds.
+/// The script or style sheet without comments and indentation, as it is sent. Requires that comments are whole lines,
+/// follow two blanks, or are between /* and */, and that no string contains these.
 std::string without_comments(std::string_view source, bool is_script) {
     std::string out;
     bool in_comment = false;
@@ -105,7 +105,7 @@ std::string without_comments(std::string_view source, bool is_script) {
         if (const std::size_t aside = kept.find("  // "); is_script && aside != std::string::npos) kept.resize(aside);
         if (kept.empty()) continue;
         out += is_script ? without_blanks(kept) : without_blanks_of_style(std::move(kept));
-        // No text of ours goes on over a line's end, so what follows these signs may stand on their line.
+        // No string continues on the next line, so that a line break after these signs can be omitted.
         if (std::string_view("{(,;").find(out.back()) == std::string_view::npos) out += '\n';
     }
     return out;
@@ -121,7 +121,7 @@ std::string in_face(const std::string& text, Face face) {
 std::string html(const RichText& text) {
     std::string out;
     for (const Piece& piece : as_set(text)) {
-        // Combining dots stand after the letter that they belong to.
+        // Combining dots follow their letter.
         const std::string dots = piece.dots == 0 ? "" : piece.dots == 1 ? "\u0307" : "\u0308";
         out += in_face(piece.text + dots, piece.face);
         if (!piece.sub.empty()) out += "<sub>" + in_face(piece.sub, piece.sub_face) + "</sub>";
@@ -135,14 +135,13 @@ std::string element(const std::string& tag, const std::string& attributes, const
 }
 
 // --- figures
-// ------------------------------------------------------------------------------------------------------------------
 
-/// Figures as they stand in HTML: outlines shared by all of them once, ids of the drawing as data, so that none comes
-/// twice. What the second language draws as the first did is not sent again: in its place stands the first one's number
-/// among the elements of all figures, `data-as`, and the page puts it there.
+/// The figures for HTML. Outlines used by several figures are sent once, and ids become data attributes, so that no id
+/// appears twice. A drawing of the second language that equals one of the first is not sent again: it is replaced by
+/// `data-as`, the number of the first one among the elements of all figures, and the page copies that.
 class Drawings {
 public:
-    /// `svg` of a page, under what a reader hears it called.
+    /// Adds the `svg` of a page; `label`: its accessible name.
     std::string add(const std::string& svg, const std::string& label, bool is_second) {
         pugi::xml_document document;
         document.load_buffer(svg.data(), svg.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
@@ -179,11 +178,11 @@ private:
                 out.append(static_cast<const char*>(data), size);
             }
         } sink;
-        // No empty element's end may be left out: in HTML that is so for SVG alone, and there it is understood.
+        // In HTML only SVG elements may be self-closing.
         node.print(sink, "", pugi::format_raw, pugi::encoding_utf8);
         return std::move(sink.out);
     }
-    /// A path to a tenth of a micrometre: what is read off figures are axes and the record, not strokes.
+    /// A path rounded to a tenth of a micrometre. Values are read from axes and data, not from strokes.
     static std::string rounded(std::string_view path) {
         constexpr std::size_t decimals = 4;
         std::string out;
@@ -205,7 +204,7 @@ private:
         for (pugi::xml_node child : node.children()) {
             if (pugi::xml_attribute id = child.attribute("id")) id.set_name("data-id");
             if (std::string_view(child.name()) == "g" && child.attribute("role")) child.remove_attribute("role");
-            // Within a picture nothing is read aloud; labels are looked up by their text.
+            // Screen readers skip the content of a picture; scripts find labels by their text.
             if (pugi::xml_attribute said = child.attribute("aria-label")) said.set_name("data-label");
             if (std::string_view(child.attribute("class").value()) == "text") child.remove_attribute("data-label");
             if (pugi::xml_attribute link = child.attribute("xlink:href")) link.set_name("href");
@@ -214,7 +213,7 @@ private:
         }
     }
 
-    /// In the order of the document, as a selector finds them.
+    /// In document order, the order of selectors.
     void remember(const pugi::xml_node& parent) {
         for (const pugi::xml_node child : parent.children()) {
             if (child.type() != pugi::node_element) continue;
@@ -241,12 +240,11 @@ private:
 
     std::set<std::string> known_;
     std::string outlines_;
-    std::map<std::string, int> numbers_;  // by what they are printed as
+    std::map<std::string, int> numbers_;  // by printed text
     int count_ = 0;
 };
 
 // --- themes
-// -------------------------------------------------------------------------------------------------------------------
 
 std::string hex(Colour c) {
     static constexpr char digits[] = "0123456789abcdef";
@@ -258,9 +256,9 @@ std::string hex(Colour c) {
     return text;
 }
 
-/// For a dark screen every colour of the drawing becomes that which has its role in the dark theme.
+/// Replaces each colour of the drawing by the colour with the same role in the dark theme.
 std::string dark_rules(const Theme& light, const Theme& dark, const std::string& scope) {
-    std::map<std::pair<std::string, std::string>, std::string> rules;  // attribute, colour: the other
+    std::map<std::pair<std::string, std::string>, std::string> rules;  // by attribute and colour: the new colour
     const auto pair = [&](const char* attribute, Colour from, Colour to) {
         rules.try_emplace({attribute, hex(from)}, hex(to));
     };
@@ -286,7 +284,7 @@ std::string variables(const Theme& theme) {
     return "--paper:" + hex(theme.paper) + ";--text:" + hex(theme.text) + ";--secondary:" + hex(theme.secondary) +
            ";--faint:" + hex(theme.faint) + ";--accent:" + hex(theme.accent);
 }
-/// Paper and ink for the chosen theme, else for the system's.
+/// Paper and ink of the chosen theme, otherwise by the colour scheme of the system.
 std::string style_of(const Theme& theme, const std::optional<Theme>& dark) {
     std::string css = ":root{" + variables(theme) + "}";
     if (dark) {
@@ -299,7 +297,7 @@ std::string style_of(const Theme& theme, const std::optional<Theme>& dark) {
     return css + without_comments(live_style, false);
 }
 
-/// The whole file around `body`. A page that is served may ask where it came from, and nobody else.
+/// The whole file around `body`. Only a served page may connect, and only to its own server.
 std::string document(const std::string& title, Language language, const std::string& style, const std::string& script,
                      const std::string& data, bool served, const std::string& body) {
     std::string page = "<!DOCTYPE html>\n<html lang=\"" + code_of(language) + "\">\n<head>\n<meta charset=\"utf-8\">\n";
@@ -317,7 +315,6 @@ std::string document(const std::string& title, Language language, const std::str
 }
 
 // --- text
-// ---------------------------------------------------------------------------------------------------------------------
 
 class PageWriter {
 public:
@@ -346,7 +343,7 @@ public:
     }
 
 private:
-    /// Empty until the script has words for them.
+    /// Empty; the script adds the words.
     std::string controls(bool has_dark) const {
         std::string out = "<header id=\"controls\">\n";
         if (moving_) {
@@ -384,7 +381,7 @@ private:
                (moving_ ? exercise() : "") + "</header>\n";
     }
 
-    /// What a student draws a line with; hidden until it is asked for.
+    /// The pen for a student's lines; hidden at first.
     static std::string exercise() {
         const auto choice = [](const std::string& id, const std::string& key) {
             return "<label><span data-word=\"" + key + "\"></span> <select id=\"" + id + "\"></select></label>\n";
@@ -453,7 +450,7 @@ private:
         if (!out.empty() && moving_) out += "<p class=\"note\" data-word=\"of drawn position\" hidden></p>\n";
         return out;
     }
-    /// Under each term whether its magnitude and its direction are known.
+    /// Shows below each term whether magnitude and direction are known.
     static std::string equation(const Equation& equation, Language language) {
         std::string terms, magnitudes, directions;
         for (std::size_t side = 0; side < equation.sides.size(); ++side) {
@@ -481,12 +478,12 @@ private:
         if (!solution_.equations || !solution_.equations->why_not.empty()) return {};
         return element("pre", "", escaped(as_text(equation_items(solution_, language))));
     }
-    /// As files name it; an effort, which the sheet names otherwise, as the sheet does.
+    /// The name in the file; for an input force or couple, the name on the sheet.
     std::string title_of_column(const Column& column, Language language) const {
         if (column.quantity.kind != Quantity::Kind::effort) return escaped(column.name);
         return html(typeset(column, solution_.mechanism, language));
     }
-    /// The columns that follow the mechanism; the script fills them in.
+    /// The columns that follow the mechanism; the script fills in the values.
     std::string values(Language language) const {
         if (!moving_) return {};
         std::string rows;
@@ -516,7 +513,7 @@ private:
     const SheetOptions& options_;
     const Fonts& fonts_;
     Drawings drawings_;
-    std::string figures_json_;  // of the sheet that was written last
+    std::string figures_json_;  // of the sheet written last
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// SHA-256 by nettle, for the hashes in the head of the live page. Nothing else here needs a hash of this kind.
+// SHA-256 by nettle, for the hashes in the head of the live page.
 #include <nettle/base64.h>
 #include <nettle/sha2.h>
 

@@ -10,7 +10,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// A contact as if the file had stated it alone: the same bodies, which go by what they are.
+/// A contact as a problem of its own: the same bodies, named by what they are.
 Solution alone(const Solution& solution, const SolvedContact& contact) {
     Solution result;
     result.mechanism = solution.mechanism;
@@ -26,7 +26,7 @@ Solution alone(const Solution& solution, const SolvedContact& contact) {
     result.problem = std::make_shared<const ProblemSolution>(std::move(found));
     return result;
 }
-/// By joint's name, in the file's order. They stay where they are: figures refer to them.
+/// The contacts by name of the joint, in the order of the file. A deque, because figures refer to its elements.
 std::deque<std::pair<std::string, Solution>> contacts_of(const Solution& solution) {
     std::deque<std::pair<std::string, Solution>> all;
     if (!solution.problem || stands_for_joints(solution.mechanism)) return all;
@@ -42,7 +42,7 @@ std::vector<Page> with_contacts(const Solution& solution, const SheetOptions& op
                                 const std::function<BoundPages(const SheetOptions&)>& mechanism) {
     const auto contacts = contacts_of(solution);
     SheetOptions numbered = options;
-    numbered.pages_before = 1;  // not the first, which has the title block
+    numbered.pages_before = 1;  // only the first page has the title block
     std::vector<std::size_t> counts;
     for (const auto& [name, each] : contacts) {
         counts.push_back(contact(each, numbered, fonts).size());

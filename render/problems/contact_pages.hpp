@@ -1,5 +1,5 @@
-// Pages of contact at joints: what follows a mechanism's sheet where joints have materials, each contact as a problem
-// of its own, and its figures by name. Computes nothing.
+// Pages of contacts at joints with materials: each contact is laid out as a problem after the sheet of the mechanism.
+// Also gives its figures by name. Computes nothing.
 #pragma once
 
 #include <functional>
@@ -15,25 +15,24 @@
 
 namespace kinegraph::render {
 
-/// Pages, and how many of their figures have a number.
+/// Pages, and the number of their numbered figures.
 struct BoundPages {
     std::vector<Page> pages;
     int figures = 0;
 };
 using LayOutProblem = std::vector<Page> (*)(const Solution&, const SheetOptions&, const Fonts&);
 
-/// The mechanism's own pages, laid out for as many as follow, and those of its contacts; pages and figures are numbered
-/// on.
+/// The pages of the mechanism, then those of its contacts. Numbers of pages and figures continue.
 std::vector<Page> with_contacts(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
                                 LayOutProblem contact, const std::function<BoundPages(const SheetOptions&)>& mechanism);
 
-/// "contact-P", "pressure-P", "stresses-P" of the joint P.
+/// "contact-P", "pressure-P", "stresses-P" for joint P.
 std::vector<std::string> contact_figure_names(const Solution& solution, const SheetOptions& options,
                                               const Fonts& fonts);
 std::optional<Figure> contact_figure(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
                                      const std::string& name, Spot room);
 
-/// Their tables as plain text; empty where there are none.
+/// The tables of results of the contacts as plain text; empty if there are none.
 std::string contact_tables(const Solution& solution, Language language);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,5 @@
-// Hertz's contact in words: given, equivalent bodies, face of contact and pressure, stresses below it, hypotheses.
+// The worked solution of Hertz's contact: given data, equivalent bodies, contact area and pressure, stresses below,
+// hypotheses.
 #include <cmath>
 #include <numbers>
 
@@ -174,7 +175,7 @@ private:
     }
     Words pressure(double si) const { return amount(si, QuantityKind::pressure, mechanism_.units); }
 
-    /// Where force and radii come from.
+    /// The joint that force and radii come from.
     Words at_joint(const AtJoint& at) const {
         if (!at.meshes)
             return {

@@ -1,4 +1,5 @@
-// An impact in words: given and its class, the equations of the impulses, the phases, velocities afterwards, energy.
+// The worked solution of an impact: given data and class, equations of the impulses, phases, velocities afterwards,
+// energy.
 #include <cmath>
 
 #include "engine/solution/problem_solution.hpp"
@@ -185,7 +186,7 @@ private:
     Words impulse(const Exact& scaled) const { return numeral(scaled.to_double() * size_) + std::string(" N s"); }
     Words per_mass(const Exact& scaled) const { return numeral(scaled.to_double() / (size_ * size_)); }
     Words place(const Vector& at) const { return vector(at, QuantityKind::length, as_given); }
-    /// Where and in which direction the bodies strike, and on which of them the impulse acts that is called J.
+    /// The point and direction of contact, and the body that the impulse J acts on.
     Words contact() const {
         const Words first = called(mechanism_.body(problem_.bodies[0].body)),
                     second = called(mechanism_.body(problem_.bodies[1].body));

@@ -1,4 +1,4 @@
-// The motion of a point as questions of its sheet: which figures stand with which sentences.
+// The worked solution of the motion of a point: assigns its sentences to figures.
 #include <utility>
 
 #include "engine/solution/problem_solution.hpp"

@@ -1,4 +1,4 @@
-// Motions in the large in words: the positions, each displacement, the fixed pivots.
+// The worked solution of finite displacements: the positions, each displacement, the fixed pivots.
 #include "engine/solution/problem_solution.hpp"
 #include "render/figures/problem_figures.hpp"
 #include "render/problems/problem_sections.hpp"
@@ -152,7 +152,7 @@ private:
     }
     Words length(double si) const { return amount(si, QuantityKind::length, mechanism_.units, 5); }
     Words angle(double si) const { return amount(si, QuantityKind::angle, mechanism_.units, 5); }
-    /// "(12, 5) mm"; in Italian coordinates are parted by a semicolon, since the comma is the decimals'.
+    /// "(12, 5) mm". In Italian a semicolon separates coordinates, because the comma is the decimal sign.
     Words place(const Vector& v) const {
         const double si = mechanism_.units.length.si.to_double();
         return {"({0}, {1}) {2}", "({0}; {1}) {2}", numeral(v.x.to_double() / si, 5), numeral(v.y.to_double() / si, 5),

@@ -1,5 +1,5 @@
-// A problem's worked solution as questions: each with its figures and its sentences, which carry their formulas. One
-// file for each kind of problem.
+// The worked solution of a problem as a list of questions, each with its figures and sentences; the sentences contain
+// the formulas. One file for each kind of problem.
 #pragma once
 
 #include <functional>
@@ -16,18 +16,18 @@ namespace kinegraph::render {
 struct ProblemFigure {
     std::string id;
     std::function<Figure(double room_x, double room_y)> draw;
-    double height = 1;                                       ///< beside that of others
-    std::function<Figure(double, double)> as_question = {};  ///< where a question keeps something of it back
+    double height = 1;                                       ///< relative to that of the other figures
+    std::function<Figure(double, double)> as_question = {};  ///< the version for a question, if it hides something
 };
 struct ProblemSection {
-    std::string question;  ///< its data-question
+    std::string question;  ///< for `data-question`
     Words heading;
     std::vector<ProblemFigure> figures;
-    std::vector<Words> sentences;  ///< as formula() reads them; a line break begins an equation on a line of its own
-    std::size_t found = 0;         ///< of what is given: how many of the last sentences a question keeps back
-    std::vector<PieceAfter> pieces = {};  ///< formulas and tables among the sentences
+    std::vector<Words> sentences;  ///< in the notation of formula(); a line break begins an equation on its own line
+    std::size_t found = 0;         ///< in a section of given data: number of its last sentences that a question hides
+    std::vector<PieceAfter> pieces = {};  ///< formulas and tables between the sentences
 };
-/// In the order in which they are read, without the results and remarks, which all problems share.
+/// In reading order. Results and remarks are not included, since they are the same for all problems.
 std::vector<ProblemSection> sections_of_problem(const DrawingContext& context);
 
 std::vector<ProblemSection> hertz_sections(const DrawingContext& context);

@@ -22,11 +22,11 @@ namespace {
 
 constexpr double between_sections = 3.5, below_figure = 2.5, equation_indent = 6;  // mm
 
-/// "1.3537 GPa", what the check has in the same unit, and by how much they differ as a share.
+/// A result in words, "1.3537 GPa", its value from the check in the same unit, and their relative difference.
 struct ResultCells {
     std::string found, numeric, difference;
 };
-/// The largest of its kind, or of all where its kind vanishes: what is rounding beside it is nothing.
+/// The largest value of the same kind, or of all kinds if that is zero; used as the scale for rounding errors.
 double largest_like(const ProblemValue& value, const std::vector<ProblemValue>& values) {
     double largest = 0, of_all = 0;
     for (const ProblemValue& each : values) {
@@ -47,7 +47,7 @@ ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>&
     const double noise = 1e-12 * std::max(larger, largest_like(value, all));
     cells.numeric = number(std::abs(*value.numeric) <= noise ? 0 : *value.numeric / si, 5, language);
     const double apart = value.value - *value.numeric;
-    // Less than rounding is nothing.
+    // A difference below the rounding error is shown as 0.
     cells.difference = std::abs(apart) <= noise ? "0" : number(apart / si, 1, language);
     return cells;
 }
@@ -60,16 +60,16 @@ const Words& head_of(std::size_t column) {
     return heads.at(column);
 }
 
-/// A piece of the sheet that stays together.
+/// A block that is not divided.
 struct Item {
     Block block;
     std::size_t section = 0;
-    double above = 0;         ///< air before it, unless it begins a column
-    bool holds_next = false;  ///< a heading does not part from what follows
-    bool spreads = false;     ///< begins a column where there is one to spare
+    double above = 0;         ///< mm of space above, unless it begins a column
+    bool holds_next = false;  ///< a heading stays with what follows
+    bool spreads = false;     ///< begins a column if there is one to spare
 };
 
-/// The blocks that a problem's sheets are put together of: its sections, the table of results, answers and remarks.
+/// The parts of a problem's sheets: its sections, the table of results, answers and remarks.
 class ProblemItems {
 protected:
     ProblemItems(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
@@ -79,10 +79,10 @@ protected:
           sections_(sections_of_problem(context_)) {}
 
     const std::string& say(const Words& words) const { return in(words, context_.language); }
-    /// Type is set for the paper's size.
+    /// Scales type for the size of the paper.
     Block fitted(Block block) const { return scaled(std::move(block), format_.text_size); }
     double measure() const { return format_.measure / format_.text_size; }
-    /// Whether the file asks for it; all is sought where it asks for nothing by name.
+    /// Whether the value is asked for. True for all values if the file names none.
     bool is_sought(const ProblemValue& value) const {
         const auto& asked = asked_of(context_.solution.mechanism);
         const auto is_it = [&](const AskedResult& other) { return other.name == value.name.en; };
@@ -96,7 +96,7 @@ protected:
         figures_ = figures_before_;
         std::vector<Item> all;
         for (std::size_t s = 0; s < sections_.size(); ++s) {
-            // The results come before what is only assumed.
+            // Results stand before the hypotheses.
             if (sections_[s].question == "hypotheses") add(all, results(s));
             add(all, this->section(s, figure_height));
         }
@@ -112,7 +112,7 @@ protected:
             all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
         const auto add_pieces = [&](std::size_t after) {
             for (const PieceAfter& piece : section.pieces) {
-                // What announces a formula stays with it.
+                // The sentence before a formula stays with it.
                 if (piece.after != after) continue;
                 if (!all.empty() && after > 0) all.back().holds_next = true;
                 all.push_back({fitted(piece_block(piece.item, measure())), s, 0, false});
@@ -141,7 +141,7 @@ protected:
                 const ShapedLine shaped = context_.fonts.shape(cells.at(i), context_.theme.small);
                 set_text(table.marks, shaped, {rights.at(i) - shaped.width, y + 3.2}, colour, "text");
             }
-            // A long name goes on below.
+            // A long name continues on the next line.
             constexpr double first_line = 4.6, further_line = 3.5;
             const std::vector<ShapedLine> name = context_.fonts.wrap(cells[0], context_.theme.small, 0.42 * width);
             for (std::size_t i = 0; i < name.size(); ++i)
@@ -170,7 +170,7 @@ protected:
         return all;
     }
 
-    /// Symbol, name and value of what is sought.
+    /// Symbol, name and value of the results asked for.
     std::vector<Item> answer_table(std::size_t section) const {
         std::vector<std::vector<Formula>> rows{
             {Formula(), Formula::upright(say(head_of(0))), Formula::upright(word("value", context_.language))}};
@@ -214,7 +214,7 @@ protected:
         return block;
     }
 
-    /// A formula under the sentence that announces it, or a table that stays together.
+    /// A formula below its sentence, or a table that is not divided.
     Block piece_block(const EquationItem& item, double width) const {
         constexpr double indent = 5, air = 1.3;
         if (item.kind == EquationItem::Kind::formula) {
@@ -234,7 +234,7 @@ protected:
         return whole;
     }
 
-    /// Prose, and its equations on lines of their own.
+    /// A sentence, with its equations on separate lines.
     Block sentence(const Words& words, double width) const {
         const std::string text = say(words);
         Block block;
@@ -268,8 +268,8 @@ public:
           after_{options.pages_after} {}
 
     std::vector<Page> pages() {
-        // The tallest figures that need no more pages than the smallest; the results in a column of their own where
-        // that needs none.
+        // Uses the greatest height of figures that needs no more pages than the least. The results get a column of
+        // their own if that adds no page.
         constexpr std::array heights{86.0, 82.0, 78.0, 74.0, 70.0, 66.0, 62.0, 58.0, 54.0};
         const std::size_t fewest = flow(items(heights.back()), false).size();
         std::vector<std::vector<Mark>> best;
@@ -283,7 +283,7 @@ public:
         return framed(best);
     }
 
-    /// What is given, with its figure, and what is sought.
+    /// The given data with their figure, and the results to find.
     std::vector<Page> question() {
         signature_.subtitle = word("subtitle question", context_.language);
         ProblemSection given = sections_.front();
@@ -304,7 +304,7 @@ public:
         return framed(flow(all, false));
     }
 
-    /// The question's figure and what is sought, with its values.
+    /// The question's figure and the results asked for, with their values.
     std::vector<Page> answers() {
         signature_.subtitle = word("subtitle answers", context_.language);
         ProblemSection given = sections_.front();
@@ -343,8 +343,7 @@ private:
         return pages;
     }
 
-    // --- where it stands
-    // --------------------------------------------------------------------------------------------------------
+    // --- positions
     double left_of(int column) const { return format_.content.min.x + column * (format_.measure + gap); }
     double bottom(int column, bool first_page) const {
         if (!first_page) return format_.content.max.y - strip_height;
@@ -352,7 +351,7 @@ private:
                                                                            : format_.content.max.y;
     }
 
-    /// Items one below the other, column after column, page after page.
+    /// Places items one below the other, column by column, page by page.
     std::vector<std::vector<Mark>> flow(const std::vector<Item>& all, bool spread) const {
         std::vector<std::vector<Mark>> sheets(1);
         int column = 0;
@@ -393,11 +392,11 @@ private:
         return sheets;
     }
 
-    /// Figures on the left, the question's sentences up to the k-th on the right, those before it grey.
+    /// Figures on the left; on the right the sentences of the question up to number k, earlier ones in grey.
     std::vector<Mark> step(std::size_t s, std::size_t k) {
         std::vector<Mark> marks;
         const ProblemSection& section = sections_[s];
-        // What has no figure of its own is seen in the last one before it.
+        // A section without figures shows those of the last section before it that has some.
         std::size_t shown = s;
         while (shown > 0 && sections_[shown].figures.empty()) --shown;
         figures_ = figures_before_;
@@ -440,7 +439,7 @@ private:
     }
 
     Signature signature_;
-    std::size_t before_, after_;  // pages of the same sheet
+    std::size_t before_, after_;  // pages of the same document
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The sheet of a problem stated in place of joints: its questions flow through columns, figures among them, then the
-// results beside the numeric check. Knows no kind of problem.
+// The sheet of a problem that a file states instead of joints: its questions in columns with their figures, then the
+// results and the numeric check. Independent of the kind of problem.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@
 
 namespace kinegraph::render {
 
-/// All for a Solution that has a problem. On as few pages as hold it, figures as large as that allows.
+/// All functions require a Solution with a problem. Uses the fewest pages, and the largest figures for these.
 std::vector<Page> lay_out_problem(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
-/// A page for each sentence, beside the figures of its question; the last has the results.
+/// One page for each sentence, beside the figures of its question; the last page has the results.
 std::vector<Page> lay_out_problem_steps(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
-/// The ids of its figures, and one of them drawn for a page of its own.
+/// The ids of its figures, and one figure for a page of its own.
 std::vector<std::string> problem_figure_names(const DrawingContext& context);
 std::optional<Figure> problem_figure(const DrawingContext& context, const std::string& name, double room_x,
                                      double room_y);
-/// The results for a terminal.
+/// The results as plain text for a terminal.
 std::string problem_table(const Solution& solution, Language language);
 
 }  // namespace kinegraph::render

@@ -1,5 +1,5 @@
-// Wear by Reye's hypothesis in words: given, the hypothesis and what the motion makes of it, equilibrium, torque, depth
-// worn off.
+// The worked solution of wear by Reye's hypothesis: given data, the hypothesis and its form for this motion,
+// equilibrium, torque, depth of wear.
 #include <cmath>
 #include <numbers>
 

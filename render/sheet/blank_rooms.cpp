@@ -56,10 +56,10 @@ private:
         RichText name;
         Spot size, pole;
         bool has_pole = false;
-        bool has_letter = false;  ///< the pole
+        bool has_letter = false;  ///< for the pole
     };
 
-    /// What is to be drawn in it: "Force triangle, body 3", "Closed polygon of the external forces".
+    /// The heading of a blank area: "Force triangle, body 3", "Closed polygon of the external forces".
     RichText name_of_room(const Figure& figure) const {
         if (figure.kind != "forces") return figure.caption;
         const Solution& solution = context_.solution;
@@ -81,7 +81,7 @@ private:
         return name;
     }
 
-    /// As large as the polygon at its scale with what is drawn round it, in whole squares.
+    /// The size of the polygon at its scale with its labels, in whole squares.
     Room room_of(const Figure& figure) const {
         constexpr double air = 8;
         const auto squares = [](double length) { return square * std::ceil(length / square); };
@@ -90,7 +90,7 @@ private:
         append(room.name, one_piece("   "));
         append(room.name, scale_words(context_, figure));
         const bool is_of_motion = figure.kind == "velocity" || figure.kind == "acceleration";
-        // A polygon of forces begins at the tail of its first side.
+        // A force polygon begins at the tail of its first side.
         const bool has_start = !is_of_motion && !figure.axes.empty() && figure.axes.front().detail.empty();
         room.has_pole = is_of_motion || has_start;
         room.has_letter = is_of_motion;

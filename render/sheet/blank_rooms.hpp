@@ -1,4 +1,5 @@
-// Blank rooms to draw in: for each polygon that is sought a grid as large as it needs, with its pole or its start.
+// Blank areas of a question: for each polygon to be drawn, a grid of the necessary size with its pole or starting
+// point.
 #pragma once
 
 #include <vector>
@@ -8,7 +9,7 @@
 
 namespace kinegraph::render {
 
-/// Rooms for all figures but the first, on as many sheets as they need behind those there are.
+/// Adds areas for all figures but the first, on as many additional sheets as they need.
 void add_blank_rooms(const DrawingContext& context, const SheetFormat& format, const std::vector<Figure>& figures,
                      std::vector<std::vector<Mark>>& sheets);
 

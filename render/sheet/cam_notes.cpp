@@ -84,7 +84,7 @@ private:
         if (!is_flat) add(line, "arm", {}, length(follower.arm));
         return line;
     }
-    /// β is no angle of the drawing, where all count counter-clockwise.
+    /// β is not an angle of the drawing, where angles are positive counter-clockwise.
     RichText sign_of_rise() const {
         const bool is_left = geometry_.rises() > 0;
         const std::string& name = drawn_.bodies.back().name;

@@ -1,4 +1,4 @@
-// Notes on a cam's sheet: its data in words, as a question's, and what its plots are called. Draws nothing.
+// Text on the sheet of a cam: its data, and the captions of its plots. Draws nothing.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,12 @@
 namespace kinegraph::render {
 
 struct CamNotes {
-    double drawn = 0;                ///< the cam's turn in the drawn position, rad
-    std::vector<RichText> data;      ///< a paragraph each
+    double drawn = 0;                ///< rotation of the cam in the drawn position, rad
+    std::vector<RichText> data;      ///< one paragraph each
     std::vector<RichText> captions;  ///< of the plots, one for each column but the first
 };
 
-/// `table` is the cam's, `drawn` its mechanism in one position.
+/// `table`: of the cam's cycle; `drawn`: its mechanism in one position.
 CamNotes notes_of(const Cam& cam, const CamGeometry& geometry, double drawn_at, const CycleTable& table,
                   const Mechanism& drawn, Language language);
 

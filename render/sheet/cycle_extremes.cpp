@@ -67,7 +67,7 @@ private:
         return number(si / unit.si.to_double(), 4, context_.language) + (table_.turns ? "°" : " " + unit.symbol);
     }
 
-    /// Where something is: the driver's coordinate, or the time where it has a law.
+    /// The driver's coordinate of a position, or its time if the driver has a law of motion.
     std::string place(double at) const {
         return table_.travel.times ? number(at, 4, context_.language) + " s" : coordinate(at);
     }
@@ -106,7 +106,7 @@ private:
               theme_.text);
     }
 
-    /// What else a reader wants of a motion.
+    /// Further results: strokes, change points, largest speeds.
     std::vector<RichText> facts() const {
         std::vector<RichText> said;
         const auto say = [&](const std::string& what, const std::string& value) {
@@ -127,7 +127,7 @@ private:
         for (std::size_t i = 0; i < table_.columns.size(); ++i) tell_of_column(i, said);
         if (table_.transmission)
             say(in_words("least transmission angle"),
-                // To hundredths: at a dead point, where it is zero, the position is known no better.
+                // To hundredths: at a dead point, where the angle is zero, the position is not known more precisely.
                 number(std::round(table_.transmission->least * 18000 / std::numbers::pi) / 100, 4, context_.language) +
                     "°" + at + coordinate(table_.transmission->at));
         if (const auto fastest = largest_of_points(Kind::velocity)) say(in_words("largest speed"), *fastest);
@@ -153,13 +153,14 @@ private:
         const auto [least, most] = extremes_of(table_, column);
         if (of.kind == Column::Kind::slid) {
             say("stroke", amount(most.value - least.value, of.unit));
-            // Over a whole turn at constant speed the time goes with the turn between the two ends of the stroke.
+            // For a full turn at constant speed the time is proportional to the rotation between the two ends of the
+            // stroke.
             const double whole = std::abs(table_.travel.to - table_.travel.from), one = std::abs(most.at - least.at);
             if (!table_.turns || table_.travel.times || std::abs(whole - 2 * std::numbers::pi) > 1e-9 || one == 0 ||
                 one == whole || rests(column, least) || rests(column, most))
                 return;
             const double ratio = std::max(one, whole - one) / std::min(one, whole - one);
-            // A stroke that takes as long there as back is no quick return.
+            // Equal times in both directions are no quick return.
             if (ratio > 1.001) say("time ratio", number(ratio, 4, context_.language));
         }
         if (of.quantity.kind == Kind::effort) {
@@ -174,14 +175,15 @@ private:
         }
     }
 
-    /// At its extreme it stays for more than two rows: an end of the stroke that is no one position.
+    /// Whether it dwells at its extreme for more than two rows, so that this end of the stroke is not a single
+    /// position.
     bool rests(std::size_t column, const Extreme& end) const {
         const double near = 1e-9 * std::abs(end.value) + rounding_of(table_, column);
         return std::count_if(table_.rows.begin(), table_.rows.end(),
                              [&](const auto& row) { return std::abs(row[column] - end.value) <= near; }) > 2;
     }
 
-    /// Next to a limit of the travel, where velocities grow without bound: no value is the largest.
+    /// Whether a velocity grows without bound next to a limit of the travel, so that it has no largest value.
     bool grows_to_a_limit(const Extreme& largest, const std::vector<double>& sizes) const {
         if (table_.limits.empty() || sizes.size() < 2) return false;
         const double at = largest.at;

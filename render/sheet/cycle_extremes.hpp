@@ -1,5 +1,4 @@
-// The table of a motion's extremes, and in a line each what else a reader wants of it: strokes, change points, largest
-// speeds.
+// The table of extremes of a cycle, with a line each for strokes, change points and largest speeds.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +9,7 @@
 
 namespace kinegraph::render {
 
-/// The extremes of the columns that are plotted, `width` mm wide; no row begins below `most_height`.
+/// The extremes of the plotted columns, `width` mm wide. No row begins below `most_height` mm.
 Block cycle_extremes(const DrawingContext& context, const CycleTable& table,
                      const std::vector<std::vector<std::size_t>>& plots, double width, double most_height);
 

@@ -17,7 +17,7 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double section_gap = 5.5;  // mm, between a figure and its table
-constexpr double least_room = 45;    // mm, of a plot with its caption
+constexpr double least_room = 45;    // mm; least height of a plot with its caption
 constexpr std::size_t most_plots = 3;
 
 using Kind = Quantity::Kind;
@@ -58,7 +58,7 @@ private:
         return left + width_ > format_.block.min.x - 2 ? format_.block.min.y - 4 : format_.content.max.y;
     }
 
-    /// The mechanism and its table on the left, plots on the right.
+    /// The mechanism and the table on the left, plots on the right.
     void draw_first_page() {
         sheets_.emplace_back();
         const Spot corner = format_.content.min;
@@ -68,7 +68,7 @@ private:
         set(sheets_.back(), table, {corner.x, corner.y + height + section_gap});
         put_plots(right_column(), corner.y, most_plots);
     }
-    /// The construction takes a column; on its right the data, the extremes, and as many plots as have room.
+    /// The figure in the first column; on its right the data, the extremes, and as many plots as fit.
     void draw_first_page_of_cam() {
         sheets_.emplace_back();
         const Spot corner = format_.content.min;
@@ -83,7 +83,7 @@ private:
     void draw_further_page() {
         sheets_.emplace_back();
         const double top = format_.content.min.y;
-        // Those of a cam belong together: beside each other rather than all on the left.
+        // Plots of a cam are placed side by side rather than all on the left.
         const std::size_t left = plots_.size() - next_;
         const std::size_t most = cam_ != nullptr ? std::min((left + 1) / 2, most_plots) : most_plots;
         put_plots(format_.content.min.x, top, most);
@@ -106,7 +106,7 @@ private:
             corner, height);
     }
 
-    /// One under the other, `most` at most; fewer are drawn no taller than three would be by half.
+    /// Places at most `most` plots one below the other, fewer if they would be lower than `least_room`.
     void put_plots(double left, double top, std::size_t most) {
         const double all = bottom(left) - top;
         const std::size_t fit =
@@ -154,10 +154,10 @@ private:
     const CycleTable& table_;
     const std::vector<std::vector<std::size_t>>& plots_;
     const std::vector<Way>& ways_;
-    const CamNotes* cam_;  ///< null: no cam's
+    const CamNotes* cam_;  ///< null: not a cam
     SheetFormat format_;
     Signature signature_;
-    double width_;  ///< of a column
+    double width_;  ///< of a column, mm
     std::vector<std::vector<Mark>> sheets_;
     std::optional<double> scale_;
     std::size_t next_ = 0;

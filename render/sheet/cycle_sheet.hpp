@@ -1,5 +1,5 @@
-// The sheet of a cycle: the mechanism with its way, the extremes of the motion as a table, and plots, on one page or
-// more. Apart from the sheets of single positions; takes figures as they come.
+// The sheet of a cycle: the mechanism with its paths, the table of extremes, and plots. Uses a fixed layout, not the
+// page plan of single positions.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace kinegraph::render {
 
-/// Plots are lists of columns (indices) that share a unit, four at most each. Of a cam (`cam` is not null) the first
-/// page has the figure in a column of its own, the data beside it; `cam` holds a caption for each plot.
+/// A plot is a list of at most four columns (indices) with the same unit. For a cam (`cam` is not null) the figure has
+/// a column of its own on the first page, with the data beside it; `cam` has a caption for each plot.
 std::vector<Page> lay_out_cycle(const Solution& drawn, const CycleTable& table,
                                 const std::vector<std::vector<std::size_t>>& plots, const std::vector<Way>& ways,
                                 const SheetOptions& options, const Fonts& fonts, const CamNotes* cam = nullptr);

@@ -1,4 +1,4 @@
-// A figure alone: the same figures as on the sheet, the page cut to what they cover.
+// Figures of the sheet, each on a page of its own size.
 #include "render/sheet/figure_alone.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double margin = 4;           // round the figure, mm
-constexpr double tallest_alone = 130;  // less than half a sheet: the text of a book goes on below
+constexpr double tallest_alone = 130;  // mm; less than half a page, because the text of a book continues below
 
 struct Choice {
     std::string name;
@@ -38,7 +38,7 @@ std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted
 
 namespace {
 
-/// Cut to the figure, which is moved there.
+/// Moves the figure to the corner of a page of its size.
 AloneFigure cut_to(const DrawingContext& context, Figure figure) {
     const Box box = box_of(figure.marks);
     figure.move(margin - box.min.x, margin - box.min.y);

@@ -1,5 +1,5 @@
-// Handouts: see handout.hpp. Figure 1 is drawn at the scale that it has in the solution and put where the mechanism
-// stands there; text runs through the columns that it leaves, blank rooms with pole and grid follow.
+// Figure 1 is drawn at its scale in the solution and at the position of the mechanism there. Text runs through the free
+// parts of the columns; blank areas with pole and grid follow.
 #include "render/sheet/handout.hpp"
 
 #include <algorithm>
@@ -26,10 +26,10 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double round_figure = 6;  // kept clear, mm
+constexpr double round_figure = 6;  // mm; kept free
 constexpr double passage_gap = 4.5;
 
-/// A stretch of a column that text may run through.
+/// A free part of a column.
 struct Stretch {
     std::size_t page = 0;
     double left = 0, top = 0, bottom = 0;
@@ -62,7 +62,7 @@ public:
         return pages;
     }
 
-    /// Of the key, once it is laid out.
+    /// Of the key. Call it after pages().
     std::vector<RichText> remarks() && { return std::move(remarks_); }
 
 private:
@@ -73,7 +73,6 @@ private:
     }
 
     // --- figure 1
-    // -------------------------------------------------------------------------------------------------------------
 
     void place_figure() {
         Figure figure = drawn_.figures.front();
@@ -81,7 +80,7 @@ private:
         if (is_question_) {
             if (const auto finer = finer_than_solved(figure)) stand_at(figure, *finer);
             figure = question_in_place(figure, at);
-            drawn_.figures.front().scale = figure.scale;  // the scales to draw at name it
+            drawn_.figures.front().scale = figure.scale;  // for the list of scales
         }
         marks().emplace_back(GroupBegin{"band", "", "", {{"data-question", "given"}}});
         const double caption = set_caption(marks(), context_, figure, 1, at, drawn_.caption_width);
@@ -92,10 +91,10 @@ private:
         taken_.include(at + Spot{drawn_.caption_width, caption});
         if (figure.kind == "mechanism") scale_ = figure.scale;
     }
-    /// The scale at which a question shows a mechanism that the solution, with its centres and beside its text, shows
-    /// too small for data; nothing: that of the solution is good enough, or asked for.
+    /// A finer scale for a question if the solution shows the mechanism too small for dimensions. Empty if the
+    /// solution's scale is fine enough or given in the file.
     std::optional<double> finer_than_solved(const Figure& solved) const {
-        constexpr double readable = 20, for_data = 56;  // mm: of its longer side, round it
+        constexpr double readable = 20, for_data = 56;  // mm; length of its longer side, and space round it
         const std::vector<AskedScale>& asked = context_.solution.mechanism.scales;
         const bool is_asked =
             std::any_of(asked.begin(), asked.end(), [](const AskedScale& each) { return each.figure == "mechanism"; });
@@ -106,23 +105,23 @@ private:
                                           std::max(room.height() - for_data, 1.0), std::nullopt);
         return finer < solved.scale ? std::optional(finer) : std::nullopt;
     }
-    /// Left of a column of text, above the title block.
+    /// The area left of a column of text and above the title block.
     Box room_for_mechanism() const {
         const Box content = content_of(format_, true);
         return {content.min, {content.max.x - format_.measure - gap, format_.block.min.y - round_figure}};
     }
-    /// The figure is to be drawn anew at a scale, in the middle of that room.
+    /// Requests the figure at a scale, in the middle of that area.
     void stand_at(Figure& figure, double scale) {
         const Box extent = extent_of_mechanism(context_.solution, false), room = room_for_mechanism();
         figure.scale = scale;
         figure.origin = 0.5 * (room.min + room.max) - (0.5 / scale) * (extent.min + extent.max);
         drawn_.caption_width = room.width();
     }
-    /// The mechanism with its data where the solution has it. What needs the room of the caption, which stands at
-    /// `caption`, sends that below; only what leaves the paper all the same moves the mechanism.
+    /// The mechanism with its data at its position in the solution. If it needs the space of the caption, the caption
+    /// moves down; only if it still leaves the paper, the mechanism moves.
     Figure question_in_place(const Figure& solved, Spot& caption) const {
-        constexpr double air = 1.5;  // of the caption's height, under its letters
-        constexpr double rim = 2.5;  // within the frame: a letter may stand in the margin
+        constexpr double air = 1.5;  // mm; white space below its letters, included in its height
+        constexpr double rim = 2.5;  // within the frame; a letter may stand in the margin
         const Box content = content_of(format_, true);
         const Spot origin = solved.origin;
         Figure captioned = Figure::empty_at(solved.scale);
@@ -156,7 +155,6 @@ private:
     }
 
     // --- text
-    // -----------------------------------------------------------------------------------------------------------------
 
     double measure() const { return format_.measure / format_.text_size; }
     Passage passage(const std::string& title, const std::vector<RichText>& paragraphs,
@@ -220,7 +218,7 @@ private:
         const Mechanism& mechanism = context_.solution.mechanism;
         return mechanism.find.equations && asked_of(mechanism).empty();
     }
-    /// Where the equations are sought: what they come to, a passage for each heading.
+    /// If the equations are asked for: the resulting equations, one passage for each heading.
     void add_equations(std::vector<Passage>& passages) const {
         if (!seeks_equations()) return;
         const std::vector<EquationItem> items = equation_answers(context_.solution, context_.language);
@@ -234,7 +232,7 @@ private:
             first = end;
         }
     }
-    /// Of the first page beside the figure, then under it; of a further one the whole columns.
+    /// On the first page beside and below the figure; on further pages whole columns.
     std::vector<Stretch> stretches(std::size_t page) const {
         std::vector<Stretch> beside, under;
         const Box content = content_of(format_, page == 0);
@@ -278,7 +276,7 @@ private:
                 *block = reduced(*block);
             double whole = passage.heading.height() + passage.head.height() + passage_gap;
             for (const SharedBlock& row : passage.rows) whole += reduced(row).height();
-            // What fits a column as a whole is not torn.
+            // A block that fits into a column is not divided.
             if (const Stretch& here = free[now]; y > here.top && y + whole > here.bottom) {
                 const bool fits_next = now + 1 < free.size() && whole <= free[now + 1].bottom - free[now + 1].top;
                 if (fits_next) next();
@@ -300,7 +298,7 @@ private:
     }
     SharedBlock reduced(const SharedBlock& block) const { return scaled(block, format_.text_size); }
 
-    /// Where the equations are sought: in which letters, so that answers can be compared.
+    /// If the equations are asked for: the symbols to be used, so that answers can be compared.
     void add_loops() {
         for (const Figure& drawn : drawn_.figures) {
             if (drawn.kind != "loops" || !seeks_equations()) continue;

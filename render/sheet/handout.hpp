@@ -1,5 +1,5 @@
-// Handouts: the question as it is handed out, and the key, with figure 1 where the solution's sheet has it. Owns how
-// they are laid out; what they say is exercise_text's and the answers'.
+// Handouts: the question and the key, with figure 1 at its position on the solution's sheet. Owns their layout; the
+// text comes from exercise_text and from the answers.
 #pragma once
 
 #include <vector>
@@ -9,18 +9,18 @@
 
 namespace kinegraph::render {
 
-/// Of the kind that the options say, which is not the solution. `asked`: the results asked for; without them a question
-/// does not say at which joint a transmission angle is asked for.
+/// The kind of handout in the options, which must not be the solution. `asked`: the results in `ask`; without them a
+/// question does not name the joint of a transmission angle.
 std::vector<Page> lay_out_handout(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
                                   const std::vector<AskedValue>& asked = {});
 
-/// The key with what is to be said of it.
+/// The key, and remarks on it.
 struct Key {
     std::vector<Page> pages;
-    std::vector<RichText> remarks;  ///< on what no reading tells; on the pages, too
+    std::vector<RichText> remarks;  ///< on answers that cannot be read off; they are on the pages, too
 };
-/// `asked`: the values of what the file asks for by name; without them the key has those that a vector, ω, α, a couple
-/// or an effort of the solution holds whole.
+/// `asked`: the values of the results in `ask`. Without them the key lists only answers that the solution contains as a
+/// vector, ω, α, a couple or an input effort.
 Key lay_out_key_of(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options,
                    const Fonts& fonts);
 

@@ -1,4 +1,4 @@
-// The printable key: see key_sheet.hpp.
+// Implementation of key_sheet.hpp.
 #include "render/sheet/key_sheet.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double between = 5, row_height = 5, head_height = 10.5, title_height = 9, longest_cell = 60;  // mm
 
-/// Columns that stand side by side, the first of the table among them.
+/// Indices of columns that stand side by side; the first column of the table is always included.
 using Group = std::vector<std::size_t>;
 
 class KeySheet {

@@ -1,4 +1,5 @@
-// The printable key of many exercises: a table with a row for each, on as many pages as it needs. Knows no mechanics.
+// The printable key of many exercises: a table with one row for each, on as many pages as it needs. Depends on no
+// mechanics.
 #pragma once
 
 #include <string>
@@ -12,15 +13,15 @@ struct KeyTable {
     std::string title;
     struct Column {
         std::string name, unit;
-        bool is_text = false;  ///< set from the left; numbers stand on the right
-        RichText symbol = {};  ///< in place of the name, where there is one
+        bool is_text = false;  ///< aligned left; numbers are aligned right
+        RichText symbol = {};  ///< replaces the name if not empty
     };
-    std::vector<Column> columns;                 ///< the first tells the rows apart, and is repeated on every page
-    std::vector<std::vector<std::string>> rows;  ///< a cell for each column
+    std::vector<Column> columns;                 ///< the first identifies the row, and is repeated on every page
+    std::vector<std::vector<std::string>> rows;  ///< one cell for each column
 };
 
-/// Of `options` the paper, its orientation, the language, the theme, author and date. Columns that find no place beside
-/// the others go to pages of their own.
+/// Uses paper, orientation, language, theme, author and date of `options`. Columns that do not fit beside the others go
+/// to pages of their own.
 std::vector<Page> lay_out_key(const KeyTable& table, const SheetOptions& options, const Fonts& fonts);
 
 }  // namespace kinegraph::render

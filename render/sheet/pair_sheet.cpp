@@ -16,22 +16,22 @@
 namespace kinegraph::render {
 namespace {
 
-/// A figure with its name above and what there is to say below; or words alone.
+/// A figure with its name above and text below, or only text.
 struct Card {
     std::string name;
-    std::function<Figure()> draw;  ///< none: words alone
+    std::function<Figure()> draw;  ///< null: only text
     std::vector<RichText> lines;
 };
 struct Section {
-    std::string question;  ///< its data-question
+    std::string question;  ///< for `data-question`
     Words heading;
-    std::size_t across = 4;  ///< cards in a row of a landscape sheet
+    std::size_t across = 4;  ///< number of cards in a row on landscape paper
     double figure_height = 36;
     std::vector<Card> cards;
-    Words closing{};  ///< below them
+    Words closing{};  ///< text below the cards
 };
 
-/// "F_x F_y": letters with indices, set as formulas.
+/// Formulas for symbols such as "F_x F_y", with indices.
 std::string as_formula(std::string_view symbols) {
     std::string text, symbol;
     const auto put = [&] {
@@ -48,12 +48,12 @@ std::string as_formula(std::string_view symbols) {
         text += c;
     }
     put();
-    // What stands right before a symbol is no part of it.
+    // A sign before a symbol is moved out of its braces.
     for (std::size_t at = 0; (at = text.find("{−", at)) != std::string::npos;) text.replace(at, 4, "−{");
     return text;
 }
 
-/// What keeps the bodies of a pair together.
+/// What keeps the bodies of a pair in contact.
 Words closure_of(const PlanePair& pair) {
     if (pair.meshes()) return {"form, by both flanks of a tooth", "di forma, per i due fianchi di un dente"};
     if (pair.rolls()) return {"force, which also holds by friction", "di forza, che trattiene anche per attrito"};
@@ -76,7 +76,7 @@ public:
 private:
     std::string say(const Words& words) const { return in(words, context_.language); }
     std::string say_word(const std::string& key) const { return word(key, context_.language); }
-    /// Names begin with a letter of ASCII in all languages.
+    /// Names begin with an ASCII letter in all languages.
     static std::string capital(std::string name) {
         if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
         return name;

@@ -1,6 +1,5 @@
-// The catalogue of pairs drawn: a card for each pair of the plane and in space, then closure, links, chains and
-// multiple hinges, in rows on as many pages as they take. Takes figures as they come; facts are those of `kinegraph
-// pairs`.
+// The catalogue of pairs: a card for each pair in the plane and in space, then closure, links, chains and multiple
+// hinges, in rows on pages. The facts are those of `kinegraph pairs`.
 #pragma once
 
 #include <vector>
@@ -10,7 +9,7 @@
 
 namespace kinegraph::render {
 
-/// Paper, orientation, language and theme are the options'.
+/// Uses paper, orientation, language and theme of `options`.
 std::vector<Page> lay_out_catalogue(const SheetOptions& options, const Fonts& fonts);
 
 }  // namespace kinegraph::render

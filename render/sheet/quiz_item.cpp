@@ -1,4 +1,4 @@
-// Quiz items: see quiz_item.hpp.
+// Implementation of quiz_item.hpp.
 #include "render/sheet/quiz_item.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace kinegraph::render {
 namespace {
 
-/// A decimal with so many digits after the point, without zeros at its end.
+/// A decimal number with `decimals` digits, without trailing zeros.
 std::string decimal(double value, int decimals) {
     std::array<char, 400> digits{};
     const auto end =
@@ -36,7 +36,7 @@ std::string decimal(double value, int decimals) {
 struct WrittenAnswer {
     std::string value, tolerance;
 };
-/// The value to a hundredth of its tolerance, which is rounded up to one digit.
+/// The value to a hundredth of its tolerance; the tolerance is rounded up to one digit.
 WrittenAnswer written(double value, double tolerance) {
     if (!(tolerance > 0)) return {shortest(value), "0"};
     constexpr int beyond = 2, most = 15;
@@ -72,8 +72,7 @@ public:
 private:
     Language language() const { return context_.language; }
 
-    // --- of a mechanism
-    // -------------------------------------------------------------------------------------------------------
+    // --- mechanisms
 
     void tell_mechanism() {
         SheetOptions as_solution = options_;
@@ -90,14 +89,14 @@ private:
             if (!names_a_pair(each.message.sentence)) section_of(each.section).push_back(sentence(each));
         std::erase_if(item_.solution, [](const QuizSection& each) { return each.paragraphs.empty(); });
     }
-    /// Sections in the order in which they are opened; one may be opened, left and gone on with.
+    /// Sections in the order in which they begin; a section may be resumed later.
     std::vector<RichText>& section_of(Topic topic) {
         const std::string heading = heading_of(topic, language());
         for (QuizSection& each : item_.solution)
             if (each.heading == heading) return each.paragraphs;
         return item_.solution.emplace_back(QuizSection{heading, {}}).paragraphs;
     }
-    /// With its vector equation on a line of its own.
+    /// With its vector equation on a separate line.
     RichText sentence(const Statement& statement) const {
         RichText text = say(statement.message, language());
         if (!statement.equation) return text;
@@ -112,8 +111,7 @@ private:
         return text;
     }
 
-    // --- of a problem
-    // ---------------------------------------------------------------------------------------------------------
+    // --- problems
 
     void tell_problem() {
         std::vector<ProblemSection> sections = sections_of_problem(context_);
@@ -132,7 +130,7 @@ private:
             if (!solved.paragraphs.empty()) item_.solution.push_back(std::move(solved));
         }
     }
-    /// Sentences from `first` to before `end`, each with the formulas that it announces.
+    /// Sentences from `first` to before `end`, each with its formulas.
     void add_paragraphs(QuizSection& to, const ProblemSection& of, std::size_t first, std::size_t end) const {
         for (std::size_t i = first; i < end; ++i) {
             to.paragraphs.push_back(said(of.sentences[i]));
@@ -143,8 +141,7 @@ private:
     }
     RichText said(const Words& words) const { return formula(in(words, language())); }
 
-    // --- what is asked
-    // --------------------------------------------------------------------------------------------------------
+    // --- answers
 
     void add_blanks(const std::vector<AskedValue>& asked) {
         bool turns = false, has_vectors = false;
@@ -171,7 +168,7 @@ private:
                (kind == Quantity::Kind::velocity || kind == Quantity::Kind::acceleration ||
                 kind == Quantity::Kind::force);
     }
-    /// The numbers asked for, at the end of the solution.
+    /// The numerical answers, at the end of the solution.
     void add_results() {
         QuizSection results{word("answers", language()), {}};
         for (const QuizBlank& each : item_.blanks) {

@@ -1,4 +1,4 @@
-// Readable: see readable.hpp.
+// Implementation of readable.hpp.
 #include "render/sheet/readable.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ bool is_readable(const Solution& solution, Condition::Polygon polygon, const She
     const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
     const std::vector<Answer> answers = answers_of(context, drawn.figures, false);
     return std::all_of(answers.begin(), answers.end(), [&](const Answer& each) {
-        // A vector has a direction; what vanishes has none, and no length either.
+        // A zero vector has neither direction nor length.
         const auto letter = each.symbol.letter;
         const bool turns =
             letter == Symbol::Letter::omega || letter == Symbol::Letter::alpha || letter == Symbol::Letter::M;

@@ -1,4 +1,4 @@
-// Whether the vectors that are sought can be read on the sheet of a solution.
+// Tests whether the vectors to be found are long enough on the solution's sheet.
 #pragma once
 
 #include "engine/mechanism/exercise.hpp"
@@ -6,8 +6,8 @@
 
 namespace kinegraph::render {
 
-/// True where no vector that is sought in a polygon is shorter on the solution's sheet than `readable_length`; also of
-/// a solution without such vectors.
+/// False if a vector to be found in a polygon is shorter on the solution's sheet than `readable_length`. True if there
+/// are no such vectors.
 bool is_readable(const Solution& solution, Condition::Polygon polygon, const SheetOptions& options, const Fonts& fonts);
 
 }  // namespace kinegraph::render

@@ -1,5 +1,5 @@
-// The results as plain text for a terminal: one aligned table for each kind of quantity, in the file's units. Knows no
-// font.
+// The results as plain text for a terminal: one aligned table for each kind of quantity, in the units of the file.
+// Depends on no font.
 #include <algorithm>
 #include <cmath>
 
@@ -19,9 +19,9 @@ namespace {
 using Cells = std::vector<std::string>;
 using Kind = Quantity::Kind;
 
-/// Rows under a heading; the first column left, the others right aligned.
+/// Rows under a heading; the first column is aligned left, the others right.
 std::string table(const std::string& heading, const std::vector<Cells>& rows) {
-    if (rows.size() < 2) return {};  // the head alone
+    if (rows.size() < 2) return {};  // only the head
     std::vector<std::size_t> widths;
     for (const Cells& row : rows) {
         widths.resize(std::max(widths.size(), row.size()));
@@ -74,8 +74,7 @@ public:
 private:
     std::string value(double v) const { return number(v, 6, language_); }
     std::string value(const Exact& v, const Unit& unit) const { return value((v / unit.si).to_double()); }
-    /// What a decimal that is not the whole number leaves beside the largest of its kind is nothing to a reader of six
-    /// digits.
+    /// A value that is only rounding error relative to the largest of its kind is shown as 0.
     std::string value(const Quantity& quantity, const Exact& v, const Unit& unit) const {
         return magnitudes_.is_noise(quantity, v.to_double()) ? value(0.0) : value(v, unit);
     }

@@ -1,10 +1,11 @@
-// The sheet: figures, equations, tables and steps on pages, nothing overlapping, nothing cut. Owns what is drawn where;
-// knows no mechanics, and takes every figure as it comes: it is moved, never scaled.
+// The sheet: figures, equations, tables and steps on pages, without overlaps. Owns the sequence of planning and
+// drawing. Computes no mechanics; figures are moved, never scaled.
 //
-// Method: a solution is a sequence of bands, each a question with its figures and its text (bands). A band stands in a
-// room as it is worth most (band_layout); bands in their order make rows, rows make the fewest pages (page_plan,
-// sheet_plan). Only then are the figures drawn, each once, into the rooms that are theirs (drawn_figures); what their
-// letters take is known then (figure_needs), and planned with. In the end all is set on pages (sheet_pages).
+// Method: a solution is a sequence of bands, each a question with its figures and text (bands). A band gets the
+// arrangement with the highest score for its space (band_layout). Bands in their order make rows, and rows make the
+// fewest pages (page_plan, sheet_plan). Then each figure is drawn once into its room (drawn_figures). The space that
+// its labels took is known then (figure_needs) and used in the next plan. When plan and drawings agree, the pages are
+// made (sheet_pages).
 #include "render/sheet/sheet.hpp"
 
 #include <algorithm>
@@ -25,8 +26,7 @@ namespace {
 
 class Layout {
 public:
-    /// `lettering`: how much room is set aside for letters before a figure is drawn, against what they may be thought
-    /// to take.
+    /// `lettering`: factor of the space estimated for labels before a figure is drawn.
     Layout(const Solution& solution, const SheetOptions& options, const Fonts& fonts, double lettering)
         : context_{solution, options.theme, fonts, options.language, options.dimensions},
           format_(format_of(options.paper, options.orientation)),
@@ -57,16 +57,15 @@ public:
     }
 
 private:
-    /// Plans and draws by turns, until all that is drawn has the room that was planned for it.
+    /// Plans and draws alternately until every figure fits into its room.
     void settle() {
-        // From then on no figure refuses its room; one that its whole page cannot hold stays as it is.
+        // After this many rounds no figure refuses its room, and a figure too large for a whole page stays as it is.
         constexpr int most_rounds = 12;
         for (int round = 1;; ++round) {
             const bool takes_what_comes = round >= most_rounds;
             make_plan();
             needs_.begin_round();
-            const bool lacks_equations =
-                !figures_.draw(plan_, !takes_what_comes);  // they stand in the text from now on
+            const bool lacks_equations = !figures_.draw(plan_, !takes_what_comes);  // they are in the text from now on
             const bool may_go_on = round < 2 * most_rounds || lacks_equations;
             if (!takes_what_comes && (drawn_otherwise() || lacks_equations)) continue;
             figures_.draw_what_fills_its_room();
@@ -78,7 +77,7 @@ private:
             if (!may_go_on || !has_wider_tables()) return;
         }
     }
-    /// To who reads on, on another page than the figures.
+    /// Adds "Fig. 1–3, sheet 1" where text continues on another page.
     void tell_where_figures_stand() {
         struct Standing {
             std::size_t page;
@@ -99,7 +98,7 @@ private:
                 for (const PlannedCell& cell : row)
                     for (const PlacedBand& placed : cell) look(page, placed);
     }
-    /// What a figure or the common scale of forces would want a page more for, they do without.
+    /// Makes a plan. If figures or the common scale of forces would add a page, their demands are dropped.
     void make_plan() {
         const std::size_t before = plan_.pages().size();
         plan_.make();
@@ -113,20 +112,21 @@ private:
         if (gave_up && has_room()) return;
         needs_.take_back_until(has_room);
         if (!gave_up || plan_.pages().size() <= before) return;
-        // Paper that is used all the same is for them, too.
+        // The additional page is needed in any case, so that a finer scale may be sought again.
         plan_.seek_finest_force_scale();
         plan_.look_again();
         plan_.make();
     }
-    /// Whether a figure is planned for less room from now on, for it would not fill more. One after the other: another
-    /// may find the room that it lacked.
+    /// Whether a figure is planned for a smaller room from now on, because it cannot fill more. One figure at a time:
+    /// another one may find the space it lacked.
     bool takes_a_smaller_room() {
         for (const auto& [band, figures] : figures_.by_band())
             for (const DrawnFigure& drawn : figures)
                 if (needs_.is_planned_as_it_came(drawn)) return true;
         return false;
     }
-    /// Whether a table has outgrown its narrow column with the letters of details, which only the drawn figures have.
+    /// Whether a table became too wide for its narrow column with the letters of details, which are known only after
+    /// drawing.
     bool has_wider_tables() {
         bool found = false;
         plan_.for_each_band([&](const PlacedBand& placed, const BandLayout& layout) {
@@ -137,11 +137,11 @@ private:
         if (found) plan_.look_again();
         return found;
     }
-    /// Whether something came otherwise than planned, so that it is planned anew: a force polygon smaller than the
-    /// others, a figure that has no room at the scale which the file asks for, or none in its room.
+    /// Whether a drawing differs from the plan, so that a new plan is needed: a force polygon is smaller than the
+    /// others, a figure has no room at its scale in the file, or has none in its room.
     bool drawn_otherwise() {
         bool otherwise = false;
-        std::optional<double> least, most;  // scale of the force polygons
+        std::optional<double> least, most;  // scales of the force polygons
         for (const auto& [band, figures] : figures_.by_band())
             for (const DrawnFigure& drawn : figures) {
                 if (drawn.waits) continue;
@@ -165,7 +165,7 @@ private:
         plan_.draw_forces_at(*most);
         return true;
     }
-    /// The words with what they are followed by, as a remark on a figure; false where it is made already.
+    /// Adds a remark to a figure: the words, then `followed_by`. False if it has the remark already.
     bool remark(const DrawnFigure& drawn, const char* words, const std::vector<RichText>& followed_by) {
         constexpr std::size_t most_listed = 12;
         RichText text = drawn.figure.caption;
@@ -184,20 +184,20 @@ private:
     DrawingContext context_;
     SheetFormat format_;
     Signature signature_;
-    std::size_t after_;  // pages bound with these
+    std::size_t after_;  // pages bound behind these
     WantedFigures wanted_;
     Bands bands_;
     SheetPlan plan_;
     FigureNeeds needs_;
     DrawnFigures figures_;
-    std::optional<DrawnText> text_;  // of the bands, once all is drawn
+    std::optional<DrawnText> text_;  // of the bands, after drawing
 };
 
 }  // namespace
 
 DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    // How a plan settles depends on where it begins: as thought first; then generous, which may give larger figures,
-    // and sparing, which may do with fewer pages or fill them.
+    // The iteration depends on its initial estimate. Try the default first; then larger estimates, which may give
+    // larger figures, and smaller ones, which may give fewer or fuller pages.
     constexpr double lettering[] = {1, 1.3, 0.8, 0.6};
     SheetChoice choice(format_of(options.paper, options.orientation).inner);
     for (const double each : lettering) {

@@ -1,5 +1,5 @@
-// The sheet: figures, equations, tables and steps of a solution laid out on pages, nothing overlapping, nothing cut;
-// what does not fit goes to further pages. Computes no mechanics.
+// The sheet: lays out figures, equations, tables and steps of a solution on pages, without overlaps. What does not fit
+// goes to further pages. Computes no mechanics.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace kinegraph::render {
 
-/// The worked solution, the question or the key, as asked for, on one or more pages.
+/// The solution, the question or the key, by `options.kind`, on one or more pages.
 std::vector<Page> lay_out(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
 
 /// The results table as plain text for a terminal.

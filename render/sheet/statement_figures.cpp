@@ -19,7 +19,7 @@ std::vector<ShownStatement> StatementFigures::all() const {
     };
     for (const DrawnVector& vector : solution_.protocol.vectors) note(vector.statement, vector.polygon);
     for (const DrawnLine& line : solution_.protocol.lines) note(line.statement, line.polygon);
-    std::map<Topic, std::string> last_in;  // figure by section
+    std::map<Topic, std::string> last_in;  // the last figure, by section
     for (const StatementIndex i : in_order()) {
         const Statement& statement = this->statement(i);
         std::string figure;

@@ -1,4 +1,4 @@
-// Which figure a statement of the solution is read on, and what of it the statement speaks.
+// Maps each statement of the solution to the figure that shows it.
 #pragma once
 
 #include <set>
@@ -13,7 +13,7 @@ namespace kinegraph::render {
 
 struct ShownStatement {
     StatementIndex statement;
-    std::string figure;  ///< name among the wanted figures, or "mechanism"
+    std::string figure;  ///< a name in WantedFigures, or "mechanism"
 };
 
 class StatementFigures {
@@ -22,21 +22,21 @@ public:
     StatementFigures(const Solution& solution, const WantedFigures& wanted) : solution_(solution), wanted_(wanted) {}
 
     std::vector<ShownStatement> all() const;
-    /// "-load-3"; empty: all loads.
+    /// The suffix of a figure name, such as "-load-3". Empty: all loads.
     std::string load_at(StatementIndex statement) const;
-    /// Its bars are not cut free one by one.
+    /// Whether it is a truss whose bars are not cut free one by one.
     bool is_truss() const { return solution_.truss && solution_.free_bodies.empty(); }
 
 private:
     const Statement& statement(StatementIndex index) const { return statements()[at_index(index)]; }
     const std::vector<Statement>& statements() const { return solution_.protocol.statements; }
     bool is_wanted(const std::string& name) const;
-    /// Statements section by section, as each section is opened: a sliding told after the centres stands with its
-    /// polygon. What is found a second time comes after the section that has found it.
+    /// Statements by section, in the order in which sections begin: a sliding found after the centres stands with its
+    /// polygon. A second derivation of a result follows the section of the first.
     std::vector<StatementIndex> in_order() const;
-    /// Under all loads, or under those that act alone.
+    /// For all loads or for those that act alone.
     std::string figure_of_forces(StatementIndex statement) const;
-    /// `polygon`: in which it draws; −1: in none.
+    /// `polygon`: the polygon in which it draws; −1: none.
     std::string figure_of_truss(StatementIndex statement, int polygon) const;
     static bool completes_a_polygon(const Solution& solution, StatementIndex statement);
     bool is_plane_of_motion(int polygon) const;
@@ -46,10 +46,10 @@ private:
     const WantedFigures& wanted_;
 };
 
-/// What statements name, as `data-name` has it and as the figures write it.
+/// The names in statements, as in `data-name` and as in the figures.
 std::set<std::string> names_cited(const Solution& solution, const std::vector<StatementIndex>& indices,
                                   Language language);
-/// Ids of the groups of the mechanism's bodies that the statements name, or else of the joints.
+/// Ids of the groups of the bodies that the statements name; if there are none, of the joints.
 std::set<std::string> groups_spoken_of(const Solution& solution, const std::vector<StatementIndex>& indices);
 
 }  // namespace kinegraph::render

@@ -1,4 +1,4 @@
-// Steps: which statements share a page, which figure they belong to, and what of it is shown there.
+// Steps: assigns statements to pages and figures, and selects the marks shown on each page.
 #include "render/sheet/steps.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 
 bool inks(const Path& path) { return path.stroked || (path.filled && !path.tinted); }
 
-/// A stroke or a letter in another colour; what is filled with paper or with a body's tint stays.
+/// Changes the colour of strokes and letters. Fillings with paper or with a body's tint stay.
 struct Recolour {
     Colour colour;
     void operator()(Path& path) const {
@@ -43,7 +43,7 @@ struct Recolour {
     void operator()(const Other& /*unseen*/) const {}
 };
 
-/// Its own.
+/// The statement of the mark itself.
 StatementIndex statement_of(const Mark& mark) {
     return std::visit(
         [](const auto& each) {
@@ -55,10 +55,10 @@ StatementIndex statement_of(const Mark& mark) {
         mark);
 }
 
-/// What holds for the marks of a figure one after the other: the statement, their own or that of the group they are in.
+/// Finds the statement of each mark of a figure in turn: its own or that of its group.
 class Nesting {
 public:
-    /// The mark's statement. Marks are told in their order.
+    /// The statement of the next mark. Call it for the marks in order.
     StatementIndex enter(const Mark& mark) {
         if (std::holds_alternative<GroupEnd>(mark)) {
             groups_.pop_back();
@@ -74,7 +74,7 @@ private:
     std::vector<StatementIndex> groups_;  // open
 };
 
-/// All statements by which a figure's strokes and letters are drawn, and all names that its labels carry.
+/// The statements that draw a figure's strokes and letters, and the names in its labels.
 struct Contents {
     std::set<StatementIndex> statements;
     std::vector<std::vector<std::string>> names;  // by label
@@ -89,8 +89,8 @@ struct Contents {
             if (text && !text->names.empty()) names.push_back(text->names);
         }
     }
-    /// The names sought that labels carry, and those that stand beside them there: of a_A = a_A^n one arrow is drawn
-    /// for both.
+    /// Names in `sought` that labels carry, with the other names of the same labels: for a_A = a_A^n a single arrow is
+    /// drawn.
     std::set<std::string> found(const std::set<std::string>& sought) const {
         std::set<std::string> found;
         for (const std::vector<std::string>& label : names)
@@ -100,7 +100,7 @@ struct Contents {
     }
 };
 
-/// Lengths that statements read off the mechanism.
+/// Marks for the lengths that statements measure on the mechanism.
 std::vector<Mark> segments_read(const DrawingContext& context, const std::vector<StatementIndex>& statements,
                                 const Figure& mechanism) {
     std::vector<Mark> marks;
@@ -139,10 +139,10 @@ public:
           prose_theme_(options.theme),
           prose_context_{solution, prose_theme_, fonts, options.language, options.dimensions},
           beside_context_(context_) {
-        // One sentence on a page is read from farther away than a column of them.
+        // A single sentence on a page is read from a greater distance than a column of text.
         prose_theme_.body_text *= 1.25;
         prose_theme_.label *= 1.1;
-        // What stands small beside another figure has no room for more than names.
+        // A small figure beside another one has space for names only.
         if (options.dimensions == Dimensions::automatic) beside_context_.dimensions = Dimensions::off;
         const Box& content = format_.content;
         const double bottom = format_.block.min.y - 4;
@@ -166,21 +166,21 @@ public:
         for (std::size_t i = 0; i < steps_.size(); ++i) pages.push_back(page(i));
         return pages;
     }
-    /// How many have a number.
+    /// The number of numbered figures.
     int figures() const { return static_cast<int>(large_figures_.size()); }
 
 private:
-    /// What one page adds.
+    /// The content of one page.
     struct Step {
-        std::string figure;  ///< name in wanted_, or "mechanism"
+        std::string figure;  ///< a name in wanted_, or "mechanism"
         Topic section = Topic::unnamed;
         std::vector<StatementIndex> statements;
         std::vector<Block> rows;
         double height = 0;
-        bool only_pairs = false;  ///< names pairs, and nothing else
-        bool draws = false;       ///< or points at what is drawn
+        bool only_pairs = false;  ///< it only names pairs
+        bool draws = false;       ///< or marks what is drawn
     };
-    /// A figure as it ends up, in its place on the pages.
+    /// A complete figure at its position on the pages.
     struct Placed {
         Figure figure;
         std::vector<Mark> caption;
@@ -189,8 +189,7 @@ private:
     const Statement& statement(StatementIndex index) const { return statements()[at_index(index)]; }
     const std::vector<Statement>& statements() const { return solution_.protocol.statements; }
 
-    // --- what belongs to which page
-    // ------------------------------------------------------------------------------------------
+    // --- statements and pages
 
     void collect() {
         page_of_.assign(statements().size(), 0);
@@ -206,15 +205,15 @@ private:
         if (steps_.empty()) steps_.push_back({"mechanism", Topic::unnamed, {}, {}, 0, false, true});
     }
 
-    /// A statement has a page of its own where it draws or points at something; else it stands with the one before it
-    /// in its section, or, where it opens the section, with the one after it.
+    /// A statement that draws or marks something has its own page. Any other one joins the page before it in its
+    /// section, or the page after it if it begins the section.
     void add(StatementIndex index, const std::string& figure) {
         const Statement& statement = this->statement(index);
         std::vector<Block> rows{paragraph(say(statement.message, context_.language))};
         for (Block& equation : equations_of(index)) rows.push_back(std::move(equation));
         double height = 0;
         for (const Block& row : rows) height += row.height;
-        if (height > prose_.height() - head_height) {  // no room for both: the equation stays, the arithmetic goes
+        if (height > prose_.height() - head_height) {  // not enough space for both: the arithmetic is omitted
             height -= rows.front().height;
             rows.front() = paragraph(say({statement.message.sentence, statement.message.arguments}, context_.language));
             height += rows.front().height;
@@ -225,7 +224,7 @@ private:
         const Contents contents(large(figure).figure.marks), beside(small(step).marks);
         step.draws = contents.statements.contains(index) || beside.statements.contains(index) ||
                      !contents.found(names_cited(solution_, {index}, context_.language)).empty();
-        // Loads that act alone begin anew.
+        // Loads acting alone begin a new sequence.
         const bool begins = statement.message.sentence == Sentence::superposition;
         if (steps_.empty() || begins || steps_.back().section != step.section ||
             steps_.back().height + height > prose_.height() - head_height) {
@@ -270,7 +269,6 @@ private:
     }
 
     // --- figures
-    // -------------------------------------------------------------------------------------------------------------
 
     Figure draw(const std::string& name, const DrawingContext& context, double room_x, double room_y) {
         if (name == "forces") {
@@ -304,8 +302,8 @@ private:
         return placed;
     }
 
-    /// What stands small beside a figure: the mechanism with what turns or with its lines of action; beside itself the
-    /// circle of the centres, or nothing.
+    /// The small figure beside a figure: the mechanism with angular velocities or lines of action; beside the mechanism
+    /// the circle diagram, or nothing.
     const Figure& small(const Step& step) {
         const bool itself = step.figure == "lines-of-action" || step.figure == "mechanism" || step.figure == "truss" ||
                             step.figure.starts_with("lines-load-");
@@ -341,7 +339,7 @@ private:
         const bool adds = std::any_of(step.statements.begin(), step.statements.end(), [&](StatementIndex statement) {
             return contents.statements.contains(statement);
         });
-        // A page that adds no line shows what it is read off, or at least of what it speaks.
+        // A page without new lines emphasises what is read off, or at least what the statement names.
         std::set<std::string> names;
         std::vector<Mark> segments;
         if (!adds) {
@@ -355,7 +353,7 @@ private:
         std::vector<Mark> marks = placed.caption;
         std::optional<double> scale_of_mechanism;
         for (const Figure* figure : {&placed.figure, &beside}) {
-            // Polygons joined are no statement's: all of the figure is new there.
+            // The joined polygons belong to no statement: all of that figure is new.
             const bool all_new = figure == &placed.figure && step.statements.empty();
             std::vector<Mark> shown =
                 revealed(figure->marks, all_new ? std::vector<std::size_t>{} : page_of_, index, theme, names);
@@ -376,7 +374,7 @@ private:
         return framed_page(context_, format_, signature_, std::move(marks), scale_of_mechanism, index + 1,
                            steps_.size() + after_);
     }
-    /// The same as a figure has them that shows the loads of one body alone.
+    /// The same, with the names used in figures for the loads of one body alone.
     std::set<std::string> groups_shown(const Step& step) const {
         std::set<std::string> groups = groups_spoken_of(solution_, step.statements);
         const std::string load = step.statements.empty() ? "" : shown_by_.load_at(step.statements.front());
@@ -396,7 +394,7 @@ private:
     const Solution& solution_;
     SheetFormat format_;
     Signature signature_;
-    std::size_t after_;  // pages bound with these
+    std::size_t after_;  // pages bound behind these
     WantedFigures wanted_;
     StatementFigures shown_by_;
     Theme prose_theme_;
@@ -408,7 +406,7 @@ private:
     std::map<std::string, Figure> small_figures_;
 };
 
-/// A label with one of these names, or a group that has one as its id, its `data-name` or, of a centre, its title.
+/// Whether a label has one of these names, or a group has one as its id, its `data-name` or, for a centre, its title.
 bool is_cited(const Mark& mark, const std::set<std::string>& names) {
     if (names.empty()) return false;
     const auto among = [&](const std::string& name) { return names.contains(name); };
@@ -429,12 +427,12 @@ std::vector<Mark> revealed(const std::vector<Mark>& marks, const std::vector<std
         if (statement == none || at_index(statement) >= page_of.size()) return std::nullopt;
         return page_of[at_index(statement)];
     };
-    // Where the accent is the ink of all, what was given must step back too.
+    // If the accent colour equals the text colour, given marks must be grey, too.
     const bool one_ink = theme.accent == theme.text;
     std::vector<Mark> shown;
     Nesting nesting;
-    std::vector<bool> cited_groups;  // by open group: whether it is cited, or within one that is
-    std::size_t hidden = 0;          // groups open since one that is not shown yet
+    std::vector<bool> cited_groups;  // by open group: whether it or a group round it is cited
+    std::size_t hidden = 0;          // number of open groups within one that is not shown yet
     for (const Mark& mark : marks) {
         const StatementIndex statement = nesting.enter(mark);
         if (std::holds_alternative<GroupEnd>(mark)) {
