@@ -43,8 +43,8 @@ struct NumericForces {
     double residual = 0;     ///< largest unbalanced force relative to the largest load
 };
 
-/// Loads, weights, inertia (where the file says so), springs; frictionless reactions by pair: revolute and rolling two
-/// components through the point, prismatic a force ⟂ guide and a couple, pin-slot, contact and gear a force along
+/// Loads, weights, inertia (where the file requests it), springs; frictionless reactions by pair: revolute and rolling
+/// two components through the point, prismatic a force ⟂ guide and a couple, pin-slot, contact and gear a force along
 /// Pose::normals, weld force and couple.
 NumericForces check_forces(const Mechanism& mechanism, const Pose& pose, const NumericMotion& motion);
 

@@ -70,7 +70,7 @@ private:
     double size_;  ///< of the drawing, m
     double doubt_ = 0;
     std::vector<Vector> references_;  ///< by body
-    std::vector<double> own_size_;    ///< by body: the length by which its moments are divided, m
+    std::vector<double> own_size_;    ///< by body: divisor of its moments, m
     Index rows_ = 0, columns_ = 0, first_effort_ = 0;
     std::vector<Index> first_column_, first_pin_row_;  ///< by joint
     Eigen::VectorXd right_;

@@ -67,7 +67,7 @@ struct Equations {
     };
     using Sum = std::vector<Term>;
 
-    /// The method by which the two unknowns of a loop follow from the known letters.
+    /// How the two unknowns of a loop are computed from the known letters.
     struct Solved {
         enum class Kind {
             iterative,               ///< no closed form

@@ -1,4 +1,4 @@
-// Exercise: the results that a file asks of students, the parameters that vary between copies, and the conditions on
+// Exercise: the results that students are to find, the parameters that vary between copies, and the conditions on
 // every copy. Results are named as in the rows of a sweep (engine/results/result_names.hpp). Values of results are
 // elsewhere: constructions/positions/named_results.hpp.
 #pragma once

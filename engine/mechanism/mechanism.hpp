@@ -272,7 +272,8 @@ struct Units {
         mass{"kg", 1}, force{"N", 1}, moment{"N m", 1}, inertia{"kg m²", 1}, pressure{"Pa", 1};
 };
 
-/// A scale the file asks for a figure: `quantity` SI units for each mm on paper (drawing: m/mm, "1:5" is 0.005).
+/// A scale that the file prescribes for a figure: `quantity` SI units for each mm on paper (drawing: m/mm, "1:5" is
+/// 0.005).
 struct AskedScale {
     std::string figure;
     Exact per_millimetre;
@@ -283,7 +284,7 @@ struct AskedScale {
 /// some of them.
 struct Problem;
 
-/// What a file asks of its students: results, and which parameters vary (engine/mechanism/exercise.hpp).
+/// The exercise of a file: wanted results, and which parameters vary (engine/mechanism/exercise.hpp).
 struct Exercise;
 
 struct Mechanism {
@@ -310,7 +311,7 @@ struct Mechanism {
     const NamedPoint& point(PointIndex index) const { return points[at_index(index)]; }
     const Body& body(BodyIndex index) const { return bodies[at_index(index)]; }
     const Joint& joint(JointIndex index) const { return joints[at_index(index)]; }
-    /// Of a joint of this mechanism.
+    /// Precondition: the joint is one of this mechanism's.
     JointIndex index_of(const Joint& joint) const { return JointIndex(&joint - joints.data()); }
     /// All bodies but the frame.
     Indices<BodyIndex> moving_bodies() const { return bodies_after(frame); }

@@ -61,7 +61,7 @@ public:
     /// Selects the rows of the first `count` pivots of the matrix factored last: they are independent as long as their
     /// determinant keeps its sign.
     void take_leading_rows(std::size_t count);
-    /// Reserves space for so many rows.
+    /// Reserves space for `count` rows.
     void expect_leading_rows(std::size_t count) { leading_.resize(count); }
     /// Whether no row is left over, so that every sign of the determinant is meaningful.
     bool all_rows_lead() const { return leading_.size() == rows_.size(); }

@@ -272,7 +272,7 @@ std::optional<double> nearest_difference(const mpq_class& a, const mpq_class& b)
     return x_is_negative ? -*nearest : *nearest;
 }
 
-/// Of a fraction in lowest terms or not, denominator > 0.
+/// The nearest double of a fraction with denominator > 0, which need not be in lowest terms.
 double to_nearest_double(const mpq_class& value) {
     if (sgn(value) == 0) return 0;
     if (const auto nearest = nearest_double(nearly(value), 2, 1)) return sgn(value) < 0 ? -*nearest : *nearest;

@@ -272,7 +272,7 @@ private:
     std::optional<Exact> pressure_on_area(const Members& form);
     void read_spring(JsonValue value);
     void read_ends(const Members& form, SpringLoad& spring);
-    /// Of a spring.
+    /// The two bodies of a spring.
     std::array<BodyIndex, 2> two_bodies(JsonValue bodies);
     /// FORMAT "Forces": an elastic spring, straight or of torsion.
     void read_elastic(JsonValue value);

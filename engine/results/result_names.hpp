@@ -1,4 +1,4 @@
-// Names of results, as used in the rows of a sweep and in files that ask for results. Contains no values.
+// Names of results, as used in the rows of a sweep and in files that request results. Contains no values.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ std::vector<Column> possible_results(const Mechanism& mechanism);
 /// of a pin on it and nothing else acts on the bar there.
 std::optional<Quantity> bar_of(const Column& column, const Mechanism& mechanism);
 
-/// The results that the file asks for, in its order. Forces of pins on the bars of a truss become bar forces. A result
+/// The results that the file requests, in its order. Forces of pins on the bars of a truss become bar forces. A result
 /// without a column in a sweep (a value of a problem, the transmission angle) has only its name.
 std::vector<Column> asked_columns(const Mechanism& mechanism);
 

@@ -41,7 +41,7 @@ struct Quantity {
     PointIndex point = none;
     JointIndex joint = none;
     int given = -1;
-    /// Of a velocity or an acceleration.
+    /// The part of a velocity or an acceleration.
     enum class Part { whole, relative, normal, tangential, sliding, coriolis, transport } part = Part::whole;
     PointIndex seen_from = none;  ///< the point of `other` relative to which a part is measured
     enum class Component { whole, x, y } component = Component::whole;

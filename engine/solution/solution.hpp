@@ -401,7 +401,7 @@ struct Solution {
     std::vector<FreeBody> free_bodies;
     std::vector<TakenTogether> taken_together;
     std::optional<Superposition> superposition;  ///< if used to find the forces
-    std::vector<Resultant> resultants;           ///< if the file asks whether bodies are in equilibrium
+    std::vector<Resultant> resultants;           ///< if the file requests a check of equilibrium
     std::optional<Truss> truss;                  ///< if the mechanism is a truss
     std::vector<VirtualMotion> virtual_motions;  ///< used to find forces that do not depend on redundant constraints
     std::vector<Curvature> curvature;            ///< if requested: of the moving bodies in the file's order
