@@ -159,7 +159,7 @@ ElementIndex Board::make(Verb verb, Plane plane, ElementIndex a, ElementIndex b)
     stroke.plane = plane;
     stroke.inputs[0] = a;
     stroke.inputs[1] = b;
-    // What elsewhere would divide by zero is guarded here once and for all.
+    // Guards every later division: it must not be by zero.
     if (verb == Verb::through || verb == Verb::ratio || verb == Verb::arm)
         ask(Guard::Question::zero_vector, before_turning(protocol_.program, b), none);
     if (verb == Verb::quotient) ask(Guard::Question::zero_scalar, b, none);
@@ -210,7 +210,8 @@ int Board::ask(Guard::Question question, ElementIndex a, ElementIndex b, Guard::
     return guard.verdict;
 }
 
-/// A leftover of 2^-bits shows amplified by the meets in between; what stands half the bits above it is not suspicious.
+/// A leftover of 2^-bits grows through the intersections in between. A value more than half the bits above it is not
+/// suspicious.
 void Board::decide(Guard& guard) {
     const auto here = answer(guard, protocol_.program.strokes, memory_, largest_);
     guard.verdict = here.verdict;
@@ -226,7 +227,7 @@ void Board::decide(Guard& guard) {
     follow(*finer_);
     const auto finer = answer(guard, protocol_.program.strokes, finer_->memory, finer_->largest);
     guard.how = Guard::How::by_finer_pose;
-    // What shrinks with the pose is zero, what stays is not.
+    // A value that shrinks with the finer pose is zero; one that stays is not.
     const auto relative = [](const Answer<Exact>& of) { return of.excess.order - of.unit.order; };
     if (finer.is_exact || relative(finer) <= relative(here) - pose_.bits / 2) {
         guard.verdict = zero;

@@ -1,8 +1,9 @@
-// The drawing board: the instruments and nothing else. Each call does a construction exactly and enters a stroke in the
-// Protocol: verb, inputs, output, figure. Predicates answer and are entered as guards. Nothing asks a number off the
-// board: what was found is read from the finished protocol. It knows no mechanism theory, no millimetre.
+// The drawing board: the instruments and nothing else. Each call carries out one construction exactly and records it as
+// a stroke in the protocol: verb, inputs, output, figure. Predicates return a verdict and are recorded as guards. No
+// call returns a number; results are read from the finished protocol. The board contains no mechanism theory and no
+// paper size.
 //
-// The board replays its program on a finer pose, which is how a suspiciously small value is decided (docs/notation.md,
+// The board replays its program on a finer pose to decide whether a suspiciously small value is zero (docs/notation.md,
 // "Exact").
 #pragma once
 
@@ -25,8 +26,8 @@
 
 namespace kinegraph {
 
-/// Typed handles: an index into the protocol's elements that knows its plane. A point of the drawing cannot be joined
-/// to a tip.
+/// Typed handles: an index into the protocol's elements, with the plane in its type. So a point of the drawing cannot
+/// be joined to a tip of a polygon.
 template <Plane plane>
 struct PointOn {
     ElementIndex element = none;
@@ -55,7 +56,7 @@ struct Face {
 struct Polygon {
     Plane plane = Plane::velocity;
     std::string id;               ///< "velocity", "acceleration", "velocity-E-2"
-    std::string point, observer;  ///< relative-motion polygons: of which point, seen by whom ("translating" ones:
+    std::string point, observer;  ///< relative-motion polygons: the point and its observer ("translating" ones:
                                   ///< observer is the origin's name, `translating` true)
     bool translating = false;
     std::vector<int> vectors;  ///< indices into Protocol::vectors
@@ -65,20 +66,21 @@ struct Polygon {
         motion,           ///< of all points: one for velocities, one for accelerations
         relative_motion,  ///< of one point, as an observer sees it
         body_forces,      ///< of one body
-        joined_forces     ///< of bodies side by side, on their common forces
+        joined_forces     ///< of several bodies together, sharing their common forces
     } kind = Kind::motion;
 };
-/// A place as a body carries it.
+/// A place carried by a body.
 struct CarriedPlace {
     ElementIndex place = none;  ///< point element of the drawing
     BodyIndex body = none;
     PointIndex point = none;  ///< the file's point there; none: an auxiliary place
 };
-/// Whose motion a vector of motion is, or is part of, and how it is seen.
+/// The moving place of a vector of motion, and the place from which its motion is seen.
 struct Seen {
     CarriedPlace of;
-    CarriedPlace to;            ///< from where it is seen; no body: from the frame
-    ElementIndex about = none;  ///< point element about which `of` turns, seen from `to`; none: it goes straight
+    CarriedPlace to;            ///< where it is seen from; without a body: the frame
+    ElementIndex about = none;  ///< point element about which `of` turns, seen from `to`; none: it moves along a
+                                ///< straight line
 };
 /// A named vector of a polygon, from tail to tip (elements that are points of its plane).
 struct DrawnVector {
@@ -98,11 +100,11 @@ struct DrawnVector {
         internal
     } role = Role::absolute;
     StatementIndex statement = none;
-    int trial =
-        0;      ///< 1, 2: from the first, the second trial value of an assumption (Protocol::trials); 0: the solution
-    Seen seen;  ///< nothing for a force, nor for a component along a line
-    Quantity quantity;      ///< nothing for a component along a line
-    bool vanishes = false;  ///< zero within the precision of the data: it is not drawn
+    int trial = 0;  ///< 1, 2: drawn from the first or second trial value of an assumption (Protocol::trials); 0: the
+                    ///< solution
+    Seen seen;      ///< empty for a force and for a component along a line
+    Quantity quantity;      ///< empty for a component along a line
+    bool vanishes = false;  ///< zero within the precision of the data: not drawn
 };
 /// A labelled vertex of a polygon: the image of a point ("a"), the pole ("o", with the points at rest).
 struct Image {
@@ -113,8 +115,8 @@ struct Image {
     StatementIndex statement = none;
     int trial = 0;  ///< as DrawnVector::trial
 };
-/// A construction line of a polygon or of the drawing worth showing, with its direction in words and the places it was
-/// drawn between.
+/// A construction line of a polygon or of the drawing that is shown, with its direction in words and the places that
+/// define it.
 struct DrawnLine {
     ElementIndex line = none;
     int polygon = -1;  ///< −1: in the drawing of the mechanism
@@ -124,9 +126,9 @@ struct DrawnLine {
     int trial = 0;  ///< as DrawnVector::trial
 };
 
-/// What a sentence is about: the section of the solution that it stands in.
+/// The subject of a sentence: the section of the solution that contains it.
 enum class Topic { unnamed, velocity, acceleration, relative_motion, centres, curvature, forces };
-/// As headings are looked up and results written: "relative motion".
+/// The name used for headings and in results: "relative motion".
 std::string_view name_of(Topic topic);
 
 /// A sentence of the solution with its equation and strokes.
@@ -134,22 +136,22 @@ struct Statement {
     Message message;
     std::optional<Equation> equation;
     Topic section = Topic::unnamed;
-    std::string source;             ///< theorem or book: "Rivals", "Aronhold–Kennedy", "Coriolis"
-    std::vector<Quantity> finds;    ///< ω, α and forces that it ends with, in the order it names them
-    std::vector<BodyIndex> bodies;  ///< forces: the bodies it takes together; curvature: the body it is about
+    std::string source;             ///< theorem or author: "Rivals", "Aronhold–Kennedy", "Coriolis"
+    std::vector<Quantity> finds;    ///< the ω, α and forces that it determines, in the order it names them
+    std::vector<BodyIndex> bodies;  ///< forces: the bodies taken together; curvature: the body concerned
 };
 
-/// By how much the tip of a trial misses the line that it must lie on.
+/// The distance from the tip of a trial to the line on which it must lie.
 struct DrawnMiss {
     Symbol symbol;  ///< ε^I
     int polygon = 0;
-    ElementIndex through = none;  ///< what the line was drawn from
-    ElementIndex foot = none;     ///< of the perpendicular from the tip
+    ElementIndex through = none;  ///< the point through which the line was drawn
+    ElementIndex foot = none;     ///< foot of the perpendicular from the tip
     ElementIndex tip = none;
     StatementIndex statement = none;
 };
 
-/// What was drawn from trial values on the way, apart from the solution: thin broken lines of the same polygons.
+/// Intermediate constructions from trial values, kept apart from the solution: thin broken lines of the same polygons.
 struct Trials {
     std::vector<DrawnVector> vectors;
     std::vector<Image> images;
@@ -167,7 +169,7 @@ struct Protocol {
     std::vector<Image> images;
     std::vector<DrawnLine> lines;
     Trials trials;
-    /// By element, on each of the pose's shifted drawings; to some 200 bits. Empty where nothing is rounded.
+    /// By element, on each of the pose's shifted drawings, to about 200 bits. Empty where no datum is rounded.
     std::vector<std::vector<Value>> shifted;
 
     const ProjectivePoint& point(ElementIndex element) const {
@@ -178,7 +180,7 @@ struct Protocol {
     }
     const Vector& vector(ElementIndex element) const { return std::get<Vector>(values[at_index(element)]); }
     const Exact& scalar(ElementIndex element) const { return std::get<Exact>(values[at_index(element)]); }
-    /// Tip − tail of a drawn vector, exact, in its plane's SI unit; nothing where it is zero within the data.
+    /// Tip − tail of a drawn vector, exact, in its plane's SI unit; empty where it is zero within the data.
     Vector value_of(const DrawnVector& drawn) const {
         return drawn.vanishes ? Vector{} : point(drawn.tip) - point(drawn.tail);
     }
@@ -188,22 +190,22 @@ struct Protocol {
     }
 };
 
-/// The elements that are drawn: vectors, images, lines, corners of faces, those of trials too.
+/// Visits the elements that are drawn: vectors, images, lines and corners of faces, including those of trials.
 void for_each_drawn(Protocol& protocol, const std::function<void(ElementIndex& element)>& see);
 
 class Board {
 public:
-    /// `finer` gives the same mechanism's pose at twice the bits, asked for only when a predicate needs a second look.
-    /// All three must outlive the board.
+    /// `finer` returns the pose of the same mechanism at twice the bits. It is called only when a predicate cannot be
+    /// decided otherwise. All three arguments must outlive the board.
     Board(const Mechanism& mechanism, const Pose& pose, std::function<const Pose&()> finer);
     Board(const Board&) = delete;
     Board& operator=(const Board&) = delete;
 
-    /// Opens a sentence: the strokes that follow belong to it, until the next one. Returns its index.
+    /// Opens a sentence: the strokes that follow belong to it, until the next one is opened. Returns its index.
     StatementIndex state(Statement statement);
     Statement& statement(StatementIndex index);
 
-    // What is given, and below what is constructed: asked for twice, the same element is returned.
+    // Givens, then constructions. The same call made twice returns the same element.
     PointOn<Plane::drawing> place(PointIndex point) { return {given(Given::Kind::place, point)}; }
     DirectionHandle guide(JointIndex joint) { return {given(Given::Kind::guide, joint)}; }
     DirectionHandle guide_unit(JointIndex joint) { return {given(Given::Kind::guide_unit, joint)}; }
@@ -225,7 +227,7 @@ public:
     VectorOn<Plane::acceleration> gravity() { return {given(Given::Kind::gravity, 0)}; }
     ScalarHandle mass(int mass) { return {given(Given::Kind::mass, mass)}; }
     ScalarHandle inertia(int mass) { return {given(Given::Kind::inertia, mass)}; }
-    /// A number, a direction of the construction's own.
+    /// A number or a direction chosen by the construction.
     ScalarHandle number(const Exact& value);
     DirectionHandle own_direction(const Vector& direction);
 
@@ -240,7 +242,7 @@ public:
     }
     template <Plane plane>
     DirectionHandle direction(VectorOn<plane> v) const {
-        return {v.element};  // a vector is its own direction: no stroke
+        return {v.element};  // a vector is its own direction: no stroke is needed
     }
     template <Plane plane>
     DirectionHandle direction(LineOn<plane> l) {
@@ -251,12 +253,12 @@ public:
     LineOn<plane> through(PointOn<plane> p, DirectionHandle d) {
         return {binary(Verb::through, plane, p.element, d.element)};
     }
-    /// The join of two points that do not coincide (ask first); finite or at infinity.
+    /// The join of two points, finite or at infinity. Precondition: they do not coincide (test first).
     template <Plane plane>
     LineOn<plane> join(PointOn<plane> p, PointOn<plane> q) {
         return {join(plane, p.element, q.element)};
     }
-    /// The meet of two lines: finite, or at infinity where they are parallel; nothing where they coincide.
+    /// The meet of two lines: finite, or at infinity where they are parallel; empty where they coincide.
     template <Plane plane>
     std::optional<PointOn<plane>> meet(LineOn<plane> l, LineOn<plane> m) {
         const ElementIndex element = meet(plane, l.element, m.element);
@@ -282,7 +284,7 @@ public:
     VectorOn<plane> negate(VectorOn<plane> v) {
         return {unary(Verb::negate, plane, v.element)};
     }
-    /// s·v carried into another plane: −ω²·BA is an acceleration.
+    /// s·v carried into another plane. Example: −ω²·BA is an acceleration.
     template <Plane to, Plane from>
     VectorOn<to> scale(ScalarHandle s, VectorOn<from> v) {
         return {binary(Verb::scale, to, s.element, v.element)};
@@ -302,26 +304,27 @@ public:
         return {binary(Verb::ratio, p, v.element, w.element)};
     }
     ScalarHandle product(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::product, a.element, b.element)}; }
-    /// a / b, b ≠ 0 (ask first).
+    /// a / b. Precondition: b ≠ 0 (test first).
     ScalarHandle quotient(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::quotient, a.element, b.element)}; }
     ScalarHandle opposite(ScalarHandle a) { return {of_scalars(Verb::opposite, a.element, none)}; }
     /// r ∧ F: the moment of a force about the tail of r (N m, counter-clockwise positive).
     ScalarHandle moment(VectorOn<Plane::drawing> r, VectorOn<Plane::force> force) {
         return {binary(Verb::moment, Plane::force, r.element, force.element)};
     }
-    /// The same of a direction and a force: how large the force is across the direction, times the direction's length.
+    /// d ∧ F: the component of a force across the direction, times the direction's length.
     ScalarHandle moment(DirectionHandle d, VectorOn<Plane::force> force) {
         return {binary(Verb::moment, Plane::force, d.element, force.element)};
     }
-    /// F·v: the power of a force at a place with this velocity (W).
+    /// F·v: the power of a force applied at a place with this velocity (W).
     ScalarHandle power(VectorOn<Plane::force> force, VectorOn<Plane::velocity> velocity) {
         return {binary(Verb::projection, Plane::force, force.element, velocity.element)};
     }
-    /// r ∧ d for a direction in the drawing: the lever of a force along d, times the length of d.
+    /// r ∧ d for a direction in the drawing: the lever arm of a force along d, times the length of d.
     ScalarHandle moment(VectorOn<Plane::drawing> r, DirectionHandle d) {
         return {binary(Verb::moment, Plane::drawing, r.element, d.element)};
     }
-    /// By how much a force ≠ 0 must be moved aside to carry the couple too: the vector b ⟂ F with b ∧ F = M, |b| = M/F.
+    /// The displacement that makes a force F ≠ 0 equivalent to F and a couple M: the vector b ⟂ F with b ∧ F = M, |b| =
+    /// M/F.
     VectorOn<Plane::drawing> arm(ScalarHandle couple, VectorOn<Plane::force> force) {
         return {binary(Verb::arm, Plane::drawing, couple.element, force.element)};
     }
@@ -330,8 +333,8 @@ public:
         return {of_scalars(Verb::difference, a.element, b.element)};
     }
 
-    // Predicates: answered exactly, on a pose with a leftover by the finer pose, on rounded data within their
-    // precision; entered as guards. Asked twice, the answer is the one already entered.
+    // Predicates: decided exactly; on a pose with a leftover decided by the finer pose; on rounded data decided within
+    // their precision. Each is recorded as a guard. A repeated question returns the recorded verdict.
     template <Plane plane>
     bool coincide(PointOn<plane> p, PointOn<plane> q) {
         return ask(Guard::Question::coincide, p.element, q.element) != 0;
@@ -362,15 +365,15 @@ public:
     }
     /// −1, 0, 1.
     int sign(ScalarHandle s) { return ask(Guard::Question::sign, s.element, none); }
-    /// Whether w lies along v (1), against it (−1) or across it (0).
+    /// Whether w points along v (1), against it (−1) or across it (0).
     template <Plane p>
     int along_sign(DirectionHandle v, VectorOn<p> w) {
         return ask(Guard::Question::along_sign, v.element, w.element);
     }
 
-    // The same where every answer is right and the handier way is taken (the order of a polygon's sides, a trial's
-    // size).
-    /// To which side of v is w turned: counter-clockwise 1, clockwise −1; 0 along the same line.
+    // The same, for choices where every answer is correct and only convenience differs (the order of a polygon's sides,
+    // the size of a trial value).
+    /// The side of v to which w is turned: counter-clockwise 1, clockwise −1; 0 along the same line.
     template <Plane plane>
     int choose_turn(VectorOn<plane> v, VectorOn<plane> w) {
         return ask(Guard::Question::turn_sign, v.element, w.element, Guard::How::by_choice);
@@ -384,8 +387,8 @@ public:
         return ask(Guard::Question::longer, v.element, w.element, Guard::How::by_choice) != 0;
     }
 
-    /// How far the board is; `rewind` wipes off what came after, where an attempt led nowhere: search is not solution.
-    /// Handles made since are void.
+    /// A position in the program. `rewind` removes everything after it, when an attempt fails: a search is not part of
+    /// the solution. Handles made since are invalid.
     struct Mark {
         std::size_t strokes = 0, guards = 0, givens = 0, statements = 0, made = 0, asked = 0;
         StatementIndex statement = none;
@@ -393,22 +396,21 @@ public:
     };
     Mark mark() const;
     void rewind(const Mark& mark);
-    /// How many strokes there are: what was found by now is settled.
+    /// Number of strokes so far.
     int strokes() const { return static_cast<int>(protocol_.program.strokes.size()); }
 
     // What is shown.
     int add_polygon(Polygon polygon);
-    /// Of the sentence said last, where it names none.
+    /// Belongs to the latest sentence, unless it names one.
     void draw(DrawnVector vector);
     void label(Image image);
     void add_face(int polygon, Face face);
     void draw(DrawnLine line);
     void draw(DrawnMiss miss);
 
-    /// The strokes so far, to be replayed; recipes and planner look at none.
+    /// The strokes so far, for replay. Recipes and planner do not read it.
     const Program& program() const { return protocol_.program; }
-    /// The record as it stands, with all that was tried and led nowhere still in it: to be cut by who knows what was
-    /// wanted.
+    /// The complete record, including attempts that failed. The caller cuts it to the results that are needed.
     Protocol finish() &&;
 
 private:
@@ -426,7 +428,7 @@ private:
     ElementIndex of_scalars(Verb verb, ElementIndex a, ElementIndex b);
     ElementIndex join(Plane plane, ElementIndex p, ElementIndex q);
     ElementIndex meet(Plane plane, ElementIndex l, ElementIndex m);
-    /// The stroke whose value was put last.
+    /// The stroke whose value was stored last.
     ElementIndex enter(const Stroke& stroke);
     int ask(Guard::Question question, ElementIndex a, ElementIndex b, Guard::How how = Guard::How::exactly);
     void decide(Guard& guard);
@@ -435,7 +437,7 @@ private:
     void follow(Echo& echo) const;
     bool lies_within_precision(const Guard& guard, const Answer<Exact>& here);
 
-    /// Elements in a row: what carry_out() works on.
+    /// Elements stored in a row: the memory of carry_out().
     struct Memory {
         using Number = Exact;
         std::vector<Value> values;
@@ -452,11 +454,11 @@ private:
         }
     };
 
-    /// The same strokes on another pose; continued only when a predicate asks.
+    /// The same strokes on another pose, evaluated only as far as a predicate needs.
     struct Echo {
         const Mechanism& mechanism;
         const Pose& pose;
-        int digits;  ///< that a comparison needs
+        int digits;  ///< enough for a comparison
         Memory memory;
         Largest<Exact> largest;
     };
@@ -467,14 +469,15 @@ private:
     Protocol protocol_;
     Memory memory_;
     Largest<Exact> largest_;
-    std::vector<Echo> shifted_;  ///< on the poses shifted within the precision; none where nothing is rounded
+    std::vector<Echo> shifted_;  ///< on the poses shifted within the precision; empty where no datum is rounded
     std::optional<Echo> finer_;
     std::map<Key, ElementIndex> givens_;
     std::vector<std::pair<Exact, ElementIndex>> numbers_;
     std::vector<std::pair<Vector, ElementIndex>> directions_;
     std::map<std::tuple<Guard::Question, ElementIndex, ElementIndex>, std::size_t> asked_;
-    std::map<std::tuple<Verb, Plane, ElementIndex, ElementIndex>, ElementIndex> made_;  ///< no line is drawn twice
-    // In the order in which they were entered: what is taken back is the latest, however many there are.
+    std::map<std::tuple<Verb, Plane, ElementIndex, ElementIndex>, ElementIndex> made_;  ///< so that no line is drawn
+                                                                                        ///< twice
+    // In the order of recording: rewinding removes the latest.
     std::vector<decltype(asked_)::iterator> asked_in_order_;
     std::vector<decltype(made_)::iterator> made_in_order_;
     StatementIndex current_statement_ = none;

@@ -167,7 +167,7 @@ bool identical(const Value& a, const Value& b) {
 
 namespace {
 
-/// Marks what the marked strokes are made of, from the last to the first.
+/// Marks the inputs of the marked strokes, from the last to the first.
 void mark_inputs(const Program& program, std::vector<bool>& marked) {
     for (std::size_t i = marked.size(); i-- > 0;) {
         if (!marked[i]) continue;
@@ -203,7 +203,7 @@ Cut cut(const Program& program, const std::vector<ElementIndex>& wanted, int set
     Cut result;
     result.program.doubtful_bits = program.doubtful_bits;
     result.element.assign(program.strokes.size(), none);
-    std::vector<int> made(program.strokes.size() + 1, 0);  // by stroke: how many were kept before it
+    std::vector<int> made(program.strokes.size() + 1, 0);  // by stroke: number of strokes kept before it
     for (std::size_t i = 0; i < program.strokes.size(); ++i) {
         made[i + 1] = made[i] + (needed[i] ? 1 : 0);
         if (!needed[i]) continue;
@@ -252,7 +252,7 @@ Evaluation evaluate(const Program& program, const std::vector<Value>& givens, co
     const auto holds = [&](const Guard& guard) {
         const auto now = answer(guard, program.strokes, memory, largest);
         if (guard.how == Guard::How::by_precision && now.is_small(program.doubtful_bits)) return true;
-        // On a pose of compass strokes what is as small as their leftovers was decided once, and stays decided.
+        // On a pose with leftovers, a value as small as these was decided before; that verdict stays.
         if (!pose.exact && !now.is_exact && now.is_small(pose.bits / 2)) return guard.how == Guard::How::by_finer_pose;
         return now.verdict == guard.verdict;
     };

@@ -1,10 +1,11 @@
-// Program: a construction as a straight-line program. Givens are data with their names in the file; strokes make
-// elements of them; guards are the verdicts that the construction went on with, in their place among the strokes.
-// Branch-free: a verdict chose the verb. So anyone can replay it, in any number, with other givens, for as long as its
-// guards hold.
+// Program: a construction as a straight-line program. Givens are data with their names in the file; strokes construct
+// elements; guards are the verdicts on which the construction depends, each at its position among the strokes. There
+// are no branches: a verdict has already chosen the verb. So the program can be replayed with any number type and with
+// other givens, as long as its guards hold.
 //
-// One text, carry_out(), says what each verb does; the board calls it in Exact, Replay in doubles. Knows no mechanism
-// theory and no word of what a stroke is for: that is the protocol's (engine/board/board.hpp).
+// The single definition of each verb is carry_out(). The board runs it in Exact, Replay in doubles. The program
+// contains no mechanism theory and no text about the purpose of a stroke; these belong to the protocol
+// (engine/board/board.hpp).
 #pragma once
 
 #include <algorithm>
@@ -27,10 +28,10 @@ namespace kinegraph {
 struct Mechanism;
 struct Pose;
 
-/// The planes a stroke may lie in: the drawing of the mechanism (m), the velocity plane (m/s), the acceleration plane
-/// (m/s²), the force plane (N). A scalar has the plane of the vectors it is proportional to: angular velocities the
-/// velocity plane, angular accelerations and ω² the acceleration plane, couples and powers the force plane, pure
-/// numbers the drawing.
+/// The plane of a stroke: the drawing of the mechanism (m), the velocity plane (m/s), the acceleration plane (m/s²),
+/// the force plane (N). A scalar has the plane of the vectors it is proportional to: angular velocities the velocity
+/// plane, angular accelerations and ω² the acceleration plane, couples and powers the force plane, pure numbers the
+/// drawing.
 enum class Plane : std::uint8_t { drawing, velocity, acceleration, force };
 inline constexpr std::size_t plane_count = 4;
 
@@ -38,7 +39,7 @@ template <class Number>
 using ValueOf = std::variant<PointOf<Number>, LineOf<Number>, VectorOf<Number>, Number>;
 using Value = ValueOf<Exact>;
 
-/// What a construction starts from. `index` is that of the point, joint, driver, load, mass or effort.
+/// An input of the construction. `index` is that of the point, joint, driver, load, mass or effort.
 struct Given {
     enum class Kind : std::uint8_t {
         place,  ///< a point of the drawing
@@ -52,22 +53,22 @@ struct Given {
         driver_unit,
         driver_velocity,      ///< ω (rad/s) or speed (m/s)
         driver_acceleration,  ///< α (rad/s²) or acceleration (m/s²)
-        act_velocity,         ///< the act of motion's: a vector, or a direction where only that is given
+        act_velocity,         ///< of the given instantaneous motion: a vector, or a direction where only that is given
         act_acceleration,
         load_force,      ///< its components, N
-        load_magnitude,  ///< N, of a force given by magnitude and direction, of a spring; N m of a couple
-        load_unit,       ///< direction of a force given so; of a spring from its first point to the second
-        load_unit_back,  ///< of a spring from its second point to the first
-        effort_unit,     ///< direction of a force that balances
+        load_magnitude,  ///< N, for a force given by magnitude and direction and for a spring; N m for a couple
+        load_unit,       ///< direction of such a force; for a spring from its first point to the second
+        load_unit_back,  ///< for a spring from its second point to the first
+        effort_unit,     ///< direction of a balancing force
         gravity,         ///< m/s²
         mass,            ///< kg
         inertia,         ///< kg m²
-        number,          ///< a number of the construction's own: 2 of 2ω, a trial value
-        direction        ///< a direction of the construction's own: that of x, of y
+        number,          ///< a number chosen by the construction: 2 of 2ω, a trial value
+        direction        ///< a direction chosen by the construction: that of x, of y
     } kind = Kind::number;
     int index = -1;
     Vector constant;   ///< number (its x) and direction
-    std::string name;  ///< JSON pointer into the file; empty for the construction's own
+    std::string name;  ///< JSON pointer into the file; empty where the construction chose the value
 };
 
 enum class Verb : std::uint8_t {
@@ -106,90 +107,89 @@ struct Stroke {
     Plane plane = Plane::drawing;
     ElementIndex inputs[2] = {none, none};
     int given = -1;                   ///< index in Program::givens
-    StatementIndex statement = none;  ///< the sentence it belongs to; none before the first
+    StatementIndex statement = none;  ///< the sentence it belongs to; none: before the first sentence
 };
 
-/// A predicate and its verdict, kept because the construction went on with it.
+/// A predicate and its verdict. The later strokes depend on it.
 struct Guard {
     enum class Question : std::uint8_t {
         coincide,     ///< two points
         parallel,     ///< two directions or lines
-        zero_vector,  ///< …
+        zero_vector,  ///< one vector
         zero_scalar,
         on_line,    ///< a point and a line
         sign,       ///< of a scalar: −1, 0, 1
         turn_sign,  ///< of two vectors: 1 where the second is turned counter-clockwise from the first by less than 180°
-        along_sign,  ///< of two vectors: 1 where the second has a part along the first, −1 where against it
-        longer       ///< of two vectors: the first is
+        along_sign,  ///< of two vectors: 1 where the second has a component along the first, −1 against it
+        longer       ///< of two vectors: whether the first is longer
     } question = Question::coincide;
     enum class How : std::uint8_t {
         exactly,
-        by_finer_pose,  ///< suspiciously small: decided by what it did on the finer pose (a heuristic, not a proof)
-        by_precision,   ///< zero within the data: no larger than what the precision of the givens does to it
-        by_choice       ///< no result hangs on it: of several ways, all right, the handier one was taken
+        by_finer_pose,  ///< suspiciously small: decided by how it shrinks on the finer pose (a heuristic, not a proof)
+        by_precision,   ///< zero within the data: no larger than the effect of the precision of the givens
+        by_choice       ///< no result depends on it: several choices were correct and the more convenient one was taken
     } how = How::exactly;
     ElementIndex inputs[2] = {none, none};
     int verdict = 0;  ///< 0 and 1 for no and yes
-    int before = 0;   ///< asked before the stroke of this index was made
+    int before = 0;   ///< index of the first stroke made after the decision
 };
 
 struct Program {
     std::vector<Given> givens;
     std::vector<Stroke> strokes;
-    std::vector<Guard> guards;  ///< in the order asked
+    std::vector<Guard> guards;  ///< in the order of the decisions
     int doubtful_bits =
-        0;  ///< what guards judged zero by the precision of the givens is below 2^-this of what it stands beside
+        0;  ///< values judged zero by the precision of the givens are below 2^-this of their reference magnitude
 };
 
-/// Whether a point or a line lies at infinity: its verb tells, for the verb was chosen by what the guards say.
+/// Whether a point or a line lies at infinity. Its verb decides, because guards chose the verb.
 bool is_at_infinity(const Program& program, ElementIndex element);
-/// The vector that was turned or reversed to make a direction: they vanish together.
+/// The vector that was turned or reversed to make a direction. Both vanish together.
 ElementIndex before_turning(const Program& program, ElementIndex element);
 
 /// The values of a program's givens in the mechanism's pose (or another of its poses). Lengths in m, all SI.
 std::vector<Value> givens_of(const Program& program, const Mechanism& mechanism, const Pose& pose);
 Value given_value(const Given& given, const Mechanism& mechanism, const Pose& pose);
-/// Where the file says it: a JSON pointer.
+/// The JSON pointer of the given in the file.
 std::string name_of_given(Given::Kind kind, int index, const Mechanism& mechanism);
 ValueOf<double> to_double(const Value& value);
-/// Number by number.
+/// Compares number by number.
 bool identical(const Value& a, const Value& b);
 
-/// The indices of the givens that an element hangs on, ascending.
+/// The indices of the givens on which an element depends, ascending.
 std::vector<int> hangs_on(const Program& program, ElementIndex element);
 
-/// A program cut to what a set of elements needs, as a compiler drops dead code.
+/// A program reduced to the strokes that a set of elements needs (dead-code elimination).
 struct Cut {
     Program program;
     std::vector<ElementIndex> element;  ///< by element of the whole: its index in `program`; none: dropped
 };
-/// Keeps the strokes that `wanted` needs and every guard asked before `settled` strokes were made, with the strokes it
-/// needs: a result hangs on each verdict that was given before it was settled, even where no stroke tells so (a body
-/// that translates). Guards that are a mere choice go.
+/// Keeps the strokes that `wanted` needs, every guard decided before `settled` strokes were made, and the strokes those
+/// guards need. A result depends on every earlier verdict, even where no stroke shows it (a body that translates).
+/// Guards that only chose between correct alternatives are removed.
 Cut cut(const Program& program, const std::vector<ElementIndex>& wanted, int settled);
 
 /// A program evaluated in Exact.
 struct Evaluation {
     std::vector<Value> values;   ///< by element; shorter than the program where a guard flipped
-    std::optional<int> flipped;  ///< index of the first guard whose verdict is another
+    std::optional<int> flipped;  ///< index of the first guard with a different verdict
 };
-/// With givens of one's own. `pose` says how large the drawing is and with how many bits the compass worked: what is as
+/// Evaluates with other givens. `pose` supplies the drawing's size and the number of bits of the compass: a value as
 /// small as its leftovers counts as zero.
 Evaluation evaluate(const Program& program, const std::vector<Value>& givens, const Pose& pose);
 
-/// A value with so many binary digits of each of its numbers.
+/// The value with each number reduced to `digits` binary digits.
 Value trimmed(const Value& value, int digits);
-/// As many digits as tell how large values are on a pose whose compass worked to so many bits, with all that cancels on
-/// the way.
+/// Binary digits that suffice to compare magnitudes on a pose computed to `bits` bits, with a margin for cancellation.
 constexpr int digits_to_compare(int bits) { return 4 * bits; }
-/// By element, each with so many digits: for who compares sizes and asks no guard.
+/// Values by element, truncated to `digits`. Enough to compare magnitudes; guards are not evaluated.
 std::vector<Value> trimmed_values(const Program& program, const std::vector<Value>& givens, int digits);
 
 // --- the one text
 // ------------------------------------------------------------------------------------------------------------
 
-/// k with v = k·w: the component along w, so that a replay on another pose, where they are parallel only nearly, is
-/// defined too.
+/// k with v = k·w, computed as the component along w. So it is defined also for a replay on another pose, where v and w
+/// are only nearly parallel.
 template <class Number>
 Number ratio_of(const VectorOf<Number>& v, const VectorOf<Number>& w) {
     if (is_zero(w.x)) return v.y / w.y;
@@ -197,8 +197,8 @@ Number ratio_of(const VectorOf<Number>& v, const VectorOf<Number>& w) {
     return dot(v, w) / squared_length(w);
 }
 
-/// What a verb does. `Memory` has Number, point(i), line(i), vector(i), scalar(i) and put(i, …) for each of these;
-/// givens are put by who has them.
+/// Carries out a verb. `Memory` has Number, point(i), line(i), vector(i), scalar(i) and put(i, …) for each of these.
+/// The owner of the memory stores the givens.
 template <class Memory>
 void carry_out(const Stroke& stroke, ElementIndex element, Memory& memory) {
     using Number = typename Memory::Number;
@@ -244,14 +244,14 @@ void carry_out(const Stroke& stroke, ElementIndex element, Memory& memory) {
     KG_ASSERT(false, "every verb is carried out");
 }
 
-/// How large a number is, for what is suspiciously small: of an Exact its binary order, which costs nothing beside the
-/// number; of a double its absolute value.
+/// The size of a number, to detect suspiciously small ones: for an Exact its binary order, which is cheap; for a double
+/// its absolute value.
 template <class Number>
 struct Magnitude;
 template <>
 struct Magnitude<Exact> {
-    static constexpr long order_of_zero = -1000000;  ///< below anything a file may hold
-    long order = order_of_zero;                      ///< log2 |value| within one
+    static constexpr long order_of_zero = -1000000;  ///< below any value that a file may contain
+    long order = order_of_zero;                      ///< log2 |value|, to within one
 
     static Magnitude of(const Exact& value);
     friend Magnitude operator*(const Magnitude& a, const Magnitude& b) { return {a.order + b.order}; }
@@ -281,14 +281,13 @@ Magnitude<Number> magnitude_of(const VectorOf<Number>& vector) {
     return std::max(magnitude_of(vector.x), magnitude_of(vector.y));
 }
 
-/// What "small" is compared with in each plane: the longest vector and the largest scalar so far; in the drawing its
-/// size.
+/// The reference magnitude of each plane: the longest vector and the largest scalar so far; in the drawing its size.
 template <class Number>
 struct Largest {
     std::array<Magnitude<Number>, plane_count> vector, scalar;
 
-    /// What a scalar is small beside: the largest so far, or what the vectors of its plane make with the drawing's size
-    /// (a couple F·l, an angular velocity v/l).
+    /// The reference for a scalar: the largest so far, or the product or quotient of the plane's vectors and the
+    /// drawing's size (a couple F·l, an angular velocity v/l).
     Magnitude<Number> beside_scalar(Plane plane) const {
         const auto at = static_cast<std::size_t>(plane);
         if (plane == Plane::drawing) return scalar[at];
@@ -310,18 +309,18 @@ struct Largest {
     }
 };
 
-/// The answer to a predicate, and how far from zero what it asks about is.
+/// The answer to a predicate, and the size of the number that decided it.
 template <class Number>
 struct Answer {
     int verdict = 0;
     bool is_exact = true;  ///< no number was measured, or it is exactly zero
     Magnitude<Number> excess, unit;
-    std::optional<VectorOf<Number>> measured;  ///< what was asked about, where that was wanted; a scalar in x
+    std::optional<VectorOf<Number>> measured;  ///< the number that decided, if requested; a scalar in x
 
     bool is_small(int bits) const { return is_exact || excess.is_below(unit, bits); }
 };
 
-/// A direction of a vector or a line.
+/// The direction of a vector or a line.
 template <class Memory>
 VectorOf<typename Memory::Number> direction_in(const Memory& memory, ElementIndex element) {
     return memory.is_line(element) ? memory.line(element).direction()
@@ -335,7 +334,7 @@ Magnitude<typename Memory::Number> magnitude_of_direction(const Memory& memory, 
     return std::max(magnitude_of(line.b), magnitude_of(line.a));
 }
 
-/// How large the vectors are of which a direction is the difference: what its rounding is a part of.
+/// The size of the vectors whose difference gives a direction. Its rounding error is relative to this size.
 template <class Memory>
 Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, const Memory& memory,
                                             ElementIndex element, const Largest<typename Memory::Number>& largest) {
@@ -353,7 +352,8 @@ Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, 
     }
 }
 
-/// Beside what rounding alone may make the excess of two directions that are parallel.
+/// The reference for the cross product of two directions: it bounds what rounding alone produces when they are
+/// parallel.
 template <class Memory>
 Magnitude<typename Memory::Number> slack_of_parallels(const Guard& guard, const std::vector<Stroke>& strokes,
                                                       const Memory& memory,
@@ -363,7 +363,7 @@ Magnitude<typename Memory::Number> slack_of_parallels(const Guard& guard, const 
                     magnitude_of_direction(memory, a) * scale_of(strokes, memory, b, largest));
 }
 
-/// What a guard asks, with the numbers that it is answered from.
+/// The question of a guard, with the numbers that decide it.
 template <class Memory>
 class Predicate {
 public:
@@ -459,16 +459,15 @@ private:
     bool measures_;
 };
 
-/// Answers a predicate with exact zeros; whoever asks decides what a small excess means. For predicates of zero the
-/// verdict 1 says that the excess is exactly zero.
+/// Decides a predicate by exact zeros; the caller decides what a small excess means. For predicates of zero the verdict
+/// 1 means that the excess is exactly zero.
 template <class Memory>
 Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Stroke>& strokes, const Memory& memory,
                                        const Largest<typename Memory::Number>& largest, bool measures = false) {
     return Predicate<Memory>(guard, strokes, memory, largest, measures).answer();
 }
 
-/// A predicate of zero: its verdict is 1 where what it asks about is zero. The others' is a sign, 0 for zero, or an
-/// order.
+/// Whether the verdict is 1 where a number is zero. The other predicates return a sign (0 for zero) or an order.
 constexpr bool asks_for_zero(Guard::Question question) { return question <= Guard::Question::on_line; }
 
 }  // namespace kinegraph

@@ -3,11 +3,10 @@
 namespace kinegraph {
 namespace {
 
-/// What is this much smaller than what it is small beside may be zero in doubles: 2^-30, a millionth of a millimetre in
-/// a drawing of a metre, and some six orders above what rounding leaves of the deepest constructions met (chains of ten
-/// dyads).
+/// Below this share of its reference magnitude a value may be zero in doubles: 2^-30, a millionth of a millimetre in a
+/// drawing of a metre. It is six orders above the rounding of the deepest constructions met (chains of ten dyads).
 constexpr int zero_bits = 30;
-/// And this much smaller it is nothing: within a thousand roundings of a double.
+/// Below this share it is zero: within a thousand roundings of a double.
 constexpr int vanishing_bits = 42;
 
 enum class Kind { point, line, vector, scalar };
@@ -43,7 +42,7 @@ Replay::Replay(const Program& program, const std::vector<Value>& givens, double 
     memory_.cells.resize(count);
     memory_.lines.resize(count);
     element_of_given_.resize(program.givens.size(), none);
-    std::vector<int> made(count + 1, 0);  // by stroke: how many are carried out before it
+    std::vector<int> made(count + 1, 0);  // by stroke: number of steps before it
     for (std::size_t i = 0; i < count; ++i) {
         const Stroke& stroke = strokes_[i];
         const ElementIndex element(i);
@@ -76,7 +75,7 @@ void Replay::give(int given, const ValueOf<double>& value) {
     std::visit([&](const auto& number) { memory_.put(element, number); }, value);
 }
 
-// One stretch of code: calls would take as long as the strokes do.
+// Inlined as one function: calls would take as long as the strokes.
 [[gnu::flatten]] std::optional<int> Replay::run() {
     largest_ = at_start_;
     for (const Step& given : noted_givens_) note(given);
@@ -103,7 +102,7 @@ inline void Replay::carry_out_until(std::size_t end) {
     }
 }
 
-/// What was zero may show the rounding of what it is the difference of; what was not must not vanish.
+/// A value that was zero may contain rounding relative to its operands; one that was not zero must not vanish.
 inline bool Replay::holds(const Guard& guard) const {
     const auto now = answer(guard, strokes_, memory_, largest_);
     const int zero = asks_for_zero(guard.question) ? 1 : 0;

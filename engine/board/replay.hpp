@@ -1,5 +1,5 @@
-// Replay: a program evaluated in doubles, again and again with other givens. Made once from a program cut to what is
-// wanted; running it allocates nothing. For sweeps, plots and pages that move.
+// Replay: a program evaluated in doubles, repeatedly, with other givens. It is built once from a program that is cut to
+// the wanted elements; a run allocates nothing. Used for sweeps, plots and interactive pages.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,26 @@ namespace kinegraph {
 
 class Replay {
 public:
-    /// `size` of the drawing, m: what coincidences in the drawing are compared with. Starts with these givens.
+    /// `size` of the drawing, m: the reference for coincidences in the drawing. Starts with these givens.
     Replay(const Program& program, const std::vector<Value>& givens, double size);
 
     /// Another value for a given (index in Program::givens), of the same kind.
     void give(int given, const ValueOf<double>& value);
-    /// Evaluates every stroke; returns the index of the first guard that flipped (in Program::guards), after which
-    /// nothing was evaluated. Givens that are not finite, or a division by what a guard should have excluded, show as
-    /// values that are not.
+    /// Evaluates every stroke. Returns the index of the first guard that flipped (in Program::guards); later strokes
+    /// are not evaluated. Givens that are not finite, or a division that a guard should have excluded, give values that
+    /// are not finite.
     std::optional<int> run();
 
     PointOf<double> point(ElementIndex element) const { return memory_.point(element); }
     VectorOf<double> vector(ElementIndex element) const { return memory_.vector(element); }
     double scalar(ElementIndex element) const { return memory_.scalar(element); }
-    std::size_t strokes() const { return steps_.size(); }  ///< those carried out by a run; givens and poles are not
+    std::size_t strokes() const {
+        return steps_.size();
+    }  ///< strokes carried out by a run; givens and poles do not
+       ///< count
 
 private:
-    /// Elements in a row, three numbers each.
+    /// Elements stored in a row, three numbers each.
     struct Memory {
         using Number = double;
         struct Cell {
@@ -48,10 +51,10 @@ private:
         void put(ElementIndex i, const VectorOf<double>& v) { cells[at_index(i)] = {v.x, v.y, 0}; }
         void put(ElementIndex i, double s) { cells[at_index(i)] = {s, 0, 0}; }
     };
-    /// What is noted of an element for what others are small beside.
+    /// Which reference magnitude an element contributes to.
     enum class Noted : std::uint8_t { nothing, vector, scalar };
 
-    /// A stroke that a run carries out: all but givens and poles.
+    /// A stroke that a run carries out. Givens and poles are not.
     struct Step {
         Stroke stroke;
         ElementIndex element = none;
@@ -62,14 +65,14 @@ private:
     bool holds(const Guard& guard) const;
 
     std::vector<Stroke> strokes_;  ///< all, by element
-    std::vector<Step> steps_;      ///< in a row, as a run needs them
+    std::vector<Step> steps_;      ///< in the order of a run
     std::vector<Step> noted_givens_;
     std::vector<Guard> guards_;  ///< `before` counts steps_
     std::vector<ElementIndex> element_of_given_;
     int doubtful_bits_ = 0;
     Memory memory_;
     Largest<double> at_start_, largest_;
-    std::size_t next_ = 0;  ///< how far the run is in steps_
+    std::size_t next_ = 0;  ///< the next of steps_
 };
 
 }  // namespace kinegraph

@@ -37,37 +37,38 @@ struct Row {
     std::vector<Term> terms;
     double velocity = 0;
     double acceleration = 0;
-    bool acceleration_known = true;  ///< false where it needs a curvature or a velocity that nobody knows
+    bool acceleration_known = true;  ///< false where it needs an unknown curvature or velocity
 };
 
 struct Solved {
     Eigen::VectorXd values;
-    std::vector<bool> known;  ///< by column: no motion of the null space moves it
+    std::vector<bool> known;  ///< by column: whether it is zero in every motion of the null space
 };
 
 /// Solves the rows in the least-squares sense with one step of refinement in long double.
 class System {
 public:
-    /// `rounding`: to which share of the drawing's size its points are good.
+    /// `rounding`: error of the points, as a share of the drawing's size.
     System(const std::vector<Row>& rows, Eigen::Index columns, double rounding) : columns_(columns) {
         matrix_ = matrix_of(rows, columns);
-        // Columns to one size: a body's ω acts over its own length, which may be far smaller than the drawing.
+        // Columns are scaled to equal size: a body's ω acts over its own length, which may be far smaller than the
+        // drawing.
         scale_ = Eigen::VectorXd::Ones(columns);
         for (Eigen::Index j = 0; j < columns && matrix_.rows() > 0; ++j) {
             const double largest = matrix_.col(j).cwiseAbs().maxCoeff();
             if (largest > 0) scale_[j] = 1 / largest;
         }
         matrix_ = matrix_ * scale_.asDiagonal();
-        // An entry is off by the rounding of its points, once more than that where the body is small; a pivot by a few
-        // entries.
+        // An entry has the rounding error of its points, divided by the body's size where it is small; a pivot that of
+        // several entries.
         constexpr double entries = 16;
         const double doubt = entries * rounding * scale_.maxCoeff();
         nothing_ = std::max(nothing_, doubt);
         if (matrix_.rows() == columns && columns > 0) {
             square_.compute(matrix_);
-            // Doubles leave about 1e-16 where an exact matrix is singular; well above that it is regular.
+            // Doubles give about 1e-16 where an exact matrix is singular; a matrix well above that is regular.
             const double regular = std::max(1e-12, doubt);
-            // (The estimate of the condition means nothing beside a pivot that vanishes.)
+            // (The condition estimate is meaningless beside a pivot that vanishes.)
             const auto pivots = square_.matrixLU().diagonal().cwiseAbs();
             if (pivots.minCoeff() > regular * pivots.maxCoeff() && square_.rcond() > regular) {
                 is_regular_ = true;
@@ -86,8 +87,8 @@ public:
         return matrix;
     }
 
-    /// Of rounded data: the rank ends at the first small pivot that the shifts of the data explain, instead of at a
-    /// fixed one. `shifted`: the same equations of the shifted drawings.
+    /// For rounded data: the rank ends at the first small pivot that the shifts of the data explain, instead of at a
+    /// fixed one. `shifted`: the same equations for the shifted drawings.
     void end_rank_within(const std::vector<Eigen::MatrixXd>& shifted, double share) {
         if (is_regular_ || matrix_.rows() == 0) return;
         const Eigen::VectorXd pivots = orthogonal_.matrixQR().diagonal().cwiseAbs();
@@ -119,7 +120,8 @@ public:
     }
 
 private:
-    /// A point may miss its curve by 1e-9 of the size, so no smaller pivot can be told from a redundant constraint.
+    /// A point may miss its curve by 1e-9 of the size, so smaller pivots cannot be distinguished from redundant
+    /// constraints.
     static constexpr double rank_threshold = 1e-9;
 
     Eigen::VectorXd residual(const Eigen::VectorXd& right, const Eigen::VectorXd& x) const {
@@ -131,7 +133,7 @@ private:
         }
         return miss;
     }
-    /// A solution with zero for the unknowns that are free.
+    /// A solution with zero for the free unknowns.
     Eigen::VectorXd particular(const Eigen::VectorXd& right) const {
         if (is_regular_) return square_.solve(right);
         const Eigen::Index rank = orthogonal_.rank();
@@ -142,7 +144,7 @@ private:
         return orthogonal_.colsPermutation() * x;
     }
     void mark_known(const Eigen::VectorXd& right, const Eigen::VectorXd& x, std::vector<bool>& known) const {
-        // Equations that contradict each other (a driver at a dead point) determine nothing.
+        // Inconsistent equations (a driver at a dead point) determine nothing.
         const double largest = std::max(right.cwiseAbs().maxCoeff(), x.cwiseAbs().maxCoeff());
         if (residual(right, x).cwiseAbs().maxCoeff() > nothing_ * largest) return;
         const Eigen::Index rank = orthogonal_.rank();
@@ -166,7 +168,7 @@ private:
     Eigen::MatrixXd matrix_;
     Eigen::VectorXd scale_;
     bool is_regular_ = false;
-    double nothing_ = 1e-8;  ///< what is smaller, relative to the largest, is zero
+    double nothing_ = 1e-8;  ///< values below this share of the largest are zero
     Eigen::PartialPivLU<Eigen::MatrixXd> square_;
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> orthogonal_;
 };
@@ -297,7 +299,7 @@ private:
         const Pair r = arm(body, place);
         return {state.velocity[0] / size_ - state.omega * r[1], state.velocity[1] / size_ + state.omega * r[0]};
     }
-    /// What −ω²r of both bodies sends to the right side of n·(a_i(P_i) − a_j(P_j)) = …
+    /// The contribution of −ω²r of both bodies to the right side of n·(a_i(P_i) − a_j(P_j)) = …
     double centripetal(BodyIndex i, const Pair& on_i, BodyIndex j, const Pair& on_j, const Pair& n) const {
         return square_of(omega(i)) * inner(n, on_i) - square_of(omega(j)) * inner(n, on_j);
     }
@@ -382,8 +384,8 @@ private:
         });
     }
 
-    /// Where the profile's centre of curvature lies along the normal, over the size: a number, or nothing for a
-    /// straight profile.
+    /// The position of the profile's centre of curvature along the normal, divided by the size; empty for a straight
+    /// profile.
     struct Curvature {
         bool stated = false;
         bool straight = false;
@@ -458,11 +460,11 @@ private:
         });
     }
 
-    /// Gears: equal speeds along the common tangent of the pitch curves. Seen from the arm k that holds both centres,
-    ///   (ω_i − ω_k) x_i = (ω_j − ω_k) x_j  at every instant, so the same holds of the α; put into the accelerations at
-    ///   P, the
-    /// terms of the arm cancel and the tangential components are equal (what is left lies along the normal). So too for
-    /// a rack.
+    /// Gears: equal velocities along the common tangent of the pitch curves. Relative to the arm k that carries both
+    /// centres,
+    ///   (ω_i − ω_k) x_i = (ω_j − ω_k) x_j  at every instant, so the same holds for the α. Substituted into the
+    ///   accelerations at P, the terms of the arm cancel and the tangential components are equal (the remainder is
+    ///   along the normal). The same is true for a rack.
     void mesh(const Joint& joint, JointIndex index) {
         const Pair t = unit(pose_.tangents[at_index(index)]);
         equal_speeds(joint.bodies[0], joint.bodies[1], pose_.at(joint.point), t, 0, [] { return 0.0; });
@@ -473,7 +475,8 @@ private:
     void write(const SpinDriver& driver) {
         equal_turns(driver.body, driver.relative_to, driver.omega.to_double(), driver.alpha.to_double());
     }
-    /// Second derivative of the place along u seen from j: u·(a_i − a_j), as Coriolis is square to u.
+    /// Second derivative of the coordinate along u, relative to j: u·(a_i − a_j), because the Coriolis term is
+    /// perpendicular to u.
     void write(const SlideDriver& driver) {
         const Joint& joint = mechanism_.joint(driver.joint);
         const Vector place = pose_.at(joint.point);
@@ -490,8 +493,8 @@ private:
                      driver.speed.to_double() / size_, [=] { return second; });
     }
     void write(const ActOfMotion& motion) {
-        // A direction says that the component square to it is zero. Accelerations are rows of their own, with no
-        // velocity to give: both lists are written as rows that serve one of the two systems only.
+        // A given direction means that the perpendicular component is zero. Accelerations are separate rows, without
+        // given velocities: both lists are written as rows of one of the two systems only.
         given(motion.body, motion.velocities, true);
         given(motion.body, motion.accelerations, false);
     }
@@ -527,7 +530,7 @@ private:
     std::vector<Row> rows_;
     std::vector<SecondOrder>
         second_order_;  ///< by row: the right side of its accelerations, once the velocities are known
-    std::vector<std::pair<Row, SecondOrder>> later_;  ///< rows of accelerations alone
+    std::vector<std::pair<Row, SecondOrder>> later_;  ///< rows for accelerations only
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The check: the same mechanism as plain linear algebra in doubles (Jacobian, its time derivative) with Eigen. Shares
-// nothing with the constructions but Mechanism and Pose, so that agreement means something. Only this and the check of
-// the forces see Eigen.
+// The check: the velocities and accelerations of the same mechanism by plain linear algebra in doubles (Jacobian and
+// its time derivative), with Eigen. It shares only Mechanism and Pose with the constructions, so that agreement is
+// evidence. Only this check and that of the forces include Eigen.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace kinegraph {
 
-/// Plane motion of every body at this instant; SI units.
+/// Planar motion of every body at this instant; SI units.
 struct NumericMotion {
     struct BodyState {
         std::array<double, 2> reference{};     ///< a place of the body, m
@@ -23,7 +23,7 @@ struct NumericMotion {
     };
     std::vector<BodyState> bodies;  ///< by BodyIndex; the frame at rest
 
-    /// From the body's reference to a place, m: what the motions of the place are reckoned by.
+    /// From the body's reference to a place, m.
     std::array<double, 2> arm(BodyIndex body, const Vector& place) const;
     std::array<double, 2> velocity_at_arm(BodyIndex body, const std::array<double, 2>& arm) const;
     std::array<double, 2> acceleration_at_arm(BodyIndex body, const std::array<double, 2>& arm) const;
@@ -36,10 +36,10 @@ struct NumericMotion {
 };
 
 /// Velocities from J q̇ = b, accelerations from J q̈ = ḃ − J̇ q̇. A body whose motion the drivers do not determine is
-/// marked so. Lengths are scaled by the drawing's size; LU where the equations are square and regular, rank-revealing
-/// QR elsewhere, and one step of refinement with residuals in long double keep the error near 1e-13 of the largest
-/// velocity unless the mechanism is close to a dead point. Drivers that contradict each other or the pose leave every
-/// body unknown.
+/// marked as unknown. Lengths are scaled by the drawing's size. LU is used where the equations are square and regular,
+/// otherwise rank-revealing QR. One step of refinement with residuals in long double keeps the error near 1e-13 of the
+/// largest velocity unless the mechanism is close to a dead point. If drivers contradict each other or the pose, every
+/// body is unknown.
 NumericMotion check_motion(const Mechanism& mechanism, const Pose& pose);
 
 }  // namespace kinegraph

@@ -1,5 +1,5 @@
-// The check of the forces: equations of equilibrium (engine/check/equilibrium_equations.hpp), solved. Owns what is left
-// out where not every body can be in equilibrium, and the rule that picks a gear's line of action.
+// The check of the forces: solves the equations of equilibrium (engine/check/equilibrium_equations.hpp). Owns the
+// selection of bodies where not every body can be in equilibrium, and the choice of a gear's line of action.
 #include "engine/check/check_forces.hpp"
 
 #include <Eigen/Dense>
@@ -28,8 +28,8 @@ public:
     NumericForces run() {
         std::vector<bool> clockwise(mechanism_.joints.size(), false);
         Solved solved = solve(clockwise);
-        // The other line changes the radial component only, and with wheels on their axles nothing that the sense
-        // depends on: one round settles them all. Where wheels float, a few more may be needed.
+        // The other line changes only the radial component. With wheels on their axles the choice does not depend on
+        // that, so one round suffices. Wheels without a fixed axle may need a few more.
         for (std::size_t round = 0; round <= mechanism_.joints.size() && turn_gears(solved, clockwise); ++round)
             solved = solve(clockwise);
         return report(solved, clockwise);
@@ -39,7 +39,8 @@ private:
     struct Solved {
         Eigen::VectorXd values;
         std::vector<bool> known;  ///< by unknown
-        /// By unknown: of it and the next, in the plane, what is the same in every equilibrium.
+        /// By unknown, for it and the next: the direction in their plane along which the component is the same in every
+        /// equilibrium.
         std::vector<std::optional<Pair>> common;
         int indeterminacy = 0;
         bool balanced = true;
@@ -50,7 +51,7 @@ private:
     // ---------------------------------------------------------------------------------------------------------------
     Solved solve(const std::vector<bool>& clockwise) const {
         const Eigen::MatrixXd matrix = equations_.matrix(clockwise);
-        // A body whose inertia nobody knows has no equations that could be used.
+        // A body of unknown acceleration has no usable inertia equations.
         std::vector<bool> used(static_cast<std::size_t>(equations_.rows()), true);
         for (const BodyIndex body : mechanism_.moving_bodies()) {
             if (given_.lacks_inertia(body)) leave_out(EquilibriumEquations::row_of(body), used);
@@ -71,8 +72,8 @@ private:
         leave_out_unbalanced(miss, solved.values, used);
         return solve_part(matrix, used, solved);
     }
-    /// Some bodies are left out: what the others determine. What the residual of the least squares leaves untouched is
-    /// satisfied without the rest, so one pass finds the part that is in equilibrium by itself.
+    /// Some bodies are left out; solves for the others. The equations with zero residual in the least-squares solution
+    /// are satisfied without the rest, so one pass finds the part that is in equilibrium by itself.
     Solved solve_part(const Eigen::MatrixXd& matrix, std::vector<bool>& used, Solved solved) const {
         for (;;) {
             const auto count = static_cast<Index>(std::count(used.begin(), used.end(), true));
@@ -83,7 +84,7 @@ private:
                 if (!used[static_cast<std::size_t>(i)]) continue;
                 const auto row = static_cast<Index>(row_in_all.size());
                 if (equations_.columns() > 0)
-                    part.row(row) = matrix.row(i);  // Eigen steps to a row even where there is no element
+                    part.row(row) = matrix.row(i);  // Eigen addresses the row even where it has no element
                 right[row] = equations_.right_side()[i];
                 row_in_all.push_back(i);
             }
@@ -100,7 +101,7 @@ private:
             leave_out_unbalanced(miss, solved.values, used);
         }
     }
-    /// By unknown; of the first component of a force that has two.
+    /// By unknown; stored at the first component of a force with two.
     std::vector<std::optional<Pair>> common_directions(const DeterminedSystem& system) const {
         std::vector<std::optional<Pair>> common(static_cast<std::size_t>(equations_.columns()));
         for (const JointIndex index : indices_of(mechanism_.joints)) {
@@ -120,7 +121,7 @@ private:
     double tolerance(const Eigen::VectorXd& values) const {
         return nothing() * std::max(largest(equations_.right_side()), largest(values));
     }
-    /// True where nothing is left over. The first imbalance found is the one reported.
+    /// True where no residual remains. The first imbalance found is the one reported.
     bool note_balance(const Eigen::VectorXd& miss, Solved& solved) const {
         const double left = largest(miss);
         const bool holds = left <= tolerance(solved.values);
@@ -131,7 +132,8 @@ private:
     static void leave_out(Index first, std::vector<bool>& used) {
         for (Index k = 0; k < 3; ++k) used[static_cast<std::size_t>(first + k)] = false;
     }
-    /// Whole bodies: one of whose equations fails is not at rest, so its others say nothing either.
+    /// Leaves out whole bodies: if one equation of a body fails, the body is not at rest and its other equations are
+    /// invalid too.
     void leave_out_unbalanced(const Eigen::VectorXd& miss, const Eigen::VectorXd& values,
                               std::vector<bool>& used) const {
         const double tolerated = tolerance(values);
@@ -148,12 +150,12 @@ private:
     // --- gears
     // -----------------------------------------------------------------------------------------------------------------
     /// Teeth only push, so the radial component of a gear's force separates the wheels: on bodies[0] it points into its
-    /// own material. With n the normal of the pitch curves and 1/x their curvatures (x the centre's place along n; 0
-    /// for a rack) the material of bodies[0] lies on the side sign(1/x_0 − 1/x_1) of n: two wheels outside each other
-    /// curve apart, and a wheel inside a ring curves more than the ring. Of the two lines of action the one is taken on
-    /// which the tangential force that equilibrium asks for comes with a radial force of that sign. (Joints given by
-    /// "tangent" alone do not say where their material lies and keep the line turned counter-clockwise.) True where a
-    /// line was changed.
+    /// own material. With n the normal of the pitch curves and 1/x their curvatures (x the centre's coordinate along n;
+    /// 0 for a rack) the material of bodies[0] lies on the side sign(1/x_0 − 1/x_1) of n: two external wheels curve
+    /// apart, and a wheel inside a ring is curved more than the ring. Of the two lines of action, chooses the one on
+    /// which the tangential force from equilibrium is combined with a radial force of that sign. (Joints given only by
+    /// "tangent" do not state where their material lies and keep the line turned counter-clockwise.) True where a line
+    /// was changed.
     bool turn_gears(const Solved& solved, std::vector<bool>& clockwise) const {
         bool changed = false;
         for (const JointIndex index : indices_of(mechanism_.joints)) {
@@ -182,7 +184,7 @@ private:
 
     // --- answer
     // ----------------------------------------------------------------------------------------------------------------
-    /// Of a joint whose unknowns begin at a column, which goes on behind them.
+    /// The action of a joint whose unknowns begin at `column`; advances `column` past them.
     NumericForces::Action action_at(Index& column, JointIndex index, const std::vector<Pair>& along,
                                     const Solved& solved) const {
         const auto known = [&](Index each) { return static_cast<bool>(solved.known[static_cast<std::size_t>(each)]); };

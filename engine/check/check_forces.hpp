@@ -22,8 +22,9 @@ struct NumericForces {
         std::array<double, 2> force{};
         double couple = 0;
         bool known = false;  ///< determined by equilibrium
-        /// Of what is not: the force, or the couple, is the same in every equilibrium; or of the force its component
-        /// along one direction, a unit vector (`component` N). Where one is not, its value above is zero.
+        /// Where the joint is not fully determined: whether the force, or the couple, has one value in every
+        /// equilibrium; or, of the force, only its component along one direction, a unit vector (`component` N). An
+        /// undetermined one is zero above.
         bool force_known = false, couple_known = false;
         std::optional<std::array<double, 2>> along;
         double component = 0;
@@ -31,19 +32,19 @@ struct NumericForces {
     std::vector<Action> actions;  ///< by joint, then by body of the joint; for two bodies both senses (3 on 2, 2 on 3)
     std::vector<double> efforts;  ///< by effort index: couple (N m), force (N)
     std::vector<bool> effort_known;
-    int indeterminacy = 0;  ///< unknowns left free by equilibrium: statically indeterminate by so many
-    bool balanced = true;   ///< false: no effort or reaction can hold the loads (a free motion is not balanced)
-    /// All that is given on a body, reduced to the origin: N, N m.
+    int indeterminacy = 0;  ///< degree of static indeterminacy: number of unknowns left free by equilibrium
+    bool balanced = true;   ///< false: no efforts and reactions can balance the loads (a free motion is unbalanced)
+    /// The sum of all given loads on a body, reduced to the origin: N, N m.
     struct Sum {
         std::array<double, 2> force{};
         double couple = 0;
     };
-    std::vector<Sum> given;  ///< by body; what acts on the pin of a hinge counts with the last of its bodies
+    std::vector<Sum> given;  ///< by body; loads on the pin of a hinge are counted with the last of its bodies
     double residual = 0;     ///< largest unbalanced force relative to the largest load
 };
 
-/// Loads, weights, inertia (where the file says so), springs; frictionless reactions by pair: revolute and rolling two
-/// components through the point, prismatic a force ⟂ guide and a couple, pin-slot, contact and gear a force along
+/// Loads, weights, inertia (where the file requests it), springs; frictionless reactions by pair: revolute and rolling
+/// two components through the point, prismatic a force ⟂ guide and a couple, pin-slot, contact and gear a force along
 /// Pose::normals, weld force and couple.
 NumericForces check_forces(const Mechanism& mechanism, const Pose& pose, const NumericMotion& motion);
 

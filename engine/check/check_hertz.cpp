@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// ∫₀^∞ f(s) ds for f that falls off as a power at both ends: the trapezium rule on s = exp w.
+/// ∫₀^∞ f(s) ds for f that decays like a power at both ends: the trapezoidal rule on s = exp w.
 template <class Function>
 double over_all(Function f) {
     constexpr double step = 0.2, ends = 90;
@@ -18,7 +18,7 @@ double over_all(Function f) {
     for (double w = -ends; w <= ends; w += step) sum += f(std::exp(w)) * std::exp(w);
     return step * sum;
 }
-/// Gauss's quadrature with 48 nodes, from one end to the other.
+/// Gaussian quadrature with 48 nodes, from one end to the other.
 struct Gauss {
     Gauss() {
         constexpr int n = size;
@@ -42,7 +42,7 @@ const Gauss& gauss() {
     return rule;
 }
 
-/// The largest value of a function with one hump, by the golden section, and where.
+/// The maximum of a unimodal function, by golden-section search, and its position.
 template <class Function>
 std::pair<double, double> summit(double from, double to, Function f) {
     const double golden = (std::sqrt(5.0) - 1) / 2;
@@ -115,7 +115,7 @@ private:
         found_.mean = load_ / (pi * found_.a * found_.b);
         find_shear([&](double nu, double z) { return shear_below_point(nu, z); });
     }
-    /// Of the semi-ellipsoid on the unit circle, by quadrature over its radius r = sin u.
+    /// Volume of the semi-ellipsoid on the unit circle, by quadrature over its radius r = sin u.
     static double volume_of_unit_pressure() {
         return gauss().between(0, pi / 2, [](double u) { return 2 * pi * std::sin(u) * std::cos(u) * std::cos(u); });
     }
@@ -151,7 +151,7 @@ private:
         find_shear([&](double, double z) { return shear_below_line(z); });
     }
 
-    /// Flamant: the stresses of one line of force, summed over the width; y = b sin u.
+    /// Flamant: the stresses of a line force, integrated over the width; y = b sin u.
     Eigen::Vector2d plane_stresses(double z) const {
         Eigen::Vector2d stress = Eigen::Vector2d::Zero();  // across, down
         const double b = found_.b;
@@ -163,7 +163,7 @@ private:
                 stress -= 2 * force * z / (pi * r2 * r2) * Eigen::Vector2d(y * y, z * z);
             }
         };
-        // Finer where the nearest forces are, as near as the depth is small.
+        // Finer near the closest forces, within a distance comparable to the depth.
         double inner = std::min(pi / 2, 4 * z / b);
         add(0, inner);
         for (; inner < pi / 2; inner = std::min(pi / 2, 4 * inner)) add(inner, std::min(pi / 2, 4 * inner));
@@ -173,8 +173,8 @@ private:
         const Eigen::Vector2d stress = plane_stresses(z);
         return 0.5 * std::abs(stress(0) - stress(1));
     }
-    /// The strain added up from the contact to the datum; a round body is pressed from its other side by the same
-    /// force, and the rim between is kept free (Johnson 5.6).
+    /// The strain integrated from the contact to the datum. A round body is loaded on its opposite side by the same
+    /// force, and the rim between is free (Johnson 5.6).
     double approach_of(std::size_t i, double load) const {
         const HertzBody& body = problem_.bodies[i];
         const Datum datum = datum_of(problem_, i);
@@ -190,10 +190,10 @@ private:
         return sum;
     }
 
-    /// Boussinesq: the stresses of one force on the face, summed over the ellipse; x = a sin u cos v, y = b sin u sin
-    /// v.
+    /// Boussinesq: the stresses of one force on the face, integrated over the ellipse; x = a sin u cos v, y = b sin u
+    /// sin v.
     double shear_below_point(double nu, double z) const {
-        constexpr int around = 64;  // of a quarter
+        constexpr int around = 64;  // per quarter
         double difference = 0;
         for (int i = 0; i < Gauss::size; ++i) {
             const double u = pi / 4 * (1 + gauss().nodes(i)), s = std::sin(u), c = std::cos(u);

@@ -12,13 +12,12 @@ Pair in_doubles(const Vector& v) { return {v.x.to_double(), v.y.to_double()}; }
 
 struct Moving {
     bool fixed = false, hinged = false;
-    double mass = 0, inertia = 0;  ///< about the centre; 0: does not turn
+    double mass = 0, inertia = 0;  ///< about the centre; 0: does not rotate
     Pair centre, pivot, velocity, reaction;
     double omega = 0;
 
     Pair velocity_at(const Pair& place) const { return velocity + omega * quarter_turn(place - centre); }
-    /// Newton's and Euler's laws for an impulse at a place; of a hinged body the hinge answers so that it stays at
-    /// rest.
+    /// Newton's and Euler's laws for an impulse at a place; the reaction of a hinge keeps the hinge at rest.
     void push(const Pair& impulse, const Pair& place) {
         if (fixed) return;
         if (!hinged) {
@@ -86,7 +85,8 @@ private:
         total_ = total_ + impulse;
     }
 
-    /// A step of the normal impulse, and the friction that goes with it: what stops the slip, or as much as there is.
+    /// A step of the normal impulse with its friction: the impulse that stops the slip, or the friction limit if that
+    /// is smaller.
     void step(double along) {
         push(along, 0);
         const double without = slip();
@@ -104,7 +104,7 @@ private:
             push(0, without > 0 ? -most : most);
     }
 
-    /// The same, parted where the slip would turn back within it: up to there it slides.
+    /// The same, split where the slip would reverse within the step: it slides up to there.
     void advance(double along) {
         const auto kept = bodies_;
         const Pair total = total_;
@@ -124,7 +124,7 @@ private:
     }
 
     void run(double restitution) {
-        // The scale of the impulse: what a unit of it does to the approach.
+        // The scale of the impulse: the effect of a unit impulse on the approach.
         const auto kept = bodies_;
         const double before = approach();
         push(1e-9 * scale(), 0);

@@ -31,7 +31,7 @@ public:
                 return {Complex(x[0], y[0]), Complex(x[1], y[1]), Complex(x[2], y[2])};
             }
             case Form::polar: {
-                // z = r e^{iθ}, derived as it stands.
+                // z = r e^{iθ}, differentiated directly.
                 const Jet r = law(0, time), theta = law(1, time);
                 const Complex turn = std::polar(1.0, theta[0]), i(0, 1);
                 const Complex first = i * theta[1], second = i * theta[2] - theta[1] * theta[1];
@@ -60,7 +60,7 @@ private:
         }
         return on_graph(std::get<GraphPath>(*problem_.path), s);
     }
-    /// dx/ds = 1/(1 + f′²)^½ by Runge and Kutta; then by x: y = f(x).
+    /// dx/ds = 1/(1 + f′²)^½ by Runge–Kutta; then, with x known, y = f(x).
     Motion on_graph(const GraphPath& path, const Jet& s) const {
         const auto curve = [&](double x) { return jet_of(path.f.law, problem_.constants, x); };
         const auto rate = [&](double x) {
@@ -138,7 +138,7 @@ std::pair<VectorOf<double>, double> check_pivot(const PositionsProblem& problem,
     const auto place = [&](std::size_t position) {
         return complex_of(problem.positions.at(position).places.at(point));
     };
-    // From the first place, so that little cancels.
+    // Relative to the first place, which reduces cancellation.
     const Complex b = place(1) - place(0), c = place(2) - place(0);
     const double area = 2 * (b.real() * c.imag() - b.imag() * c.real());
     const Complex centre = Complex(0, 1) * (b * std::norm(c) - c * std::norm(b)) / area;

@@ -1,4 +1,4 @@
-// Numeric checks of problems that stand in place of joints, by other ways than the constructions.
+// Numeric checks of problems without joints. Each uses another method than the construction.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 
 namespace kinegraph {
 
-// ----- The numeric check of a Hertzian contact. It shares nothing with the closed forms: points by Hertz's own
-// integrals over the confocal ellipsoids, done by quadrature (the closed form of an approach along a line leaves out
-// (b/r)², the check does not); lines by the integral equation of the pressure as a linear system (Erdogan and Gupta's
-// Gauss–Chebyshev quadrature); approaches along a line by adding up the strain; stresses by Boussinesq's and Flamant's
-// solutions for one force, summed over the face of contact.
+// ----- The numeric check of a Hertzian contact. It does not use the closed forms. Points: Hertz's integrals over the
+// confocal ellipsoids, by quadrature (the closed form of the approach of a line contact omits (b/r)², the check does
+// not). Lines: the integral equation of the pressure as a linear system (Erdogan and Gupta's Gauss–Chebyshev
+// quadrature). Approach of a line contact: integration of the strain. Stresses: Boussinesq's and Flamant's solutions
+// for a single force, integrated over the contact area.
 
 /// As in HertzSolution, m and Pa.
 struct HertzCheck {
@@ -21,8 +21,8 @@ struct HertzCheck {
 };
 HertzCheck check_hertz(const HertzProblem& problem);
 
-/// From where the approach of a body at a line of contact is counted: its axis, or a depth below a flat or concave face
-/// (where the file gives none, the radius of the partner).
+/// The datum for the approach of a body at a line of contact: its axis, or a depth below a flat or concave face (where
+/// the file gives none, the radius of the other body).
 struct Datum {
     bool is_axis = true;
     double depth = 0;  ///< m below the contact
@@ -30,8 +30,8 @@ struct Datum {
 Datum datum_of(const HertzProblem& problem, std::size_t body);
 
 // ----- The numeric check of an impact: Newton's laws for both bodies, integrated in small steps of the normal impulse
-// with Coulomb's friction at each; compression until the points in contact no longer approach, then e times as much
-// again. In doubles, body by body; shares no formula with the construction.
+// with Coulomb friction in each. Compression lasts until the points in contact no longer approach; restitution then
+// adds e times its impulse. In doubles; it shares no formula with the construction.
 
 struct ImpactCheck {
     std::array<double, 2> impulse{};  ///< on the first body, N s
@@ -42,11 +42,12 @@ struct ImpactCheck {
     std::array<Body, 2> bodies;
     double energy_lost = 0;
 };
-/// `normal` from the second body to the first; bodies that approach.
+/// `normal` points from the second body to the first. Precondition: the bodies approach.
 ImpactCheck check_impact(const ImpactProblem& problem, const Vector& at, const Vector& normal, const Pose& pose);
 
-// ----- The numeric check of a contact that wears by Reye's hypothesis: the face cut into strips, each pressed as far
-// as it wears and never pulled; equilibrium of the strips solved for the motion of the body that wears. No closed form.
+// ----- The numeric check of a contact that wears by Reye's hypothesis: the face is cut into strips; each is pressed in
+// proportion to its wear, without tension. Equilibrium of the strips is solved for the motion of the worn body. No
+// closed form.
 
 /// As in ReyeSolution.
 struct ReyeCheck {
@@ -56,15 +57,15 @@ struct ReyeCheck {
 };
 ReyeCheck check_reye(const ReyeProblem& problem);
 
-// ----- The numeric checks of the motion of a point and of positions of a body. Of the point: the rules of
-// differentiation carried along with the numbers (engine/file/expression.hpp, jets), so no derivative in symbols is
-// used; the way by Simpson's rule. Of positions: complex numbers, a displacement being z′ = e^{iφ}z + c, and circles
-// through three points by their equations.
+// ----- The numeric checks of the motion of a point and of positions of a body. Motion of a point: automatic
+// differentiation (engine/file/expression.hpp, jets) instead of symbolic derivatives; the path length by Simpson's
+// rule. Positions: complex numbers, with a displacement z′ = e^{iφ}z + c, and circles through three points by their
+// equations.
 
 struct PointCheck {
     VectorOf<double> place, velocity, acceleration;
     double way = 0, speed = 0, acceleration_length = 0;
-    double along = 0, across = 0, radius = 0;  ///< no numbers where v or a_n vanishes
+    double along = 0, across = 0, radius = 0;  ///< not meaningful where v or a_n vanishes
     VectorOf<double> centre;
     double r = 0, theta = 0;
     std::array<double, 2> polar_velocity{}, polar_acceleration{};
@@ -76,7 +77,7 @@ struct DisplacementCheck {
     double angle = 0;
 };
 DisplacementCheck check_displacement(const PositionsProblem& problem, std::size_t from, std::size_t to);
-/// Of the point number `point` through the three positions: centre and radius.
+/// The circle through the three positions of point `point`: centre and radius.
 std::pair<VectorOf<double>, double> check_pivot(const PositionsProblem& problem, std::size_t point);
 
 }  // namespace kinegraph

@@ -44,15 +44,15 @@ public:
     const ReyeCheck& found() const { return found_; }
 
 private:
-    /// p = max(0, s (x − z)) for a tilt about x = z, or even: z is sought at which the resultant lies under the force.
+    /// p = max(0, s (x − z)) for a tilt about x = z, or uniform: finds z such that the resultant lies under the force.
     void check_pad() {
         const double a = problem_.length.to_double(), b = problem_.width.to_double();
         const double wanted = problem_.kind == Kind::block ? a / 2 : problem_.offset.to_double();
-        // Tilt from −∞ (the end x = a wears more) to +∞: the sine of an angle t in place of the slope.
+        // Tilt from −∞ (the end x = a wears more) to +∞: parametrised by an angle t instead of the slope.
         const auto pressure = [&](double t, double x) {
             return std::max(0.0, std::cos(t) + std::sin(t) * (2 * x / a - 1));
         };
-        // Where the face lifts the rule's strips end at the edge of contact.
+        // Where the face lifts, the strips of Simpson's rule end at the edge of contact.
         const auto ends = [&](double t) {
             const double zero = a / 2 * (1 - std::cos(t) / (std::sin(t) == 0 ? 1e-300 : std::sin(t)));
             double begin = 0, end = a;
@@ -64,7 +64,7 @@ private:
             const double sum = over(begin, end, [&](double x) { return pressure(t, x); });
             return over(begin, end, [&](double x) { return x * pressure(t, x); }) / sum;
         };
-        double low = -0.75 * pi, high = 0.75 * pi;  // short of where nothing touches
+        double low = -0.75 * pi, high = 0.75 * pi;  // excludes tilts without contact
         for (int i = 0; i < 60; ++i) {
             const double middle = 0.5 * (low + high);
             (moment_arm(middle) < wanted ? low : high) = middle;
@@ -74,7 +74,7 @@ private:
         const double scale = force_ / (b * over(begin, end, [&](double x) { return pressure(t, x); }));
         found_.first = scale * pressure(t, 0);
         found_.second = scale * pressure(t, a);
-        // Less than the rule's rounding is nothing: the edge of contact is the end.
+        // Below the rule's rounding error the edge of contact is the end of the face.
         found_.resultant = moment_arm(t);
         found_.begin = begin;
         found_.end = end;
@@ -84,7 +84,7 @@ private:
 
     void check_disc() {
         const double inner = problem_.inner.to_double(), outer = problem_.outer.to_double();
-        // Even depth: pressure × sliding is the same everywhere, p = 1/r to a scale.
+        // Uniform depth: pressure × sliding is constant, p = 1/r up to a factor.
         const auto torque = [&](const Function& p, double& scale) {
             scale = force_ / over(inner, outer, [&](double r) { return 2 * pi * r * p(r); });
             return problem_.surfaces * friction_ * scale *
@@ -102,7 +102,8 @@ private:
         const double r = problem_.radius.to_double(), h = problem_.pivot.to_double(), b = problem_.width.to_double();
         const double from = problem_.from.to_double(), to = problem_.to.to_double();
         const double outward = problem_.inside ? -1 : 1;
-        // The depth worn at θ as the shoe turns by a unit about the pivot: the move of its point along the normal.
+        // The depth worn at θ for a unit rotation of the shoe about the pivot: the displacement of its point along the
+        // normal.
         const auto depth = [&](double angle) {
             const double x = r * std::cos(angle) - h, y = r * std::sin(angle);
             return std::abs(-y * std::cos(angle) + x * std::sin(angle));
@@ -113,7 +114,7 @@ private:
             return (r * std::cos(angle) - h) * fy - r * std::sin(angle) * fx;
         };
         const double normal = over(from, to, [&](double t) { return b * r * depth(t) * moment(t, outward, 0); });
-        // Friction of a drum that turns one way; leading where it turns the shoe against the normal forces.
+        // Friction for one sense of rotation of the drum; leading where it turns the shoe against the normal forces.
         const double rubbing =
             over(from, to, [&](double t) { return b * r * depth(t) * moment(t, 0, normal > 0 ? -1 : 1); });
         const double sense = problem_.leading ? 1 : -1;

@@ -8,9 +8,9 @@ namespace {
 
 using Eigen::Index;
 
-/// No smaller pivot can be told from a redundant constraint: a point may miss its curve by 1e-9 of the size.
+/// Smaller pivots cannot be distinguished from redundant constraints: a point may miss its curve by 1e-9 of the size.
 constexpr double rank_threshold = 1e-9;
-/// What is left of sums of doubles whose terms cancel stays well below this.
+/// The residue of cancelling sums of doubles stays well below this.
 constexpr double least_nothing = 1e-8;
 
 }  // namespace
@@ -43,7 +43,7 @@ Eigen::VectorXd DeterminedSystem::residual(const Eigen::VectorXd& right, const E
     return scaled_residual(right, x.cwiseQuotient(scale_));
 }
 
-/// A basis, a column each, of unknowns brought to one size: how a solution may differ from another.
+/// A basis of the null space, a column each, in scaled unknowns.
 Eigen::MatrixXd DeterminedSystem::null_space() const {
     const Index columns = matrix_.cols();
     const Index free = columns - rank();
@@ -92,7 +92,7 @@ Eigen::VectorXd DeterminedSystem::scaled_residual(const Eigen::VectorXd& right, 
     return miss;
 }
 
-/// With zero for the unknowns that are free.
+/// With zero for the free unknowns.
 Eigen::VectorXd DeterminedSystem::particular(const Eigen::VectorXd& right) const {
     const Eigen::VectorXd turned = orthogonal_.householderQ().transpose() * right;
     Eigen::VectorXd x = Eigen::VectorXd::Zero(matrix_.cols());

@@ -9,8 +9,8 @@ namespace {
 using Eigen::Index;
 
 int reactions_of(const Joint& joint) {
-    const int of_each =
-        joint.has_own_node() ? static_cast<int>(joint.bodies.size()) : 1;  // a pin in between meets each body
+    const int of_each = joint.has_own_node() ? static_cast<int>(joint.bodies.size()) : 1;  // a pin in between is in
+                                                                                           // contact with each body
     switch (joint.kind) {
         case JointKind::revolute:
         case JointKind::rolling: return 2 * of_each;
@@ -35,8 +35,8 @@ EquilibriumEquations::EquilibriumEquations(const Mechanism& mechanism, const Pos
 // --- bodies
 // -------------------------------------------------------------------------------------------------------------------
 
-/// Each body's reference amid the places where forces act, and its own size: a moment there is to be felt by its own
-/// arms.
+/// Chooses each body's reference amid the places where forces act, and its own size, so that moments are scaled by the
+/// body's own arms.
 void EquilibriumEquations::measure_bodies(const GivenLoads& given) {
     std::vector<std::vector<const Vector*>> places(mechanism_.bodies.size());
     for (const Joint& joint : mechanism_.joints) {
@@ -58,10 +58,10 @@ void EquilibriumEquations::measure_bodies(const GivenLoads& given) {
         references_[b] = {Exact::from_double(mean[0]), Exact::from_double(mean[1])};
         double reach = 0;
         for (const Vector* place : places[b]) reach = std::max(reach, length(*place - references_[b]));
-        constexpr double a_point = 1e-12;  // all places are one; what is left is rounding
+        constexpr double a_point = 1e-12;  // all places coincide; the rest is rounding
         if (reach > a_point * size_) own_size_[b] = reach;
     }
-    // An entry is off by the rounding of its points beside the body's own size; a pivot by a few entries.
+    // An entry has the rounding error of its points relative to the body's own size; a pivot that of several entries.
     constexpr double entries = 16;
     doubt_ = entries * pose_.rounding() * size_ / *std::min_element(own_size_.begin(), own_size_.end());
 }

@@ -33,7 +33,7 @@ void GivenLoads::take(const CoupleLoad& load) { given_.push_back({load.body, {},
 void GivenLoads::take(const SpringLoad& load) {
     const Vector& p = pose_.at(load.between[0]);
     const Vector& q = pose_.at(load.between[1]);
-    if (p == q) return;  // no direction to pull in
+    if (p == q) return;  // the direction of the pull is undefined
     const Pair apart = rough(q - p);
     const double stretch = std::hypot(apart[0], apart[1]);
     const double size = load.elastic
@@ -44,7 +44,7 @@ void GivenLoads::take(const SpringLoad& load) {
     given_.push_back({load.bodies[1], -1 * pull, q, 0});
 }
 
-/// Simpson's rule, exact for moments of what varies linearly: no centroid is asked.
+/// Simpson's rule, exact for the moments of a linear intensity; needs no centroid.
 void GivenLoads::take(const DistributedLoad& load) {
     const Vector &p = pose_.at(load.from), &q = pose_.at(load.to);
     const Pair along = unit_along(direction_of(load.along, pose_), pose_);

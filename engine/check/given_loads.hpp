@@ -1,6 +1,6 @@
-// What a file gives to act on the bodies, for the check of the forces: its loads, springs by their stretch in the pose,
-// distributed loads by Simpson's rule, weights, and where the file asks for them −m a_G and −J_G α. Knows no joint's
-// reaction.
+// The given loads on the bodies, for the check of the forces: the file's loads, springs by their length in the pose,
+// distributed loads by Simpson's rule, weights, and −m a_G and −J_G α where the file requests inertia. Without the
+// reactions of joints.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ class GivenLoads {
 public:
     /// A force at a place of a body or on the pin of a hinge, or a couple.
     struct Given {
-        BodyIndex body = frame;  ///< `frame` of what acts on a pin
+        BodyIndex body = frame;  ///< `frame` for a load on a pin
         Pair force{};            ///< N
         Vector place;            ///< m
         double couple = 0;       ///< N m
@@ -27,9 +27,9 @@ public:
     GivenLoads(const Mechanism& mechanism, const Pose& pose, const NumericMotion& motion);
 
     const std::vector<Given>& all() const { return given_; }
-    /// The largest force, couples over the drawing's size among them, N; 1 where nothing acts.
+    /// The largest force, including couples divided by the drawing's size, N; 1 where nothing acts.
     double unit() const { return unit_; }
-    /// The body has inertia, and nobody knows its acceleration.
+    /// Whether the body has inertia but its acceleration is unknown.
     bool lacks_inertia(BodyIndex body) const { return lacks_inertia_[at_index(body)]; }
 
 private:

@@ -1,5 +1,5 @@
-// Plane vectors of the checks, as pairs of doubles, with an arithmetic of their own: what checks the constructions
-// shares none with them but the places of the pose.
+// Plane vectors of the checks, as pairs of doubles with their own arithmetic. The checks share only the places of the
+// pose with the constructions.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ inline Pair quarter(const Pair& a) { return {-a[1], a[0]}; }
 
 /// The nearest doubles.
 inline Pair rough(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
-/// Of length one, along a direction ≠ 0, as finely as the pose is drawn.
+/// Unit vector along a direction ≠ 0, to the precision of the pose.
 inline Pair unit_along(const Vector& direction, const Pose& pose) { return rough(unit_along(direction, pose.bits)); }
 
 }  // namespace kinegraph::numeric

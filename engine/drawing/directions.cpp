@@ -15,7 +15,7 @@ void Directions::read_joints() {
     draft_.pose.guide_units.resize(count);
     draft_.pose.normals.resize(count);
     draft_.pose.tangents.resize(count);
-    // A contact moves its point before any joint measures from it.
+    // A contact moves its point, so contacts precede all joints that measure from it.
     for (std::size_t i = 0; i < count; ++i) {
         const Joint& joint = mechanism_.joints[i];
         if (joint.pair().touches()) read_contact(joint, i);
@@ -33,7 +33,7 @@ void Directions::read_joints() {
                 draft_.pose.normals[i] = *normal;
         }
     }
-    // Drivers and loads speak of directions too; a root in them is a root in what follows.
+    // Directions of drivers and loads also contain roots, on which the following values depend.
     const auto note = [&](const Bearing& bearing, const std::string& where) {
         return direction(bearing, where + "/along");
     };
@@ -126,8 +126,9 @@ void Directions::read_contact(const Joint& joint, std::size_t index) {
     draft_.pose.tangents[index] = *tangent;
     draft_.pose.normals[index] = normal;
     if (joint.pair().meshes()) {
-        // The line of action leaves the common tangent by the pressure angle. Of the two such lines this is the one
-        // turned counter-clockwise; which one the teeth push on is for the forces to say, and motion does not ask.
+        // The line of action makes the pressure angle with the common tangent. Of the two such lines this is the one
+        // turned counter-clockwise. The line on which the teeth push depends on the forces; motion does not depend on
+        // it.
         const Angle pressure = joint.pressure_angle.value_or(Angle{});
         draft_.pose.exact = draft_.pose.exact && is_rational(pressure);
         draft_.pose.normals[index] = turned(direction_of(pressure, draft_.pose.bits), *tangent);
@@ -152,7 +153,7 @@ bool Directions::is_refused(double misfit) const {
 bool Directions::fits_radius(const Joint& joint, BodyIndex body, PointIndex centre) {
     const auto& circle = mechanism_.body(body).circle;
     if (!circle || circle->centre != centre) return true;
-    // | |PC| − r | = | |PC|² − r² | / (|PC| + r), without taking a root of what may be exact
+    // |PC| − r | = | |PC|² − r² | / (|PC| + r), which avoids a root of a value that may be exact
     const Vector arm = draft_.pose.at(joint.point) - draft_.pose.at(centre);
     const Exact excess = squared_length(arm) - square(circle->radius);
     const double misfit = std::abs(excess.to_double()) / (length(arm) + circle->radius.to_double());

@@ -26,8 +26,8 @@ std::optional<Candidates> Intersections::meet(const Ray& a, const Ray& b, const 
     const ProjectivePoint common = finite_meet(first, finite_line_through(point_at(b.through), b.along));
     Candidates found{{common.place()}, 0, inexact};
     if (!a.rational_angle || !b.rational_angle) {
-        // A tangent off by 2^-bits turns a line by no more; the meet is off by the lever, over the sine between the
-        // lines.
+        // An error of 2^-bits in a tangent turns a line by at most that. The error of the meet is this times the lever,
+        // over the sine between the lines.
         const double lever = length(found.places[0] - a.through) + length(found.places[0] - b.through);
         const double sine = std::abs(slant.to_double()) / (length(a.along) * length(b.along));
         found.leftover = Exact::power_of_two(-draft_.pose.bits +
@@ -136,7 +136,7 @@ bool Intersections::touches(const Exact& room, const Exact& radius, const Exact&
 Vector Intersections::corner_of_parallelogram(const Vector& a, const Vector& b, const Vector& place) const {
     const Vector opposite = a + b - place;
     const double x = opposite.x.to_double();
-    const double near = std::ldexp(draft_.estimated_size.to_double(), -30);  // a first look in doubles
+    const double near = std::ldexp(draft_.estimated_size.to_double(), -30);  // a first estimate in doubles
     for (std::size_t i = 0; i < draft_.pose.points.size(); ++i) {
         if (!draft_.is_placed[i] || std::abs(draft_.rough_x[i] - x) > near + std::ldexp(std::abs(x), -50)) continue;
         if (draft_.is_small(opposite - draft_.pose.points[i])) return a + b - draft_.pose.points[i];

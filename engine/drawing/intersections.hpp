@@ -1,4 +1,4 @@
-// Where straight lines and circles meet, with the bound on what is missed, and the words where they do not.
+// Intersections of straight lines and circles, with the error bound, and messages where they do not meet.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct Ray {
     Vector through;
     Vector along;
     bool rational_angle = true;
-    bool touched = false;  ///< lies where it does through an earlier root
+    bool touched = false;  ///< its place depends on an earlier root
     Words name;            ///< "through O2"
 };
 struct Disc {
@@ -43,13 +43,13 @@ public:
 
 private:
     Exact reach_of(const Ray& line, const Disc& circle) const;
-    /// A squared half chord that earlier roots may have moved across zero.
+    /// Whether errors of earlier roots may have moved a squared half chord across zero.
     bool is_doubtful(const Exact& room, const Exact& radius) const;
-    /// The square of half the chord is 2rδ (for two circles times r_b over the distance of the centres, `lever` its
-    /// square) where the curves overlap by δ: within the precision they touch.
+    /// Whether the curves touch within the precision. For an overlap δ the square of half the chord is 2rδ; for two
+    /// circles it is multiplied by r_b over the distance of the centres, and `lever` is the square of that factor.
     bool touches(const Exact& room, const Exact& radius, const Exact& lever) const;
-    /// Where the circles close a parallelogram with a point already drawn, the fourth corner itself: it is as good as
-    /// the root (within the same doubt), and sides meant to be parallel then are.
+    /// Where the circles close a parallelogram with a point already drawn, the fourth corner itself. It is as accurate
+    /// as the root (within the same doubt), and it makes the opposite sides exactly parallel.
     Vector corner_of_parallelogram(const Vector& a, const Vector& b, const Vector& place) const;
 
     Draft& draft_;

@@ -63,8 +63,9 @@ bool Placing::place(const NamedPoint& named, const Polar& placement, PositionSte
     Vector place = from + reach;
     Exact leftover = miss;
     if (!is_rational(placement.angle)) leftover += abs(placement.distance) * Exact::power_of_two(-draft_.pose.bits);
-    // The point stays on its ray where something else may lie there too: on a ray of the file's own angle, or along or
-    // square to P→Q. Off these it goes to the nearest point of the grid, so that chains keep short numbers.
+    // The point stays exactly on its ray where other points may lie on it too: a ray of an angle of the file, or along
+    // or perpendicular to P→Q. Elsewhere it is rounded to the nearest point of the grid, so that numbers in chains stay
+    // short.
     const bool square_to_base = angle.x.is_zero() || angle.y.is_zero();
     if (placement.relative_to && !square_to_base && !leftover.is_zero()) {
         place = draft_.on_grid(place);
@@ -192,10 +193,9 @@ std::optional<Vector> Placing::choose(const Candidates& found, const Meet& meet,
         return std::nullopt;
     }
     if (meet.side != Meet::Side::either) {
-        // Circles: left and right of first centre → second. On a line both intersections lie on the line itself: they
-        // are taken as they look when the line's direction points to the right, so that "right" is the one further
-        // along it. (Seen from the centre they would change places whenever the centre crosses the line, as a crank pin
-        // does.)
+        // Circles: left and right of first centre → second. On a line both intersections lie on the line itself. The
+        // side is as seen with the line's direction pointing to the right, so that "right" is the one further along it.
+        // (Seen from the centre the sides would swap whenever the centre crosses the line, as a crank pin does.)
         const bool first = meet.side == Meet::Side::left || meet.side == Meet::Side::behind;
         return found.places[first ? 0 : 1];
     }

@@ -1,5 +1,5 @@
-// The points in the order in which they need each other: by coordinates, distances, ratios, and meets, of which one is
-// chosen.
+// Places the points in the order of their dependencies: by coordinates, distances, ratios, and intersections, of which
+// one is chosen.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,8 @@ public:
     explicit Placing(Draft& draft)
         : draft_(draft), intersections_(draft), state_(draft.mechanism.points.size(), State::waiting) {}
 
-    /// True when the point has its place. False: it, or one it needs, could not be placed, which has been said.
+    /// Whether the point has its place. False: it, or a point it depends on, could not be placed; the fault has been
+    /// reported.
     bool drawn(PointIndex point);
     bool drawn(const Place& place);
     bool drawn(const Bearing& bearing);

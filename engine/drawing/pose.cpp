@@ -1,6 +1,6 @@
-// Draws the pose: places the points in the order they need each other, with square roots where a compass is needed,
-// then reads off the directions of guides and contacts. Every choice between two intersections is made here; motion and
-// forces are unknown.
+// Draws the pose: places the points in the order of their dependencies, with square roots where a compass is needed,
+// then computes the directions of guides and contacts. Every choice between two intersections is made here. Without
+// motion and forces.
 #include "engine/drawing/pose.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using drafting::magnitude;
 using drafting::magnitude_of_length;
 using drafting::Placing;
 
-/// `slack` (m): what misses by no more fits, because the data are rounded; 0 where they are exact.
+/// `slack` (m): a miss up to this fits, because the data are rounded; 0 where they are exact.
 Result<Pose> drawn_on_grid(const Mechanism& mechanism, int bits, int size_exponent, std::size_t longest_given,
                            const Exact& slack) {
     Draft draft(mechanism, bits, size_exponent, longest_given, slack);
@@ -36,7 +36,7 @@ Result<Pose> drawn_on_grid(const Mechanism& mechanism, int bits, int size_expone
     return std::move(draft.pose);
 }
 
-/// Of the lengths that a file gives.
+/// Statistics of the lengths in a file.
 struct Lengths {
     int size = 0;             ///< power of two near the largest
     std::size_t longest = 0;  ///< bits of the longest number
@@ -75,8 +75,8 @@ Lengths lengths_of(const Mechanism& mechanism) {
 }
 
 Result<Pose> draw_within(const Mechanism& mechanism, int bits, const Exact& slack) {
-    // The grid must suit the drawing's size, which is known only once it is drawn: two bits to spare, and a second
-    // drawing where the lengths given are much larger than what they make (a long radius about a far centre).
+    // The grid must suit the drawing's size, which is unknown before it is drawn: two spare bits, and a second drawing
+    // where the given lengths are much larger than the result (a long radius about a far centre).
     constexpr int spare = 2;
     const Lengths given = lengths_of(mechanism);
     const int estimate = given.size - spare;
@@ -87,10 +87,10 @@ Result<Pose> draw_within(const Mechanism& mechanism, int bits, const Exact& slac
     return drawn_on_grid(mechanism, bits, true_size, given.longest, slack);
 }
 
-/// What fits in the drawing as it is given fits in the shifted ones, which are off by as much again.
+/// A construction that fits as given must also fit in the shifted drawings, whose error is as large again.
 constexpr int slack_as_given = 4, slack_when_shifted = 2 * slack_as_given;
 
-/// A drawing that cannot be closed with its numbers shifted has nothing to say.
+/// A drawing that does not close with shifted numbers is skipped.
 std::shared_ptr<const std::vector<ShiftedDrawing>> shifted_drawings_of(const Mechanism& mechanism, const Pose& pose) {
     auto drawings = std::make_shared<std::vector<ShiftedDrawing>>();
     for (int sample = 0; sample < shifted_drawings; ++sample) {
@@ -127,8 +127,8 @@ Result<Pose> draw_pose(const Mechanism& mechanism, int bits) {
 
 Vector direction_of(const Angle& angle, int bits) {
     const Exact half_turns = angle.in_degrees ? angle.value / 180 : angle.value / pi();
-    // Quarter turns first, then the octant: the tangent is taken once, and all its images differ by swaps and signs
-    // only.
+    // Quarter turns first, then the octant: the tangent is computed once, and all its images differ only by swaps and
+    // signs.
     const Exact quarters = 2 * half_turns;
     mpz_class whole;
     mpz_fdiv_q(whole.get_mpz_t(), quarters.rational().get_num_mpz_t(), quarters.rational().get_den_mpz_t());

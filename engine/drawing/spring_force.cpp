@@ -3,7 +3,7 @@
 namespace kinegraph {
 namespace {
 
-/// |PQ|: exact where it is rational, else to the bits of the drawing.
+/// |PQ|: exact where it is rational, else to the precision of the drawing.
 Exact distance(PointIndex from, PointIndex to, const Pose& pose) {
     const Vector apart = pose.at(to) - pose.at(from);
     return apart.is_zero() ? Exact() : dot(apart, unit_along(apart, pose.bits));

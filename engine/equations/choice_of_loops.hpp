@@ -1,5 +1,5 @@
-// Which loops are written, in which order, from where and in which sense: one after the other that with fewest
-// unknowns, so that a hand can solve it.
+// Chooses which loops are written, in which order, from which body and in which sense. Greedy: the loop with the fewest
+// unknowns comes next, so that the equations can be solved by hand.
 #pragma once
 
 #include <set>
@@ -18,18 +18,20 @@ public:
     void choose_loops();
 
 private:
-    /// Coordinates before they have letters: a class's turn, an edge's slide or direction, what is loose of it.
+    /// Coordinates before they have letters: the turn of a class, the slide or direction of an edge, the free
+    /// coordinates of an edge.
     int key_of_class(int index) const { return index; }
     int key_of_edge(int edge, int which) const { return static_cast<int>(graph_.classes.size()) + 2 * edge + which; }
     void add_turn_keys(std::set<int>& keys, BodyIndex body) const;
     std::set<int> keys_of(const ClosedWalk& cycle);
     std::set<int> keys_of(const Rolling& rolling) const;
-    /// What rolls on what is known is known.
+    /// Adds what a rolling contact determines from known coordinates.
     void roll_on(std::set<int>& known) const;
-    /// From the frame, or else a body that is known; the way out leads to what is known, or comes first in the file.
+    /// The walk starts at the frame, or else at a known body. Its first side leads to a known body, or to the one that
+    /// comes first in the file.
     ClosedWalk begun(const ClosedWalk& cycle, const std::set<int>& known) const;
-    /// Where the slides of a loop end on their bodies: at the other joint there; between two slides where their lines
-    /// cross.
+    /// Sets where the slides of a loop end on their bodies: at the other joint there; between two slides at the
+    /// intersection of their lines.
     void set_ends(const ClosedWalk& cycle);
     void write_loop(const ClosedWalk& cycle);
     void pass(Edge& edge, bool forth, std::vector<Side>& left, std::vector<Side>& right);

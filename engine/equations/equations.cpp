@@ -1,7 +1,7 @@
-// Loops are chosen from the graph of the pairs, each pair giving the vectors by which its bodies stand apart: none at a
-// hinge, a slide along a guide and its offset across, the link that stands for a curved slot or for two round profiles.
-// Then letters are given out, rows derived, and everything evaluated in Exact on the letters' values, which are good to
-// 2^-bits of the pose.
+// Loops are chosen from the graph of the pairs. Each pair gives the vectors between its bodies: none at a hinge, a
+// slide along a guide and its perpendicular offset, the link that replaces a curved slot or two round profiles. Then
+// letters are assigned, rows derived, and everything is evaluated in Exact with the letters' values, which are accurate
+// to 2^-bits of the pose.
 #include "engine/equations/equations.hpp"
 
 #include <variant>

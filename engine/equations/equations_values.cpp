@@ -1,6 +1,7 @@
-// Derivatives of closure equations by rule, and Gauss on their values in Exact. A side l e^{iθ} has the derivatives
+// Symbolic derivatives of closure equations, and Gaussian elimination on their values in Exact. A side l e^{iθ} has the
+// derivatives
 //   l̇ e^{iθ} + l θ̇ i e^{iθ}   and   (l̈ − l θ̇²) e^{iθ} + (2 l̇ θ̇ + l θ̈) i e^{iθ},
-// θ being a sum of letters, some of which rest.
+// θ being a sum of letters, some of which are constant.
 #include "engine/equations/equations_values.hpp"
 
 #include <algorithm>
@@ -27,7 +28,8 @@ Vector unit_of(const Equations& equations, const Angle& angle) {
     return unit;
 }
 
-/// coefficient · … · cos(angle + quarters), the quarters taken into sign and function; nothing where it vanishes.
+/// coefficient · … · cos(angle + quarters), with the quarter turns absorbed into sign and function; adds nothing where
+/// it vanishes.
 void add_turned(Sum& sum, Term term, const Angle& angle, bool sine) {
     // cos(x + q 90°), and sin x = cos(x − 90°).
     const int quarters = (angle.quarters + (sine ? 3 : 0)) % 4;
@@ -42,7 +44,7 @@ void add_turned(Sum& sum, Term term, const Angle& angle, bool sine) {
     sum.push_back(std::move(term));
 }
 
-/// The letters of a side that vary.
+/// The variable letters of a side.
 struct Varying {
     bool length = false;
     std::vector<LetterIndex> turns;
@@ -107,7 +109,7 @@ private:
                     Term term;
                     term.coefficient = part.sign * sign;
                     if (part.radius >= 0) term.lengths = {part.radius};
-                    // What meets itself with another sign cancels; radii that differ do not.
+                    // Terms that differ in sign only cancel; terms with different radii do not.
                     const auto same = std::find_if(entry.begin(), entry.end(),
                                                    [&](const Term& each) { return each.lengths == term.lengths; });
                     if (same == entry.end())
@@ -148,7 +150,7 @@ Exact power(const Exact& base, int exponent) {
     for (int k = 0; k < exponent; ++k) value *= base;
     return value;
 }
-/// `rate` by letter and dots.
+/// `rate` by letter and order of derivative.
 template <class Rate>
 Exact evaluate(const Equations& equations, const Term& term, Rate rate) {
     Exact value = term.coefficient;
@@ -169,7 +171,7 @@ Exact evaluate(const Equations& equations, const Sum& sum, Rate rate) {
     return value;
 }
 
-/// Gauss with complete pivoting on rows and columns of like size.
+/// Gaussian elimination with complete pivoting on rows and columns of similar size.
 class Gauss {
 public:
     using Matrix = std::vector<std::vector<Exact>>;
@@ -178,7 +180,7 @@ public:
         for (std::size_t i = 0; i < a_.size(); ++i) row_.push_back(i);
         for (std::size_t j = 0; j < columns; ++j) column_.push_back(j);
     }
-    /// The right sides stand in further columns of the matrix.
+    /// The right sides are further columns of the matrix.
     void run() {
         double first = 0;
         for (; rank_ < std::min(a_.size(), columns_); ++rank_) {
@@ -207,7 +209,7 @@ public:
     Exact determinant() const {
         return rank_ == columns_ && a_.size() == columns_ ? (sign_ < 0 ? -determinant_ : determinant_) : Exact(0);
     }
-    /// An unknown for one of the right sides; none where it is free, or the equations contradict each other.
+    /// An unknown for one of the right sides; none where it is free, or the equations are inconsistent.
     std::optional<Exact> solution(std::size_t unknown, std::size_t right) const {
         double size = 0, left = 0;
         for (std::size_t i = 0; i < a_.size(); ++i) {
@@ -280,7 +282,7 @@ private:
     Exact row_scale(std::size_t row) const { return is_law_of_turns(row) ? Exact(1) : Exact(1) / size_; }
     Exact column_scale(LetterIndex letter) const { return e_.letter(letter).is_angle ? Exact(1) : size_; }
 
-    /// f_y in like sizes with right sides, by row and column.
+    /// f_y, scaled, with right sides, by row and column.
     Gauss eliminated(const std::vector<std::vector<Exact>>& right) const {
         Gauss::Matrix matrix(y_.size());
         for (std::size_t i = 0; i < y_.size(); ++i) {
@@ -334,7 +336,8 @@ private:
             rate[at_index(e_.unknowns[j])] = ratios_[j][free].value_or(Exact(0));
         return rate;
     }
-    /// Quadratic in the rates: what two drivers make together less what each makes alone is twice the mixed part.
+    /// The second order is quadratic in the rates: the value for two drivers together minus the values for each alone
+    /// is twice the mixed term.
     void find_second_ratios() {
         const std::size_t n = e_.free.size();
         std::vector<std::vector<Exact>> right(y_.size());
@@ -406,7 +409,7 @@ private:
                 e_.letters[at_index(e_.unknowns[j])].acceleration = value->to_double();
     }
 
-    /// A free letter rests in every motion where the row "it rests" adds nothing to the equations.
+    /// A free letter is at rest in every motion if the row "it is at rest" depends on the equations.
     void find_dead_point() {
         if (e_.is_regular()) return;
         Gauss::Matrix whole(y_.size());
@@ -438,7 +441,7 @@ private:
     std::vector<std::vector<std::optional<Exact>>> ratios_;
 };
 
-/// Which unknowns each loop brings, how they follow, and which rows are solved together.
+/// Which unknowns each loop introduces, how they are computed, and which rows are solved together.
 class Order {
 public:
     explicit Order(Equations& equations) : e_(equations) {}
@@ -488,7 +491,7 @@ private:
         for (const LetterIndex letter : open_in(e_.laws[i])) learn(letter);
         block_.rows.push_back(static_cast<int>(2 * e_.loops.size() + i));
     }
-    /// Those that say what one more letter is, or relate letters of this block.
+    /// Laws that determine one more letter, or that relate letters of this block.
     void take_laws() {
         for (bool more = true; more;) {
             more = false;
@@ -511,7 +514,7 @@ private:
     bool turns_with(const Side& side, LetterIndex letter) const {
         return std::find(side.angle.letters.begin(), side.angle.letters.end(), letter) != side.angle.letters.end();
     }
-    /// The one side that has a letter; −1: none, or several.
+    /// The only side that contains a letter; −1: none, or several.
     int only_side(const Equations::Loop& loop, LetterIndex letter) const {
         int found = -1;
         for (std::size_t i = 0; i < loop.sides.size(); ++i) {
@@ -521,8 +524,8 @@ private:
         }
         return found;
     }
-    /// The one other side that turns with a sliding side, square to it; −1: none, or several, or the slide does not
-    /// turn.
+    /// The only other side that rotates with a sliding side, perpendicular to it; −1: none, or several, or the slide
+    /// does not rotate.
     int arm_of(const Equations::Loop& loop, LetterIndex turn, int sliding) const {
         if (sliding < 0 || !e_.letter(turn).is_angle || !turns_with(loop.sides[at_index(sliding)], turn)) return -1;
         const Equations::Angle& own = loop.sides[at_index(sliding)].angle;
@@ -563,7 +566,7 @@ private:
         solved.direction = std::atan2(k[1], k[0]);
         if (e_.by_tangent.empty()) find_dead_points(loop);
     }
-    /// What the unknown sides add up to, the first of them counted forwards, without a side that is left out.
+    /// The sum of the unknown sides, the first of them counted forwards, without an excluded side.
     std::array<double, 2> resultant(const Equations::Loop& loop, int without) const {
         const double lead = loop.sides[at_index(loop.solved.first)].on_the_right ? -1 : 1;
         std::array<double, 2> sum{0, 0};
@@ -578,7 +581,8 @@ private:
         return sum;
     }
 
-    /// The one side of what is known that varies, and its one letter that does; (−1, −1) where there is none, or more.
+    /// The only variable side among the known ones, and its only variable letter; (−1, −1) where there is none, or
+    /// several.
     std::pair<int, LetterIndex> driving_side(const Equations::Loop& loop) const {
         std::pair<int, LetterIndex> driving{-1, -1};
         for (int i = 0; i < static_cast<int>(loop.sides.size()); ++i) {
@@ -590,15 +594,15 @@ private:
         }
         return driving;
     }
-    static constexpr double touching = 1e-12;  ///< what sums of lengths that are equal differ by, as a share of them
+    static constexpr double touching = 1e-12;  ///< relative rounding difference of equal sums of lengths
     static constexpr double same_turn = 1e-9;
 
-    /// The one side that varies among what is known, and what the others add up to.
+    /// The only variable side among the known ones, and the sum of the others.
     struct DrivenSide {
         LetterIndex driver = -1;
         bool turning = false;
         std::array<double, 2> rest{0, 0};
-        double own = 0;  ///< direction of its share of the resultant
+        double own = 0;  ///< direction of its contribution to the resultant
         double length = 0;
     };
     /// Values of the driver.
@@ -615,9 +619,9 @@ private:
                           value_of(e_, side.angle) + (same ? 0 : std::numbers::pi), e_.letter(side.length).value};
     }
 
-    /// Where one driven letter alone varies among what is known, in one side: the places where the dyad is stretched
-    /// (two turns), its turning side stands square to the slide, or the slide's length vanishes. Where the two of them
-    /// are one, the dyad comes to its limit without going beyond it.
+    /// For a single driven letter in a single known side: the positions where the dyad is stretched or folded (two
+    /// rotating sides), its rotating side is perpendicular to the slide, or the slide's length vanishes. Where two of
+    /// them coincide, the dyad only touches its limit.
     void find_dead_points(Equations::Loop& loop) const {
         Solved& solved = loop.solved;
         const std::optional<DrivenSide> driven = driven_side(loop);
@@ -636,8 +640,8 @@ private:
         solved.change_points = std::move(limits.change_points);
     }
 
-    /// The angles of the driver at which its side is turned from the direction `from` by this cosine: two, one (the
-    /// dyad only touches its limit), or none.
+    /// The angles of the driver for which its side makes the angle of this cosine with the direction `from`: two, one
+    /// (the dyad only touches its limit), or none.
     void add_turns(Limits& limits, const DrivenSide& driven, double cosine, double from) const {
         if (std::abs(cosine) > 1 + touching) return;
         const auto turn = [&](double direction) {
@@ -653,7 +657,7 @@ private:
         for (const double each : {from + half, from - half}) limits.dead_points.push_back(turn(each));
     }
 
-    /// n · (rest + own) = ± b, n square to the slide.
+    /// n · (rest + own) = ± b, n perpendicular to the slide.
     Limits limits_of_slide(const Equations::Loop& loop, const DrivenSide& driven) const {
         const Solved& solved = loop.solved;
         Limits limits;
@@ -670,7 +674,7 @@ private:
         return limits;
     }
 
-    /// How long the resultant is at the limits of the dyad.
+    /// The lengths of the resultant at the limits of the dyad.
     std::vector<double> limiting_reaches(const Equations::Loop& loop) const {
         const Solved& solved = loop.solved;
         const double first = e_.letter(loop.sides[at_index(solved.first)].length).value;
@@ -706,8 +710,8 @@ private:
         return limits;
     }
 
-    /// A crank of length r and direction `own`, a rod b: e^{iα} r − b e^{iβ} = ± s u − rest is r ± b long where they
-    /// lie in one line.
+    /// A crank of length r and direction `own`, a connecting rod b: e^{iα} r − b e^{iβ} = ± s u − rest has length r ± b
+    /// where they are in line.
     void find_standstills(Equations::Loop& loop, const DrivenSide& driven) const {
         Solved& solved = loop.solved;
         const Side &rod = loop.sides[at_index(solved.first)], &slide = loop.sides[at_index(solved.second)];
@@ -723,7 +727,7 @@ private:
             if (reach * reach < across * across || reach < 1e-12 * (r + b)) continue;
             const double s = ahead + side * std::sqrt(reach * reach - across * across);
             const double x = sign * s * ux - driven.rest[0], y = sign * s * uy - driven.rest[1];
-            const bool against = reach < r + b && r < b;  // the crank points away from where the rod's end is
+            const bool against = reach < r + b && r < b;  // the crank points away from the rod's end
             const double direction = std::atan2(y, x) + (against ? std::numbers::pi : 0);
             solved.standstills.emplace_back(
                 std::remainder(direction - driven.own + e_.letter(driven.driver).value, 2 * std::numbers::pi), s);
@@ -764,7 +768,7 @@ double value_of(const Equations& equations, const Sum& sum) {
         value += own;
         size += abs(own);
     }
-    // The rates are doubles: what they leave of terms that cancel is none.
+    // The rates are doubles: below this many bits, the sum of cancelling terms is zero.
     constexpr int kept_bits = 46;
     return abs(value) <= Exact::power_of_two(-kept_bits) * size ? 0 : value.to_double();
 }

@@ -193,7 +193,7 @@ void PairsAsEdges::take_drivers() {
 
 void PairsAsEdges::take(const SpinDriver& driver, int index) {
     const int own = graph_.class_of(driver.body), other = graph_.class_of(driver.relative_to);
-    bool is_chained = false;  // the other's turn is counted from this one
+    bool is_chained = false;  // the other body's rotation is counted from this one
     for (int each = other; each > 0; each = graph_.classes[at_index(each)].against)
         is_chained = is_chained || each == own;
     TurningClass& turning = graph_.classes[at_index(own)];

@@ -1,6 +1,6 @@
-// The graph that loops are chosen from: each pair as the vectors by which its bodies stand apart (none at a hinge, a
-// slide along a guide and its offset across, the link that stands for a curved slot or for two round profiles), bodies
-// that turn together, what rolls, and which coordinate each driver drives. Without letters.
+// The graph from which loops are chosen: each pair as the vectors between its bodies (none at a hinge, a slide along a
+// guide and its perpendicular offset, the link that replaces a curved slot or two round profiles), bodies that rotate
+// together, rolling pairs, and the coordinate of each driver. Without letters.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using Angle = Equations::Angle;
 using Side = Equations::Side;
 using Law = Equations::Law;
 
-/// The mechanism as it is drawn, and what is nothing in it.
+/// The mechanism as drawn, and the tolerance for zero lengths.
 struct AsDrawn {
     AsDrawn(const Mechanism& of, const Pose& drawn)
         : mechanism(of), pose(drawn), near(std::max(std::ldexp(1.0, -70), 4 * drawn.rounding())) {}
@@ -33,54 +33,54 @@ struct AsDrawn {
 
     const Mechanism& mechanism;
     const Pose& pose;
-    double near;  ///< what is smaller, of the drawing's size, is nothing
+    double near;  ///< lengths below this share of the drawing's size are zero
 };
 
-/// What holds two bodies to each other, as vectors from its carrier to its rider.
+/// The connection of two bodies, as vectors from its carrier to its rider.
 struct Edge {
     enum class Kind {
         pin,    ///< no vector
-        guide,  ///< a slide along `along` of the carrier, and an offset across it
-        link    ///< a length in a direction of its own
+        guide,  ///< a slide along `along` of the carrier, and a perpendicular offset
+        link    ///< a constant length with its own direction
     } kind = Kind::pin;
     JointIndex joint = none;
     std::string name;
     BodyIndex carrier = frame, rider = frame;
     Vector along;                      ///< unit, as drawn
-    std::optional<Vector> base, head;  ///< its ends on carrier and rider, once they are chosen
+    std::optional<Vector> base, head;  ///< its ends on carrier and rider, once chosen
     Vector place;                      ///< of the joint
     bool is_loose = false;             ///< the offset, or the link's length, varies too
-    int driver = -1;                   ///< drives its slide …
-    int sense = 1;                     ///< … in this sense of `along` as it is now
+    int driver = -1;                   ///< the driver of its slide …
+    int sense = 1;                     ///< … positive in this sense of `along` as it is now
     std::vector<Side> sides{};         ///< once it has letters: carrier → rider
     LetterIndex slide = -1, across = -1, direction = -1, length = -1;
 
     std::optional<Vector>& end_on(BodyIndex body) { return body == carrier ? base : head; }
 };
 
-/// Bodies that turn together, and from which direction their turn is counted.
+/// Bodies that rotate together, and the direction from which their rotation is counted.
 struct TurningClass {
     std::vector<BodyIndex> bodies;
     int driver = -1;
-    int against = -1;             ///< class that the driver counts its turn from; −1: the frame
-    std::optional<Vector> datum;  ///< unit: the direction that its letters name
+    int against = -1;             ///< class relative to which the driver counts its rotation; −1: the frame
+    std::optional<Vector> datum;  ///< unit vector: the direction that its letters name
     std::vector<LetterIndex> letters{};
     std::vector<std::pair<Vector, LetterIndex>>
-        others{};  ///< directions of the same bodies, by the given angle that tells them
+        others{};  ///< other directions of the same bodies, each with the letter of its angle from the datum
 };
 
-/// What rolls, or meshes: the rider's centre at `reach` along the normal from the contact.
+/// A rolling or meshing pair: the rider's centre lies at `reach` along the normal from the contact.
 struct Rolling {
     JointIndex joint;
-    int edge = -1;  ///< whose slide or direction it drives along
+    int edge = -1;  ///< the edge along whose slide or direction it rolls
     BodyIndex rider, carrier;
     Exact reach, reach_of_carrier;
     bool straight = false;
-    BodyIndex arm;           ///< of gears: it holds both centres, or the centre and the rack's guide
+    BodyIndex arm;           ///< gears: the body that carries both centres, or the centre and the rack's guide
     JointIndex rack = none;  ///< joint between arm and rack
 };
 
-/// The graph of the pairs: its edges are vectors, its nodes bodies.
+/// The graph of the pairs: edges are vectors, nodes are bodies.
 struct VectorGraph {
     std::vector<int> class_indices;  ///< by body
     std::vector<TurningClass> classes;
@@ -88,7 +88,7 @@ struct VectorGraph {
     std::vector<Rolling> rollings;
     std::vector<int> driven_apart;  ///< drivers without a coordinate of their own
     std::vector<JointIndex> by_tangent;
-    Words why_not;  ///< there is no such graph; empty: there is
+    Words why_not;  ///< not empty: the graph does not exist, for this reason
 
     int class_of(BodyIndex body) const { return class_indices[at_index(body)]; }
 };
@@ -107,18 +107,18 @@ private:
     void add_pins(const Joint& joint);
     void add_guide(const Joint& joint);
     void add_contact(const Joint& joint);
-    /// A contact of unknown curvatures: the place on the one body slides along the common tangent on the other, to the
-    /// first order.
+    /// A contact of unknown curvatures: the point of one body slides along the common tangent of the other, to first
+    /// order.
     void add_tangent(const Joint& joint);
-    /// A body that holds both centres of a pair of gears, so that it turns with their line; or a pinion's centre and
-    /// its rack.
+    /// Finds the body that carries both centres of a pair of gears, so that it rotates with their line; or a pinion's
+    /// centre and its rack.
     bool find_arm(Rolling& rolling, const Joint& joint, const Vector& centre, const std::optional<Vector>& other) const;
-    /// What no pair joins to the frame has its place as coordinates.
+    /// Bodies that no pair connects to the frame get their position as coordinates.
     void hold_what_is_loose();
     void take_drivers();
     void take(const SpinDriver& driver, int index);
     void take(const SlideDriver& driver, int index);
-    /// A point that a slide along the same direction carries is driven by that slide.
+    /// A point driver acts on the slide along the same direction that carries the point.
     void take(const PointDriver& driver, int index);
 
     const AsDrawn& drawn_;

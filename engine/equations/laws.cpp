@@ -15,7 +15,7 @@ void Laws::write_laws() {
         else
             write_rolling_round(law, rolling);
         std::erase_if(law.parts, [](const Law::Part& part) { return part.sum.empty(); });
-        // −(−θ) is θ: what stands in brackets begins without a sign.
+        // −(−θ) is θ: a bracket begins without a sign.
         for (Law::Part& part : law.parts) {
             if (std::any_of(part.sum.begin(), part.sum.end(), [](const auto& each) { return each.first > 0; }))
                 continue;
@@ -46,7 +46,7 @@ void Laws::write_rolling_on_line(Law& law, const Rolling& rolling) {
                                         : std::find_if(graph_.edges.begin(), graph_.edges.end(),
                                                        [&](const Edge& each) { return each.joint == rolling.rack; });
     int sign = dot(edge->along, tangent).sign();
-    // A rack that the arm carries moves back as the pinion's centre goes ahead on it.
+    // A rack carried by the arm moves backwards as the pinion's centre advances along it.
     if (rolling.edge < 0 && edge->rider == rolling.carrier) sign = -sign;
     law.parts.push_back({sign, -1, {{1, edge->slide}}});
     Law::Part turn{rolling.reach.sign() < 0 ? -1 : 1, letters_.radius(rolling.reach, rolling.rider), {}};

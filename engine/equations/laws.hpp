@@ -1,5 +1,5 @@
-// What the loops do not say: what rolls or meshes, counted from the drawn position, and drivers of what has a
-// coordinate already.
+// Equations besides the loops: rolling and meshing, counted from the drawn position, and drivers of coordinates that
+// exist already.
 #pragma once
 
 #include <utility>
@@ -22,12 +22,12 @@ public:
 private:
     /// ± the turn of a body: the letters that add up to it.
     void add_turn(Law::Part& part, int sign, BodyIndex body) const;
-    /// κ s + x (θ_i − θ_j) keeps its value, x along n = z×t, s the way of the centre along t (κ = ±1).
+    /// κ s + x (θ_i − θ_j) is constant, x along n = z×t, s the displacement of the centre along t (κ = ±1).
     void write_rolling_on_line(Law& law, const Rolling& rolling);
-    /// x_i (θ_i − φ) − x_j (θ_j − φ) keeps its value, φ the direction of the line of centres, or of the arm that
-    /// carries it.
+    /// x_i (θ_i − φ) − x_j (θ_j − φ) is constant, φ the direction of the line of centres, or of the arm that carries
+    /// it.
     void write_rolling_round(Law& law, const Rolling& rolling);
-    /// A driver that finds its coordinate driven already, or held.
+    /// A driver whose coordinate is already driven or fixed.
     void write_driver(int index);
 
     const AsDrawn& drawn_;

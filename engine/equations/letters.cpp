@@ -9,8 +9,8 @@
 namespace kinegraph::vector_loops {
 namespace {
 
-/// Lengths and angles go in pairs, so that a e^{iα} is one vector; e and i are numbers, λ, π, ω and θ mean other
-/// things.
+/// Lengths and angles are assigned in pairs, so that a e^{iα} is one vector. e and i are numbers; λ, π, ω and θ have
+/// other meanings.
 constexpr auto letter_pairs = std::to_array<std::pair<const char*, const char*>>({{"a", "alpha"},
                                                                                   {"b", "beta"},
                                                                                   {"c", "gamma"},

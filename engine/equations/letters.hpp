@@ -1,5 +1,5 @@
-// The letters as they are given out: lengths and angles in pairs, each direction by the letters of the bodies it turns
-// with, radii of what rolls. Nothing is given twice.
+// Assigns letters: lengths and angles in pairs, each direction by the letters of the bodies it rotates with, radii of
+// rolling pairs. No letter is used twice.
 #pragma once
 
 #include <cstddef>
@@ -26,21 +26,21 @@ public:
     void give_letters(Edge& edge);
     void name_what_is_left();
     LetterIndex radius(const Exact& reach, BodyIndex body);
-    /// Two coordinates of one name are told by their bodies.
+    /// Distinguishes two coordinates of one name by their bodies.
     void settle_names();
 
 private:
     LetterIndex add_length(const Pair& pair, const Exact& length, Letter::Role role = Letter::Role::given);
     LetterIndex add_angle(const Pair& pair, const Vector& direction, Letter::Role role = Letter::Role::given);
-    /// 0 … 3 where it is a quarter turn or several.
+    /// 0 … 3 where it is a multiple of a quarter turn.
     std::optional<int> quarters_of(const Vector& direction) const;
-    /// A direction that turns with a class, by its letters; a class without a datum counts its turn from it.
+    /// A direction that rotates with a class, in its letters. A class without a datum takes this direction as datum.
     Angle angle_of(int index, const Vector& direction, const Pair& pair);
     void set_datum(int index, const Vector& direction, const Pair& pair);
     /// From a joint of the class to the farthest of its points.
     Vector some_direction(int index) const;
     void give_link_letters(Edge& edge);
-    /// So that the slide is positive as drawn: its length is what is written.
+    /// Chooses the sense that makes the slide positive as drawn, because its length is what is written.
     void give_guide_letters(Edge& edge);
     void name(LetterIndex index, const char* kind, const Edge& edge);
 

@@ -19,7 +19,7 @@ void add(Bits& to, const Bits& more) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = to[i] != more[i];
 }
 
-/// The edges of a forest that spans the graph, each node's way to its root.
+/// A spanning forest of the graph, with each node's path to its root.
 struct Forest {
     std::vector<int> parent, edge, depth;
 
@@ -47,7 +47,7 @@ struct Forest {
             }
         }
     }
-    /// The loop that an edge closes.
+    /// The fundamental cycle of an edge outside the forest.
     Bits closed_by(int closing, const GraphEdges& edges) const {
         Bits bits(edges.size(), false);
         bits[at_index(closing)] = true;
@@ -61,7 +61,7 @@ struct Forest {
     }
 };
 
-/// The walk along these edges, where they make one that meets no node twice.
+/// The simple cycle made of these edges, if they form one.
 std::optional<ClosedWalk> walk_of(const Bits& bits, int nodes, const GraphEdges& edges) {
     std::vector<std::vector<int>> touching(at_index(nodes));
     std::size_t count = 0;
@@ -154,7 +154,7 @@ std::vector<ClosedWalk> independent_cycles(int nodes, const GraphEdges& edges,
                                            const std::function<void(const ClosedWalk&)>& taken) {
     std::vector<ClosedWalk> candidates = cycles_of(nodes, edges), chosen;
     const std::size_t wanted = closing_edges(Forest(nodes, edges, 0), edges).size();
-    std::vector<Bits> basis;  // in echelon form: each has a leading edge that no other of those before has
+    std::vector<Bits> basis;  // in echelon form: each has a leading edge that no earlier one contains
     std::vector<std::size_t> leading;
     const auto reduced = [&](Bits bits) {
         for (std::size_t i = 0; i < basis.size(); ++i)

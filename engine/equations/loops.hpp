@@ -1,5 +1,5 @@
-// Loops: the closed walks of a graph of bodies and pairs. Knows numbers of nodes and edges alone; what a loop costs and
-// what it teaches is told by who asks.
+// Loops: the cycles of a graph of bodies and pairs. Contains only indices of nodes and edges; the caller supplies the
+// cost of a cycle.
 #pragma once
 
 #include <array>
@@ -9,25 +9,24 @@
 
 namespace kinegraph {
 
-/// A closed walk that meets no node twice: nodes[k] —edges[k]— nodes[k+1], the last edge leading back to nodes[0].
+/// A simple cycle: nodes[k] —edges[k]— nodes[k+1], the last edge leading back to nodes[0].
 struct ClosedWalk {
     std::vector<int> nodes, edges;
 
     bool has_node(int node) const;
-    /// The same walk begun at another of its nodes.
+    /// The same cycle started at another of its nodes.
     ClosedWalk from(int node) const;
     ClosedWalk reversed() const;
 };
 
 using GraphEdges = std::vector<std::array<int, 2>>;
 
-/// Walks enough to choose a basis from: all of them where the graph has few independent ones, else the shortest through
-/// every node and edge (Horton), among which there is always a shortest basis.
+/// Candidate cycles for a basis: all of them where the graph has few independent ones, else the shortest through every
+/// node and edge (Horton), which contain a minimum cycle basis.
 std::vector<ClosedWalk> cycles_of(int nodes, const GraphEdges& edges);
 
-/// As many independent walks as the graph has (its edges less its nodes, and one for each connected part), one after
-/// the other: each the cheapest of those that are independent of the ones before; `taken` hears of it before the next
-/// is chosen.
+/// A cycle basis (number of edges − nodes + connected components), chosen greedily: each cycle is the cheapest that is
+/// independent of the earlier ones. `taken` is called with each before the next is chosen.
 std::vector<ClosedWalk> independent_cycles(int nodes, const GraphEdges& edges,
                                            const std::function<std::array<int, 4>(const ClosedWalk&)>& cost,
                                            const std::function<void(const ClosedWalk&)>& taken);

@@ -1,5 +1,4 @@
-// What hangs on the frame by one way: the ends of open chains as sums of vectors, and the motion of every body, carried
-// from pair to pair.
+// Open chains: their ends as sums of vectors, and the motion of every body, propagated from pair to pair.
 #pragma once
 
 #include <vector>
@@ -13,12 +12,12 @@ public:
     OpenChains(const AsDrawn& drawn, VectorGraph& graph, Letters& letters, Equations& found)
         : drawn_(drawn), graph_(graph), letters_(letters), found_(found) {}
 
-    /// Ends of open chains: bodies that no loop passes and that nothing further hangs on, with their farthest point.
+    /// The ends of open chains: bodies on no loop that carry no further body, with their farthest point.
     void write_reaches();
     void find_motions();
 
 private:
-    /// The edge by which each body is reached from the frame.
+    /// By body: the edge through which it is reached from the frame.
     std::vector<int> reached_by() const;
     void write_reach(BodyIndex body, PointIndex tip, const std::vector<int>& by);
     void turn_of_body(BodyIndex body);

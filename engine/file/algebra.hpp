@@ -1,5 +1,4 @@
-// Algebra: exact derivatives of expressions in symbols. It is done by GiNaC, which engine/file/algebra_ginac.cpp alone
-// knows.
+// Algebra: exact symbolic derivatives of expressions, by GiNaC. Only engine/file/algebra_ginac.cpp includes GiNaC.
 #pragma once
 
 #include <tl/expected.hpp>
@@ -9,8 +8,9 @@
 
 namespace kinegraph {
 
-/// The derivative by the variable, in an order of terms and factors that depends on the expression alone. May be called
-/// by many threads at once. Errors, without a place: what divides by zero or is not real whatever the variable is.
+/// The derivative with respect to the variable. The order of terms and factors depends on the expression alone.
+/// Thread-safe. Errors, without a place: an expression that divides by zero or is not real for every value of the
+/// variable.
 tl::expected<Expression, Error> derivative(const Expression& of, const NamedConstants& constants);
 
 }  // namespace kinegraph

@@ -1,6 +1,5 @@
-// Derivatives by GiNaC: expressions become its, and what it finds becomes expressions again, sorted by an order of
-// ours, since its own hangs on addresses. Its counts of references are not for several threads: one at a time is let
-// in.
+// Derivatives by GiNaC: expressions are converted to GiNaC and back. The result is sorted in our own order, since
+// GiNaC's depends on addresses. GiNaC's reference counts are not thread-safe: a mutex admits one thread at a time.
 #include <ginac/ginac.h>
 
 #include <algorithm>
@@ -18,7 +17,7 @@ namespace {
 
 using Kind = Expression::Kind;
 
-/// What no expression can say.
+/// An expression that our type cannot represent.
 struct Unwritable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -105,8 +104,8 @@ private:
         if (!known || of.nops() != 1) throw Unwritable("no expression");
         return Expression::of(*known, back(of.op(0)));
     }
-    /// GiNaC gives a sum that is a factor, or raised to a whole power, the sign that its own order of terms suggests;
-    /// here it is that of ours.
+    /// GiNaC gives a sum that is a factor, or raised to an integer power, the sign that its own order of terms
+    /// suggests. This restores the sign of our order.
     Expression power_back(Expression base, Expression exponent) const {
         const bool is_whole = exponent.kind == Kind::number && exponent.value.rational().get_den() == 1;
         if (base.kind != Kind::sum || !is_whole || !first_is_negative(base))
@@ -140,8 +139,8 @@ private:
         of.parts.erase(of.parts.begin());
         return of.parts.size() == 1 ? Expression(of.parts[0]) : of;
     }
-    /// Factors: numbers, π, letters, the variable, sums, functions; terms by the power of the variable; what is alike
-    /// by its text, whatever its sign.
+    /// Order of factors: numbers, π, letters, the variable, sums, functions. Order of terms: by the power of the
+    /// variable. Ties are ordered by their text without sign.
     using Place = std::pair<int, std::string>;
     Place place_of(Kind kind, const Expression& part) const {
         if (kind == Kind::product) return {rank_of_factor(part), written(part, constants_, "t")};
@@ -152,7 +151,7 @@ private:
             sum.parts.begin(), sum.parts.end(),
             [&](const Expression& a, const Expression& b) { return place_of(Kind::sum, a) < place_of(Kind::sum, b); }));
     }
-    /// What begins a sum has no minus, if anything has none.
+    /// Puts a term without a minus first, if there is one.
     static void put_positive_first(Expression& sum) {
         const auto positive =
             std::find_if(sum.parts.begin(), sum.parts.end(), [](const Expression& part) { return !is_negative(part); });
@@ -242,7 +241,7 @@ tl::expected<Expression, Error> derivative(const Expression& of, const NamedCons
                                 "le sue derivate riempirebbero pagine; scriverla più corta, con costanti"});
         return underivable({"its derivative is not real; it has the root or the logarithm of what is negative",
                             "la sua derivata non è reale; contiene la radice o il logaritmo di ciò che è negativo"});
-    } catch (const std::exception&) {  // GiNaC's: pole_error and its like
+    } catch (const std::exception&) {  // GiNaC's exceptions: pole_error and others
         return underivable({"it divides by zero, or is infinite, whatever its variable is",
                             "divide per zero, o è infinita, qualunque sia la variabile"});
     }

@@ -1,4 +1,4 @@
-// Error: what a user's file or a geometry did wrong, as a value. One line for a reader: place, what, remedy.
+// Error: a fault of a user's file or of the geometry, as a value. One line for a reader: place, fault, remedy.
 #pragma once
 
 #include <string>

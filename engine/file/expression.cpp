@@ -1,4 +1,4 @@
-// Reading, telling apart and evaluating expressions.
+// Parsing, dimension checks, printing and evaluation of expressions.
 #include "engine/file/expression.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<signed char>(c) < 0;
 }
 
-/// Greek and accented letters are letters of names; signs of units (`°`, `²`, `·`) are not.
+/// Greek and accented letters may occur in names; unit signs (`°`, `²`, `·`) may not.
 std::size_t known_name_length(std::string_view text) {
     std::size_t length = 0;
     for (std::size_t k = 1; k <= text.size(); ++k) {
@@ -52,7 +52,7 @@ std::size_t known_name_length(std::string_view text) {
     return length;
 }
 
-// ----- how large it is
+// ----- size
 
 bool is_constant_number(const Expression& of) {
     return of.kind == Kind::number ||
@@ -66,7 +66,7 @@ std::optional<Exact> number_of(const Expression& of) {
     return product;
 }
 
-/// To which power a number within may be raised when an algebra multiplies out what it can.
+/// The highest power to which a number inside may be raised when an algebra system expands products.
 double degree_of(const Expression& of) {
     double degree = 1;
     switch (of.kind) {
@@ -90,7 +90,7 @@ double degree_of(const Expression& of) {
     return 1;
 }
 
-/// How many leaves an expression and its derivatives have at most.
+/// Upper bounds on the numbers of leaves of an expression and its derivatives.
 struct Size {
     double itself = 1, first = 0, second = 0;
 };
@@ -261,7 +261,7 @@ private:
         }
         return folded(Expression::of(Kind::power, {std::move(base), std::move(exponent)}));
     }
-    /// Numbers alone are worked out, as long as they stay numbers that a page can hold.
+    /// Evaluates constant subexpressions, as long as the numbers stay printable.
     static ParsedExpression folded(Expression of) {
         if (degree_of(of) > highest_degree)
             return refused({"powers upon each other that come to a degree above {0}",
@@ -374,14 +374,14 @@ private:
         add({}, unit == "°" ? std::string(digits_of) + "°" : spelt, *quantity);
         return Expression::named(constants_.size() - 1);
     }
-    /// The longest unit that stands here and ends no earlier than a word does.
+    /// The longest unit at this position that ends at a word boundary.
     std::string_view takes_unit() {
         std::size_t from = at_;
         while (from < text_.size() && text_[from] == ' ') ++from;
         constexpr std::size_t longest_unit = 16;
         for (std::size_t length = std::min(longest_unit, text_.size() - from); length > 0; --length) {
             const std::string_view spelt = text_.substr(from, length);
-            // In "2t" the t is the time, no tonne.
+            // In "2t" the t is the time, not a tonne.
             if (spelt.find('*') != std::string_view::npos || spelt.ends_with(' ') || spelt == variable_ ||
                 unit_spelt(spelt) == nullptr)
                 continue;
@@ -580,7 +580,7 @@ tl::expected<Expressed, Words> read_expression(std::string_view text, const Expr
 
 namespace {
 
-/// How tightly what stands there holds together: a sum, a product, a power, a piece.
+/// Precedence of a subexpression: sum, product, power, operand.
 enum class Tight { sum, product, power, piece };
 
 class Spelling {
@@ -609,7 +609,7 @@ private:
         }
         return Tight::piece;
     }
-    /// What stands behind a stroke.
+    /// Whether the factor is printed in the denominator.
     static bool divides(const Expression& of) {
         return of.kind == Kind::power && of.parts[1].kind == Kind::number && of.parts[1].value.sign() < 0;
     }
@@ -685,7 +685,7 @@ namespace {
 
 constexpr double unit_roundoff = 4 * std::numeric_limits<double>::epsilon();
 
-/// f(u), and how much an error of u becomes there.
+/// f(u), and the factor by which an error of u is multiplied.
 std::pair<double, double> value_and_slope(Elementary function, double u) {
     switch (function) {
         case Elementary::sin: return {std::sin(u), std::cos(u)};
@@ -736,7 +736,7 @@ Estimate power_of(const Estimate& base, const Estimate& exponent) {
 Jet times(const Jet& a, const Jet& b) {
     return {a[0] * b[0], a[1] * b[0] + a[0] * b[1], a[2] * b[0] + 2 * a[1] * b[1] + a[0] * b[2]};
 }
-/// f, f′, f″ at u, and how u varies.
+/// The jet of f(u) from f, f′, f″ at u and the jet of u.
 Jet composed(double value, double first, double second, const Jet& u) {
     if (u[1] == 0 && u[2] == 0) return {value, 0, 0};
     return {value, first * u[1], second * u[1] * u[1] + first * u[2]};

@@ -11,14 +11,14 @@ namespace {
 using Kind = Expression::Kind;
 namespace intervals = boost::numeric::interval_lib;
 
-/// Bounds are rounded to the nearest: a search that ends at a billionth of the interval needs no directed rounding.
-/// What is not a number is the empty interval, what is out of bounds is infinite; neither throws.
+/// Bounds are rounded to nearest: a search that ends at 1e-9 of the interval needs no directed rounding. NaN gives the
+/// empty interval, overflow an infinite bound; neither throws.
 using Values =
     boost::numeric::interval<double,
                              intervals::policies<intervals::save_state_nothing<intervals::rounded_transc_exact<double>>,
                                                  intervals::checking_base<double>>>;
 
-/// All values that an expression may take on an interval, or more; and what may be wrong there.
+/// An enclosure of all values of an expression on an interval, and the possible faults there.
 struct Range {
     Values values;
     bool has_pole = false, leaves_domain = false;
@@ -37,7 +37,7 @@ Range whole_power(const Values& base, double n) {
     const Values values = Values::hull(std::pow(base.lower(), n), std::pow(base.upper(), n));
     return {n > 0 && std::fmod(n, 2) == 0 && zero_in(base) ? hull(values, 0.0) : values};
 }
-/// Boost has whole exponents alone.
+/// Boost supports integer exponents only.
 Range power(const Values& base, const Values& exponent) {
     if (singleton(exponent) && std::floor(exponent.lower()) == exponent.lower())
         return whole_power(base, exponent.lower());
@@ -83,7 +83,7 @@ public:
         if (!here.is_doubtful()) return std::nullopt;
         const double middle = from + (to - from) / 2;
         if (to - from > fine * whole_ && middle > from && middle < to) {
-            // Where values are larger a pole is nearer.
+            // A pole is nearer to the larger values.
             const bool left = size_at(from + (middle - from) / 2) > size_at(middle + (to - middle) / 2);
             const auto found = left ? find(from, middle) : find(middle, to);
             if (found) return found;
@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    /// Infinite where it has no value.
+    /// Infinite where it is undefined.
     double size_at(double variable) const {
         const double size = std::abs(estimate(of_, constants_, variable).value);
         return std::isnan(size) ? std::numeric_limits<double>::infinity() : size;

@@ -1,4 +1,3 @@
-// Kinds of files: see file_kind.hpp.
 #include "engine/file/file_kind.hpp"
 
 #include <algorithm>
@@ -26,7 +25,7 @@ constexpr std::array stated_by{
     StatedBy{"positions", FileKind::mechanism},
 };
 
-/// What the file says first of a kind.
+/// The first member that shows the file's kind.
 JsonValue first_of(JsonValue root, FileKind kind) {
     for (const JsonValue member : root)
         if (std::any_of(stated_by.begin(), stated_by.end(),

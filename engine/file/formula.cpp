@@ -1,4 +1,4 @@
-// Formulas: a descent over their grammar that carries value and dimension together.
+// Formulas: a recursive-descent parser that computes value and dimension together.
 #include "engine/file/formula.hpp"
 
 #include <algorithm>
@@ -18,12 +18,12 @@ namespace {
 
 using Evaluated = tl::expected<Measured, Words>;
 
-/// What a formula hands on.
+/// Precision of results.
 constexpr int kept_bits = 200;
-/// What it reckons with: three times as much, so that the difference of two roots that is zero shrinks to what they
-/// leave open here, while one that is not stays far above it.
+/// Internal precision. It is three times as large, so that a difference of two equal roots shrinks to the internal
+/// error, while any other difference stays far above it.
 constexpr int working_bits = 600;
-/// More than these, and a number is rounded to twice the bits that count: a power of a power would grow without use.
+/// A longer number is rounded to twice the working precision; otherwise a power of a power would grow without benefit.
 constexpr std::size_t bits_before_rounding = 4096;
 constexpr int guard_bits = 60;
 constexpr int deepest_formula = 100;
@@ -45,7 +45,7 @@ int order_of(const Exact& value) {
     return bits(value.rational().get_num()) - bits(value.rational().get_den());
 }
 
-/// To so many bits of its own size.
+/// Rounded to this number of bits relative to its size.
 Exact rounded_to_size(const Exact& value, int bits) {
     return value.is_zero() ? value : rounded(value, bits - order_of(value));
 }
@@ -90,7 +90,7 @@ bool same_but_for_angle(const Dimension& a, const Dimension& b) {
     return a.length == b.length && a.mass == b.mass && a.time == b.time;
 }
 
-/// "kg m²/s", for what is of no kind that has a name.
+/// "kg m²/s", for a quantity of no named kind.
 std::string base_units(const Dimension& dimension) {
     std::string above, below;
     const auto put = [&](std::string_view symbol, int exponent) {
@@ -113,14 +113,14 @@ void scale(Measured& of, const Exact& factor) {
     of.error *= abs(factor);
 }
 
-/// The same quantity without its angle: each degree has become a number, that of radians.
+/// The same quantity as a number: degrees converted to radians.
 Measured in_radians(Measured of) {
     scale(of, exact_power(degree(), of.dimension.angle));
     of.dimension.angle = 0;
     return of;
 }
 
-/// As a formula hands it on.
+/// The value of a result.
 Exact handed_on(const Measured& of) { return of.is_approximate ? rounded_to_size(of.value, kept_bits) : of.value; }
 
 Measured measured(const WrittenQuantity& written) {
@@ -131,13 +131,13 @@ Measured measured(const WrittenQuantity& written) {
 
 // ----- functions
 
-/// A value with what it may be off by.
+/// A value with an error bound.
 struct Bounded {
     Exact value, error;
     bool is_zero() const { return abs(value) <= error; }
 };
 
-/// A/B lies as near to a/b as |A/B − a/b| ≤ (δa + |a/b| δb)/(|b| − δb).
+/// Error bound of a quotient: |A/B − a/b| ≤ (δa + |a/b| δb)/(|b| − δb).
 Bounded quotient(const Bounded& a, const Bounded& b) {
     Exact value = a.value / b.value;
     if (a.error.is_zero() && b.error.is_zero()) return {std::move(value), {}};
@@ -161,8 +161,8 @@ Bounded root_of(const Exact& value, unsigned order) {
     return {Exact(mpq_class(scaled)) * Exact::power_of_two(-shift), Exact::power_of_two(-shift)};
 }
 
-/// Sine and cosine of an angle in degrees; rounded to a grid of 2^-600 that holds 0, ±1/2 and ±1, so these come out
-/// exactly.
+/// Sine and cosine of an angle in degrees; rounded to a grid of 2^-600 that contains 0, ±1/2 and ±1, so that these are
+/// exact.
 std::pair<Exact, Exact> sine_and_cosine(const Exact& degrees) {
     const Exact turns = degrees / 360;
     const Exact whole(mpq_class(mpz_class(turns.rational().get_num() / turns.rational().get_den())));
@@ -189,7 +189,7 @@ std::pair<Exact, Exact> sine_and_cosine(const Exact& degrees) {
 constexpr std::array<std::string_view, 9> words_of_formulas{"sqrt", "sin", "cos", "tan", "atan2",
                                                             "abs",  "min", "max", "pi"};
 
-/// How many bytes of UTF-8 a letter of a name takes here; 0: none begins here.
+/// Length in bytes of the UTF-8 letter here that may be part of a name; 0: none.
 std::size_t letter_at(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(i < text.size() ? text[i] : 0); };
     if (byte(at) < 0x80) return std::isalpha(byte(at)) != 0 || byte(at) == '_' ? 1 : 0;
@@ -240,7 +240,7 @@ private:
                         quoted(rest())});
     }
 
-    /// Behind a value a unit, a name or a bracket, as if they were multiplied: how that is written.
+    /// The message for a unit, a name or a bracket directly after a value: how to write the product.
     std::optional<Words> factor_without_sign() const {
         const std::size_t last = text_.substr(0, at_).find_last_not_of(" \t");
         if (last == std::string_view::npos) return std::nullopt;
@@ -364,7 +364,7 @@ private:
         if (!word.empty()) return refused(unknown_unit_message(word, QuantityKind::dimensionless));
         return bare(std::move(*value));
     }
-    /// A word that a formula may have as a factor.
+    /// Whether a word is valid as a factor in a formula.
     bool means_something(std::string_view word) const {
         return !word.empty() && (word == "pi" || is_function(word) || look_up_(word).has_value());
     }
@@ -372,12 +372,12 @@ private:
         return {"a product is written with *: {0}*{1}, not {0} {1}",
                 "il prodotto si scrive con *: {0}*{1}, non {0} {1}", std::string(first), std::string(second)};
     }
-    /// "12 cm^2" is the square of 12 cm, as it ever was; "12 cm²" is an area.
+    /// "12 cm^2" is the square of 12 cm, for compatibility; "12 cm²" is an area.
     static bool means_a_power(std::string_view spelt) {
         const KnownUnit* unit = unit_spelt(spelt);
         return unit != nullptr && unit->kind == QuantityKind::area && spelt.find('^') != std::string_view::npos;
     }
-    /// "10 N/m" is a force over the parameter m, where there is one.
+    /// "10 N/m" is a force divided by the parameter m, if there is one.
     bool divides_by_a_name(std::string_view spelt) const {
         const KnownUnit* unit = unit_spelt(spelt);
         if (unit == nullptr || unit->kind != QuantityKind::force_per_length) return false;
@@ -389,7 +389,7 @@ private:
         constexpr std::size_t longest_unit = 16;
         for (std::size_t length = std::min(longest_unit, text_.size() - from); length > 0; --length) {
             const std::string_view spelt = text_.substr(from, length);
-            // A product is the formula's: "2 N*m" is a force times m. And no unit ends within a word.
+            // A product sign belongs to the formula: "2 N*m" is a force times m. A unit must end at a word boundary.
             if (spelt.find('*') != std::string_view::npos || spelt.ends_with(' ') || spelt.starts_with(' ')) continue;
             const bool ends_a_letter = letter_at(spelt, length - 1) > 0;
             const std::size_t behind = from + length;
@@ -448,7 +448,7 @@ private:
         }
         return result;
     }
-    /// What its error does not tell from zero is zero; and digits far below the error say nothing.
+    /// A value within its error of zero becomes zero; digits far below the error are removed.
     static void heed_error(Measured& of) {
         if (abs(of.value) <= of.error) {
             of.value = of.error = {};
@@ -465,7 +465,7 @@ private:
         result.is_bare = result.is_bare && other.is_bare;
         result.is_approximate = result.is_approximate || other.is_approximate;
     }
-    /// Both brought to one dimension, where they are of one.
+    /// Converts both to one dimension if they are of the same kind.
     static std::optional<Words> match(Measured& a, Measured& b) {
         const auto turn = [](Measured& number, const Measured& angle) {
             if (!number.is_in_radians || angle.dimension != Dimension{.angle = 1}) return;
@@ -557,7 +557,7 @@ private:
         if (d.length % n != 0 || d.mass % n != 0 || d.time % n != 0)
             return refused({"no quantity is the root of {0}", "nessuna grandezza è la radice di {0}", described(of)});
         d = {d.length / n, d.mass / n, d.time / n, d.angle / n};
-        // A root is off by no greater share than its radicand.
+        // The relative error of a root is at most that of its radicand.
         auto [value, error] = root_of(of.value, order);
         of.is_approximate = of.is_approximate || !error.is_zero();
         if (!of.error.is_zero()) error += value * of.error / of.value;
@@ -567,13 +567,13 @@ private:
     }
     Evaluated circular(std::string_view name, Measured angle) const {
         if (angle.dimension.is_a_number()) {
-            scale(angle, 1 / degree());  // a bare number is in radians here, as everywhere in mathematics
+            scale(angle, 1 / degree());  // a bare number is in radians, as usual in mathematics
         } else if (angle.dimension != Dimension{.angle = 1}) {
             return refused({"{0} is taken of an angle, not of {1}", "{0} si calcola di un angolo, non di {1}", name,
                             described(angle)});
         }
         const auto [sine, cosine] = sine_and_cosine(angle.value);
-        // A degree is less than 1/32; 0, ±1/2 and ±1 are exact where the angle is.
+        // The derivative per degree is less than 1/32; 0, ±1/2 and ±1 are exact where the angle is.
         const auto bounded = [&](const Exact& value) -> Bounded {
             const bool on_grid = value.is_zero() || abs(value) == Exact(1) || abs(value) == Exact::ratio(1, 2);
             if (angle.error.is_zero() && on_grid) return {value, {}};
@@ -586,7 +586,7 @@ private:
             const Bounded below = bounded(cosine);
             if (below.is_zero())
                 return refused({"tan of a right angle has no value", "tan di un angolo retto non ha valore"});
-            // In the middle of a quadrant ±1, exactly where the angle is.
+            // Where |sine| = |cosine| the tangent is ±1, exactly if the angle is exact.
             const bool is_diagonal = angle.error.is_zero() && abs(sine) == abs(cosine);
             found = is_diagonal ? Bounded{sine / cosine, {}} : quotient(found, below);
         }
@@ -601,7 +601,7 @@ private:
             return refused({"atan2(0, 0) has no value", "atan2(0, 0) non ha valore"});
         join(y, x);
         const bool exact = x.value.is_zero() || y.value.is_zero() || abs(x.value) == abs(y.value);
-        // The end of a vector that is off by δ turns by no more than π/2 · δ/|vector|.
+        // An error δ of a vector's tip changes its direction by at most π/2 · δ/|vector|.
         Exact error = 90 * (y.error + x.error) / std::max(abs(x.value), abs(y.value));
         if (!exact) error += Exact::power_of_two(-working_bits);
         return settled({.value = degrees_of(y.value, x.value, working_bits),

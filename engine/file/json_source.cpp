@@ -29,7 +29,7 @@ Words line_and_column(std::string_view text, std::size_t offset) {
     return {"line {0}, column {1}", "riga {0}, colonna {1}", std::to_string(line), std::to_string(column)};
 }
 
-/// What the parser says, piece by piece.
+/// Fragments of the parser's messages, with translations.
 constexpr std::array<Translation, 24> parser_faults{{
     {"unexpected end of input", "fine del testo inattesa"},
     {"end of input", "fine del testo"},
@@ -57,7 +57,7 @@ constexpr std::array<Translation, 24> parser_faults{{
     {" or ", " o "},
 }};
 
-/// What the parser says, without its own number, place and the text it last read.
+/// The parser's message without its number, place and the text it last read.
 Words reason(std::string_view what) {
     const auto cut_before = [&](std::string_view mark) {
         if (const std::size_t at = what.find(mark); at != std::string_view::npos) what.remove_prefix(at + mark.size());
@@ -68,8 +68,8 @@ Words reason(std::string_view what) {
     return {english, translated(english, parser_faults)};
 }
 
-/// Literals past the range of doubles, which the parser refuses though we want to say what is wrong with them, by their
-/// place in the order of all numbers; and the text with harmless ones of the same length instead.
+/// Literals beyond the range of doubles. The parser rejects them, but the reader must report a better fault. They are
+/// stored by their index among all numbers; the text passed to the parser contains harmless ones of the same length.
 struct Overflows {
     std::string text;
     std::vector<std::pair<std::size_t, std::string>> literals;
@@ -122,7 +122,7 @@ Overflows without_overflows(std::string_view text) {
 
 }  // namespace
 
-/// What nlohmann's parser calls, token by token.
+/// The callbacks of nlohmann's parser, one per token.
 class JsonTreeBuilder {
 public:
     using Json = nlohmann::json;
@@ -135,7 +135,7 @@ public:
     bool number_unsigned(Json::number_unsigned_t value) { return whole_number(value); }
     bool number_float(Json::number_float_t /*value*/, const std::string& literal) {
         std::string plain = literal;
-        // The parser writes the point as the process's locale has it.
+        // The parser writes the decimal point of the process's locale.
         std::replace_if(
             plain.begin(), plain.end(),
             [](char c) { return std::string_view("0123456789+-eE").find(c) == std::string_view::npos; }, '.');
@@ -226,7 +226,7 @@ private:
         add(kind);
         open_.push_back({self, JsonSource::none});
         if (open_.size() <= deepest_nesting) return true;
-        // The place: no deeper than a reader can follow.
+        // Shows the place only up to this depth, to stay readable.
         constexpr std::size_t readable = 3;
         fault_ = Error{ErrorCode::bad_input, JsonValue(&source_, open_[readable].node).pointer(),
                        Words("nested deeper than {0} levels; no mechanism file needs more than ten",
@@ -268,7 +268,7 @@ Result<JsonSource> JsonSource::read(std::string_view text) {
                                            {"the file is larger than 1 GiB; no mechanism file is",
                                             "il file supera 1 GiB; nessun file di meccanismi è così grande"}}});
     }
-    // The parser takes a NUL between its signs for the end, whatever follows; within a string it refuses it.
+    // The parser treats a NUL between tokens as the end of the text; within a string it rejects it.
     const auto whole = [&](JsonTreeBuilder& builder) -> Result<JsonSource> {
         const std::size_t nul = text.find('\0');
         if (nul == std::string_view::npos) return builder.take();

@@ -1,6 +1,5 @@
-// JsonSource: the text of a JSON file as a tree that forgets nothing a reader of it needs: members in the file's order,
-// numbers as they are written, the place of every value. Owns syntax, depth and duplicate keys; knows nothing of
-// mechanisms.
+// JsonSource: the text of a JSON file as a lossless tree: members in the file's order, numbers as they are written, the
+// place of every value. Owns syntax, depth and duplicate keys; independent of mechanisms.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +16,8 @@ namespace kinegraph {
 class JsonSource;
 class JsonTreeBuilder;
 
-/// A value of a JsonSource, which must outlive it and stay where it is. A default one is "not there" and false.
+/// A value of a JsonSource. The source must outlive it and must not move. A default-constructed one is "not there" and
+/// converts to false.
 class JsonValue {
 public:
     enum class Kind : std::uint8_t { null, boolean, number, string, array, object };
@@ -35,13 +35,13 @@ public:
     std::string_view text() const;
     /// The name of this member of an object.
     std::string_view key() const;
-    /// Where it stands in the file: what comes first has the smaller number.
+    /// Its position in the file: earlier values have smaller numbers.
     std::uint32_t order() const { return node_; }
-    /// Elements or members, doubles included.
+    /// Number of elements or members, duplicates included.
     std::size_t size() const;
-    /// The first member of this key, or "not there". Looks at every member: not for objects of any size.
+    /// The first member with this key, or "not there". A linear search: not for large objects.
     JsonValue operator[](std::string_view key) const;
-    /// The JSON pointer, with control characters spelt out and names of unreasonable length cut short.
+    /// The JSON pointer, with control characters escaped and very long names cut.
     std::string pointer() const;
 
     class Iterator;
@@ -58,7 +58,7 @@ private:
 
 class JsonSource {
 public:
-    /// Errors: what is not JSON, with line and column; more than 64 levels.
+    /// Errors: invalid JSON, with line and column; more than 64 levels.
     static Result<JsonSource> read(std::string_view text);
 
     JsonValue root() const { return {this, 0}; }
@@ -69,7 +69,7 @@ private:
     friend class JsonValue;
     friend class JsonTreeBuilder;
     static constexpr std::uint32_t none = 0xFFFFFFFF;
-    /// Forty bytes, so that a file of ten megabytes stays a matter of some hundred.
+    /// Forty bytes, so that a file of ten megabytes needs some hundred.
     struct Node {
         JsonValue::Kind kind = JsonValue::Kind::null;
         std::uint32_t key_at = 0, key_size = 0, text_at = 0, text_size = 0;

@@ -11,7 +11,7 @@ bool stands_as_it_is(char letter) {
 
 }  // namespace
 
-/// Whole runs at a time: a sheet is some hundred thousand characters, of which few need more.
+/// Copies runs of plain characters: a sheet has some hundred thousand, of which few need escaping.
 void append_json_text(std::string& json, std::string_view text, std::string_view line_end) {
     constexpr std::string_view digits = "0123456789abcdef";
     json += '"';

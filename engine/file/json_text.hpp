@@ -1,4 +1,4 @@
-// A text as JSON writes it. Shared by all who print JSON.
+// Text as a JSON string. Used by all JSON output.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace kinegraph {
 
-/// In quotation marks, with what JSON does not let stand escaped.
+/// In quotation marks, with the characters escaped that JSON requires.
 std::string json_text(std::string_view text);
-/// The same, behind what `json` holds.
+/// Appends it to `json`.
 /// `line_end`: how the end of a line is written, `\u000a` or `\n`.
 void append_json_text(std::string& json, std::string_view text, std::string_view line_end = "\\u000a");
 

@@ -1,4 +1,3 @@
-// Scales, read exactly.
 #include "engine/file/scale_text.hpp"
 
 namespace kinegraph {

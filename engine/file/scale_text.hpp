@@ -1,4 +1,4 @@
-// Scales as a file writes them: "1:5", "1 mm = 0.01 m/s", "14 mm ≙ 16.28 MN". Knows no figure.
+// Scales as a file writes them: "1:5", "1 mm = 0.01 m/s", "14 mm ≙ 16.28 MN". Independent of figures.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Scanner: a text that a grammar goes through from left to right; blanks between its signs mean nothing.
+// Scanner: reads a text from left to right for a grammar; blanks between tokens are skipped.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ protected:
     void skip() {
         while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
     }
-    /// Goes past a sign; false where another stands there.
+    /// Skips the character; false where the next one is different.
     bool takes(char c) {
         skip();
         if (at_ >= text_.size() || text_[at_] != c) return false;

@@ -1,4 +1,3 @@
-// Words of faults.
 #include "engine/file/spelling.hpp"
 
 #include "engine/number/assert.hpp"
@@ -19,7 +18,7 @@ Words described(JsonValue value) {
 }
 
 bool is_whole_number(JsonValue value) {
-    // The names of bodies are short; longer ones would not survive other JSON readers.
+    // Names of bodies are short; longer numbers are rounded by other JSON readers.
     constexpr std::size_t longest = 18;
     if (!value.is_number() || value.text().size() > longest) return false;
     const std::string_view digits = value.text().substr(value.text().starts_with('-') ? 1 : 0);

@@ -1,5 +1,4 @@
-// Spelling: how faults of a file describe what stands there, and which known name a misspelt one may mean. Knows no
-// form.
+// Spelling: describes faulty values of a file, and suggests the known name nearest to a misspelt one.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +25,7 @@ Words listed(std::span<const std::string_view> words);
 /// The C0, DEL and C1 characters, at any place of well-formed UTF-8; a tab or line break only where `also_blank`.
 bool has_control_character(std::string_view text, bool also_blank);
 
-/// Finds the name nearest to a misspelt one, as long as the work for all of them stays small.
+/// Finds the name nearest to a misspelt one, with a bound on the total work.
 class Speller {
 public:
     template <class Names>
@@ -41,8 +40,8 @@ public:
             if (budget_ == 0) break;
             --budget_;
             if (name.size() > longest) continue;
-            // What is written otherwise but says the same is nearer than any other letter: "v_B" is "v B" rather than
-            // "v_C"; and the same letters in another order are nearer than others.
+            // Names that differ only in spelling come first: "v_B" is nearer to "v B" than to "v_C". Then come names
+            // with the same letters in another order.
             const std::string other = letters_of(name);
             const std::size_t said = edit_distance(letters, other, most);
             const std::size_t length = std::max(word.size(), name.size());
@@ -57,14 +56,14 @@ public:
     }
 
 private:
-    /// Without blanks and underscores, in small letters.
+    /// Without blanks and underscores, in lower case.
     static std::string letters_of(std::string_view name) {
         std::string letters;
         for (const char c : name)
             if (c != ' ' && c != '_') letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
         return letters;
     }
-    /// Of names that differ in the number at their end alone the nearer number is the likelier: 5 is 4 rather than 1.
+    /// Among names that differ only in the number at their end, the nearer number is more likely: 5 is 4 rather than 1.
     static std::uint64_t numbers_apart(std::string_view a, std::string_view b) {
         constexpr std::size_t longest = 18;
         constexpr std::uint64_t far = UINT64_MAX;

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t most_digits = 1000;
 constexpr int largest_order = 60;
-/// The largest unit or its inverse is far below 1e10: beyond this margin no unit brings a number back into range.
+/// Conversion factors of all units and their inverses are far below 1e10: beyond this margin no unit brings a number
+/// back into range.
 constexpr std::int64_t order_margin = largest_order + 10;
 
 Exact decimal(std::string_view text) {
@@ -25,7 +26,7 @@ Exact decimal(std::string_view text) {
     return *value;
 }
 
-/// What units are made of, in SI.
+/// The factors that units are composed of, in SI.
 struct UnitFactors {
     Exact inch = decimal("0.0254");
     Exact foot = decimal("0.3048");
@@ -136,7 +137,7 @@ std::vector<KnownUnit> make_units() {
     return all;
 }
 
-/// One spelling for all that are alike: products by one space, squares as ^2, degrees as deg.
+/// The normal form of equivalent spellings: products by one space, squares as ^2, degrees as deg.
 std::string normal_spelling(std::string_view text) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 5> alike{
         {{"·", " "}, {"⋅", " "}, {"*", " "}, {"²", "^2"}, {"°", "deg"}}};
@@ -153,7 +154,7 @@ std::string normal_spelling(std::string_view text) {
     return plain;
 }
 
-/// For "did you mean": what people leave out or write in the wrong case.
+/// For "did you mean": ignores signs that are often omitted, and case.
 std::string careless_spelling(std::string_view text) {
     std::string word;
     for (const char c : normal_spelling(text)) {
@@ -175,7 +176,7 @@ const KnownUnit* unit_meant(std::string_view text, QuantityKind wanted) {
     return nearest;
 }
 
-/// Where the number at the text's beginning ends; an `e` counts only with its digits ("2 e" has none).
+/// Length of the number at the text's beginning; an `e` counts only if digits follow ("2 e" has none).
 std::size_t number_length(std::string_view text) {
     std::size_t at = 0;
     const auto digits = [&](std::size_t i) {
@@ -194,11 +195,11 @@ std::size_t number_length(std::string_view text) {
     return at;
 }
 
-/// A decimal number as it is written: value = ± 0.d₁d₂d₃… · 10^order.
+/// A decimal number as written: value = ± 0.d₁d₂d₃… · 10^order.
 struct WrittenDecimal {
     bool negative = false;
-    std::string digits;      ///< without leading zeros; of more than 1000 the first 1001
-    std::size_t places = 0;  ///< with them
+    std::string digits;      ///< without leading zeros; at most 1001 of them
+    std::size_t places = 0;  ///< number of digits, including leading zeros
     std::int64_t order = 0;
 };
 
@@ -206,7 +207,7 @@ class DecimalScanner {
 public:
     explicit DecimalScanner(std::string_view text) : text_(text) {}
 
-    /// Nothing where the text is no decimal number.
+    /// Empty where the text is no decimal number.
     std::optional<WrittenDecimal> scanned() {
         found_.negative = comes("-");
         if (found_.negative || comes("+")) ++at_;
@@ -250,7 +251,7 @@ private:
         const bool down = comes("-");
         if (comes("-+")) ++at_;
         const std::size_t first = at_;
-        constexpr std::int64_t enough = 1'000'000'000'000;  // no text is long enough to make up for it
+        constexpr std::int64_t enough = 1'000'000'000'000;  // no text is long enough to compensate for it
         std::int64_t exponent = 0;
         for (; comes_digit(); ++at_) exponent = std::min(enough, exponent * 10 + (text_[at_] - '0'));
         found_.order += down ? -exponent : exponent;
@@ -352,7 +353,7 @@ tl::expected<Exact, Words> read_decimal(std::string_view text) {
         return tl::make_unexpected(Words(
             "{0} is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie",
             "{0} è fuori da 1e-60 … 1e60 (in unità SI), dove deve stare un numero diverso da zero", shown(text, 40)));
-    // Written anew with the point behind the first digit, so that the exponent is small whatever it was.
+    // Normalised with the point behind the first digit, so that the exponent is small.
     std::string normal = written->negative ? "-" : "";
     normal += written->digits[0];
     normal += '.' + written->digits.substr(1) + 'e' + std::to_string(written->order - 1);
@@ -365,7 +366,7 @@ bool is_within_range(const Exact& in_si) {
     static const Exact largest = decimal("1e60");
     static const Exact smallest = decimal("1e-60");
     if (in_si.is_zero()) return true;
-    // Most numbers are far from the ends, which their bits alone tell.
+    // Most numbers are far from the limits; counting bits suffices for these.
     constexpr std::size_t surely_within = 190;
     if (in_si.bits() < surely_within) return true;
     const Exact magnitude = abs(in_si);

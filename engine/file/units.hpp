@@ -1,5 +1,5 @@
-// Units: the table of every unit that a file may write, and the reading of decimals and of quantities ("31.8 cm", "120
-// rpm") from text, exactly. Knows nothing of JSON nor of what a quantity is wanted for.
+// Units: the table of every unit that a file may write, and the exact parsing of decimals and of quantities ("31.8 cm",
+// "120 rpm"). Independent of JSON and of the use of a quantity.
 #pragma once
 
 #include <span>
@@ -31,10 +31,10 @@ enum class QuantityKind {
     area,
     force_per_length,     ///< of distributed loads and of springs, N/m
     torsional_stiffness,  ///< N m/rad
-    wear,                 ///< volume worn off for each unit of the work of friction over the coefficient: m³/(N m)
+    wear,                 ///< volume worn off per unit of (friction work / coefficient): m³/(N m)
 };
 
-/// "length", "angular velocity": as the keys of `units` call it.
+/// "length", "angular velocity": the key in `units`.
 Words name_of(QuantityKind kind);
 /// "a length", "an angle".
 Words with_article(QuantityKind kind);
@@ -43,51 +43,52 @@ Words with_article(QuantityKind kind);
 /// N/m, N m/rad or m²/N.
 struct KnownUnit {
     QuantityKind kind = QuantityKind::dimensionless;
-    std::string_view symbol;  ///< as it is printed: "kg m²"
+    std::string_view symbol;  ///< as printed: "kg m²"
     Exact si;
 };
 
 /// All units, kind by kind, the SI unit of each kind (for angles: deg) first.
 std::span<const KnownUnit> known_units();
-/// The unit of these characters, or null. `·`, `⋅`, `*` and space are alike, `²` is `^2`, `°` is deg.
+/// The unit of this spelling, or null. `·`, `⋅`, `*` and space are alike, `²` is `^2`, `°` is deg.
 const KnownUnit* unit_spelt(std::string_view text);
-/// The first unit of a kind, which holds where a file sets none.
+/// The first unit of a kind, used where a file sets none.
 const KnownUnit& default_unit(QuantityKind kind);
 /// "m, cm, mm, in, ft".
 std::string units_of(QuantityKind kind);
-/// `unknown unit "Nm" (did you mean "N m"?); units of moment are N m, …`. `wanted` may be dimensionless: no list then.
+/// `unknown unit "Nm" (did you mean "N m"?); units of moment are N m, …`. If `wanted` is dimensionless, there is no
+/// list.
 Words unknown_unit_message(std::string_view text, QuantityKind wanted);
 
-/// A decimal as JSON writes it (a leading + is let pass), exactly. Refused, with the reason: what is no decimal, more
-/// than 1000 digits, a non-zero magnitude so far outside 1e-60 … 1e60 that no unit brings it back. Costs no more than
-/// the text's length, whatever the exponent says.
+/// A decimal as JSON writes it (a leading + is accepted), exactly. Errors, with the reason: not a decimal; more than
+/// 1000 digits; a non-zero magnitude so far outside 1e-60 … 1e60 that no unit brings it back. The cost is linear in the
+/// text's length, whatever the exponent.
 tl::expected<Exact, Words> read_decimal(std::string_view text);
 
 /// The rule of magnitudes: zero, or 1e-60 ≤ |in_si| ≤ 1e60.
 bool is_within_range(const Exact& in_si);
 
-/// As a file writes it.
+/// A quantity as a file writes it.
 struct WrittenQuantity {
     Exact value;  ///< in `unit`
     const KnownUnit* unit = nullptr;
     Exact in_si() const { return value * unit->si; }
 };
 
-/// Number, optional space, unit. `wanted` serves the messages alone: the unit may be of another kind.
+/// Number, optional space, unit. `wanted` is used in messages only: the unit may be of another kind.
 tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, QuantityKind wanted);
 
-/// Text of a user as a message may show it: in quotes, control characters and broken UTF-8 spelt out, long text cut
-/// short.
+/// A user's text as a message may show it: quoted, control characters and invalid UTF-8 escaped, long text cut.
 std::string quoted(std::string_view text);
-/// Each by itself, or std::quoted, which headers of the standard library bring, would be the better match of strings.
+/// An overload for each type; otherwise std::quoted, which standard headers bring in, would be the better match for
+/// strings.
 inline std::string quoted(const char* text) { return quoted(std::string_view(text)); }
 inline std::string quoted(const std::string& text) { return quoted(std::string_view(text)); }
 inline std::string quoted(std::string& text) { return quoted(std::string_view(text)); }
 /// The same without the quotes; `longest` in bytes.
 std::string shown(std::string_view text, std::size_t longest);
 
-/// How many letters must be changed, added, left out or swapped with their neighbour to turn one word into the other;
-/// more than `most` is all the same.
+/// Edit distance: the number of letters to change, insert, delete or swap with a neighbour. Above `most` the result is
+/// only a lower bound.
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most);
 
 }  // namespace kinegraph

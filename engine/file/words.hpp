@@ -1,6 +1,6 @@
-// Words: a text in every language, kept side by side where it is made, so that none can be forgotten. What is said of a
-// solution has a table of its own (render/text/words.cpp); here are the titles of files and the faults of what people
-// write.
+// Words: a text in every language, side by side where it is written, so that no translation is forgotten. The texts of
+// solutions are in a table of their own (render/text/words.cpp); here are the titles of files and the messages about
+// faults in files.
 #pragma once
 
 #include <array>
@@ -11,17 +11,18 @@
 
 namespace kinegraph {
 
-/// A title, a label or a message; of a title `en` serves where a language is missing.
+/// A title, a label or a message. For a title, `en` is the fallback where a language is missing.
 struct Words {
     std::string en;
     std::string it;
 
     Words() = default;
-    /// The same in all languages: a name, a number, what a file says. Not from a literal: that has a translation.
+    /// The same in all languages: a name, a number, a quotation from the file. Not for literals: these have
+    /// translations.
     Words(std::string every) : en(every), it(std::move(every)) {}  // NOLINT(google-explicit-constructor)
     Words(std::string_view every) : Words(std::string(every)) {}   // NOLINT(google-explicit-constructor)
     Words(std::string english, std::string italian) : en(std::move(english)), it(std::move(italian)) {}
-    /// Of literals, without a string on the way: GCC 12 takes the moving of one for reading past its end.
+    /// Takes literals, without a temporary string: GCC 12 wrongly reports that moving one reads past its end.
     Words(const char* english, const char* italian) : en(english), it(italian) {}
     /// Two patterns, in which {0} … {9} are the arguments, each in the pattern's language.
     template <class... Arguments>
@@ -60,9 +61,9 @@ private:
     }
 };
 
-/// A piece of a library's English and what stands for it.
+/// A fragment of a library's English message and its replacement.
 using Translation = std::pair<std::string_view, std::string_view>;
-/// What a library says, piece by piece in the table's order; what the table lacks stays.
+/// Translates a library's message: replaces fragments in the table's order; other text stays.
 template <class Table>
 std::string translated(std::string text, const Table& table) {
     for (const auto& [en, it] : table)

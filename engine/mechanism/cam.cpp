@@ -50,7 +50,8 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
         }
         return made;
     }
-    // Triangle of cam centre, pivot and contact; for a flat face the angle between its normal and the way to the pivot.
+    // Triangle of cam centre, pivot and contact; for a flat face the angle between its normal and the line to the
+    // pivot.
     const double of_arm = (away * away + made.arm_ * made.arm_ - prime * prime) / (2 * away * made.arm_);
     const double of_face = (made.base_ + made.offset_) / away;
     const double cosine = is_trace(follower) ? of_arm : of_face;
@@ -61,7 +62,7 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
     const double to_pivot = std::atan2(made.pivot_.y, made.pivot_.x);
     made.first_angle_ = is_trace(follower) ? to_pivot + std::numbers::pi - side * std::acos(cosine)
                                            : to_pivot + side * std::acos(cosine);
-    // Away from the cam's centre: |C| grows, or the face's distance.
+    // The rise moves the follower away from the cam's centre: |C| grows, or the face's distance.
     const double grows = cross(direction(made.first_angle_), made.pivot_);
     made.rises_ = grows > 0 ? 1 : -1;
     return made;
@@ -72,8 +73,8 @@ CamState CamGeometry::at(double turn, const LawState& rise) const {
     return is_trace(cam_->follower) ? of_trace(turn, rise) : of_face(turn, rise);
 }
 
-/// With complex numbers, ψ the cam's turn and c the trace point in the frame, the pitch curve is p = e^{−iψ} c on the
-/// cam, so that e^{iψ} p′ = c′ − i c and e^{iψ} p″ = c″ − 2i c′ − c. It is run through clockwise: convex is κ > 0.
+/// In complex numbers, with ψ the cam's rotation and c the trace point in the frame, the pitch curve on the cam is p =
+/// e^{−iψ} c, so that e^{iψ} p′ = c′ − i c and e^{iψ} p″ = c″ − 2i c′ − c. It is traversed clockwise: convex is κ > 0.
 CamState CamGeometry::of_trace(double turn, const LawState& rise) const {
     CamState state;
     state.turn = turn;
@@ -97,7 +98,8 @@ CamState CamGeometry::of_trace(double turn, const LawState& rise) const {
     state.outward = (1 / speed) * quarter_turn(p_1);
     state.pitch_curvature = -cross(p_1, p_2) / (speed * speed * speed);
     state.contact = c - roller_ * state.outward;
-    // ρ of a parallel is less by the distance: κ/(1 − κ r), without a division where the pitch curve is straight.
+    // The radius of curvature of a parallel is smaller by the distance: κ/(1 − κ r), without a division where the pitch
+    // curve is straight.
     state.curvature = state.pitch_curvature / (1 - state.pitch_curvature * roller_);
     state.pressure_angle = angle_from(way, state.outward);
     return state;
@@ -140,14 +142,14 @@ CamState CamGeometry::of_face(double turn, const LawState& rise) const {
 
 namespace {
 
-/// Thirteen digits: coordinates of fifteen would be taken as rounded.
+/// Thirteen digits: coordinates of fifteen digits would count as rounded.
 std::string written(double value) {
     std::array<char, 40> text{};
     std::snprintf(text.data(), text.size(), "%.13g", value == 0 ? 0.0 : value);
     return text.data();
 }
-/// How far such a coordinate may be off beside the cam, in the cam's unit of length: points on a circle miss it by a
-/// few of its last digits.
+/// Error of such a coordinate near the cam, in the cam's unit of length: points on a circle miss it by some units in
+/// the last place.
 std::string precision_of(const Cam& cam) {
     constexpr int digits = 10;
     const double base = (cam.base_circle / cam.units.length.si).to_double();
@@ -175,7 +177,7 @@ class FileOfCam {
 public:
     FileOfCam(const Cam& cam, const CamGeometry& geometry, double turn)
         : cam_(cam), state_(geometry.at(turn)), unit_(cam.units.length.si.to_double()), turn_(turn) {
-        // Farther off than this a centre of curvature is no place to draw, and the profile is as good as straight.
+        // A more distant centre of curvature cannot be drawn, and the profile is practically straight.
         is_straight_ = std::abs(state_.curvature) * cam.base_circle.to_double() < 1e-6;
         is_round_about_origin_ = state_.rise.first == 0 && state_.rise.second == 0;
     }
@@ -195,7 +197,7 @@ public:
     }
 
 private:
-    /// The cam's own; its angles are written in degrees.
+    /// The cam's own units; its angles are written in degrees.
     std::string units() const {
         const Unit &length = cam_.units.length, &rate = cam_.units.angular_velocity;
         const std::string of_rate = rate.si == 1 ? "" : R"(, "angular velocity": ")" + rate.symbol + '"';
@@ -210,7 +212,7 @@ private:
         points_ += (points_.empty() ? "\n    \"" : ",\n    \"") + name + "\": " + placement;
     }
 
-    /// P lies on the join of the centres of curvature, exactly: on the roller's way, or across the face.
+    /// P lies exactly on the line of the centres of curvature: along the roller's path, or across the face.
     void write_follower_points() {
         const Spot centre_of_curvature = state_.contact - (1 / state_.curvature) * state_.outward;
         const bool has_centre = !is_straight_ && !is_round_about_origin_;
@@ -233,7 +235,7 @@ private:
         } else {
             const Spot pivot{cam_.follower.pivot.x.to_double(), cam_.follower.pivot.y.to_double()};
             point("Q", pivot);
-            // A place of the face, beyond the contact as seen from the pivot.
+            // A point of the face, beyond the contact as seen from the pivot.
             const Spot along = quarter_turn(state_.outward);
             const double way = dot(along, state_.contact - pivot) < 0 ? -1 : 1;
             if (is_flat()) point("F", state_.contact + (0.4 * way * cam_.base_circle.to_double()) * along);

@@ -1,4 +1,4 @@
-// What a designer asks of a cam over its whole turn: pressure, curvature, corners, and where the profile is undercut.
+// Design values of a cam over its whole turn: pressure angle, curvature, corners, and undercutting.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,11 +10,12 @@ namespace {
 
 using Spot = VectorOf<double>;
 constexpr double whole_turn = 2 * std::numbers::pi;
-constexpr double same_turn = 1e-12;  // a law's own grain is finer: a turn next to a corner has what follows it
+constexpr double same_turn = 1e-12;  // much finer than any piece of a law: a rotation this close to a corner has the
+                                     // state after it
 
 bool is_flat(const Cam& cam) { return cam.follower.face == Follower::Face::flat; }
 
-/// Held against all positions of the follower: the contact of one that lies within another is cut away.
+/// Compares a contact with all positions of the follower: a contact inside another position is cut away.
 class Undercut {
 public:
     Undercut(const Cam& cam, const CamGeometry& geometry)
@@ -26,13 +27,13 @@ public:
         for (int i = 0; i < positions; ++i) others_.push_back(other(whole_turn * i / positions));
     }
 
-    /// The curvature alone tells it: a convex pitch curve tighter than the roller, a flat face whose envelope turns
-    /// back.
+    /// Decided by curvature alone: a convex pitch curve with a smaller radius than the roller, a flat face whose
+    /// envelope turns back.
     bool is_tight(const CamState& state) const {
         if (is_flat_) return state.curvature <= 0 || !std::isfinite(state.curvature);
         return state.pitch_curvature * roller_ >= 1;
     }
-    /// As far as the positions that were taken tell it.
+    /// Decided by the sampled positions.
     bool is_cut(const CamState& state) const {
         if (is_edge_) return false;
         if (is_tight(state)) return true;
@@ -40,7 +41,7 @@ public:
         return std::any_of(others_.begin(), others_.end(),
                            [&](const Other& each) { return depth_in(each, contact) > nothing_; });
     }
-    /// Between the turns a (not cut, unless `cut_first`) and b (then the other way round), to 1e-10 rad.
+    /// The boundary between rotations a (not cut, unless `cut_first`) and b (the opposite), to 1e-10 rad.
     double end_between(double a, double b, bool cut_first) const {
         while (std::abs(b - a) > 1e-10) {
             const double middle = (a + b) / 2;
@@ -51,7 +52,7 @@ public:
 
 private:
     static constexpr int positions = 1440;
-    /// A follower as the cam sees it: the roller's centre, or a face X·normal = height.
+    /// A follower in the cam's own frame: the roller's centre, or a face X·normal = height.
     struct Other {
         Spot centre, normal;
         double height = 0;
@@ -66,11 +67,11 @@ private:
     double depth_in(const Other& each, const Spot& contact) const {
         if (is_flat_) return dot(each.normal, contact) - each.height;
         const Spot apart = contact - each.centre;
-        // Far rollers need no root.
+        // Distant rollers need no square root.
         if (dot(apart, apart) > roller_ * roller_) return 0;
         return roller_ - std::hypot(apart.x, apart.y);
     }
-    /// The deepest of all positions, near each of those taken that is deeper than its neighbours.
+    /// Searches the deepest position near each sample that is deeper than its neighbours.
     bool is_cut_between_positions(double turn) const {
         const CamState state = geometry_.at(within_turn(turn));
         if (is_tight(state)) return true;
@@ -82,7 +83,7 @@ private:
         };
         std::vector<double> gaps;
         for (const Other& each : others_) gaps.push_back(gap(each));
-        // Between two positions a follower goes deeper by a small share of its way from one to the other.
+        // Between two samples a follower is deeper by at most a small share of its displacement between them.
         const double near = size_of_step();
         for (int i = 0; i < positions; ++i) {
             const auto at = [&](int k) { return gaps[static_cast<std::size_t>((k + positions) % positions)]; };
@@ -110,7 +111,7 @@ private:
     const CamGeometry& geometry_;
     double roller_;
     bool is_flat_, is_edge_;
-    double nothing_;  ///< m: cutting less deep is rounding
+    double nothing_;  ///< m: a smaller depth of cut is rounding
     std::vector<Other> others_;
 };
 
@@ -119,8 +120,9 @@ std::vector<CamCorner> corners_of(const Cam& cam, const CamGeometry& geometry) {
     for (const LawBreak& each : breaks_of_cycle(cam.law)) {
         if (!each.of_speed) continue;
         CamCorner corner{geometry.at(each.at, each.before), geometry.at(each.at, each.after)};
-        // The pitch curve is run through clockwise as the turn of a counter-clockwise cam grows: convex where its
-        // normal turns so too. A flat face's contact goes on along the face while the normal does.
+        // The pitch curve is traversed clockwise as the rotation of a counter-clockwise cam increases: convex where its
+        // normal rotates in that sense too. The contact of a flat face moves on along the face as long as the normal
+        // does.
         const Spot forth = corner.after.contact - corner.before.contact;
         const double goes = is_flat(cam) ? dot(forth, quarter_turn(corner.after.outward))
                                          : cross(corner.before.outward, corner.after.outward);
@@ -136,7 +138,7 @@ struct Judged {
     bool is_cut;
 };
 
-/// From the turns that were judged, in their order; the first and the last are one position.
+/// From the sampled rotations, in order; the first and the last are one position.
 std::vector<std::array<double, 2>> ranges_of(const std::vector<Judged>& judged, const Undercut& undercut) {
     std::vector<std::array<double, 2>> ranges;
     for (std::size_t i = 0; i < judged.size(); ++i) {
@@ -161,7 +163,7 @@ public:
     }
 
     CamSummary of_turn() && {
-        // Curvature is a closed form; to hold a position against all the others takes a thousand times as long.
+        // Curvature is a closed form; comparing a position with all others takes a thousand times as long.
         constexpr int samples = 7200, every = 5;
         const double length = cam_.law.length();
         auto corner = found_.corners.begin();
@@ -172,7 +174,7 @@ public:
                 take(*corner, judged);
             take(geometry_.at(turn), i % every == 0, judged);
         }
-        // The law's beginning and its end are one corner.
+        // The law's beginning and its end are the same corner.
         if (!found_.corners.empty() && found_.corners.front().after.turn == 0)
             judged.back().is_cut |= found_.corners.front().is_cut;
         found_.undercuts = ranges_of(judged, undercut_);

@@ -13,7 +13,7 @@ KinematicChain::Kind KinematicChain::kind() const {
 KinematicChain chain_of(const Mechanism& mechanism) {
     KinematicChain chain;
     chain.pairs.assign(mechanism.bodies.size(), 0);
-    // Bodies that hang together have one root.
+    // Connected components by union-find: connected bodies have the same root.
     std::vector<std::size_t> above(mechanism.bodies.size());
     std::iota(above.begin(), above.end(), std::size_t{0});
     const auto root = [&](std::size_t body) {

@@ -1,4 +1,3 @@
-// Compound units: see compound_units.hpp.
 #include "engine/mechanism/compound_units.hpp"
 
 #include <initializer_list>
@@ -9,7 +8,7 @@
 namespace kinegraph {
 namespace {
 
-/// The first that is a unit of the kind; else the kind's own.
+/// The first that is a unit of the kind; else the default unit of the kind.
 Unit first_known(QuantityKind kind, std::initializer_list<std::string> wanted) {
     for (const std::string& each : wanted)
         if (const KnownUnit* known = unit_spelt(each); known != nullptr && known->kind == kind)

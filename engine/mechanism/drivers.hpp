@@ -1,4 +1,4 @@
-// Drivers: what a given motion is apart from its form: its rates, its law, whether it turns.
+// Drivers: properties that every kind of driver has: its rates, its law, whether its coordinate is an angle.
 #pragma once
 
 #include "engine/mechanism/mechanism.hpp"
@@ -14,13 +14,13 @@ Rates rates_of(const Driver& driver);
 Driver with_rates(Driver driver, const Rates& rates);
 const std::string& where_of(const Driver& driver);
 
-/// Null: its rates are those of the file wherever it is.
+/// Null: its rates are those of the file in every position.
 const Law* law_of(const Driver& driver);
-/// The rates of a driver with a law, so far (rad or m) from the drawn position, when the law first comes there. Error:
-/// how far it goes, from the drawn position: the least and the greatest coordinate.
+/// The rates of a driver with a law at the given displacement (rad or m) from the drawn position, when the law first
+/// reaches it. Error: the range of the law, from the drawn position: the least and the greatest coordinate.
 tl::expected<Rates, std::pair<double, double>> rates_at(const Law& law, double coordinate);
 
-/// Its coordinate is an angle.
+/// Whether its coordinate is an angle.
 bool turns(const Driver& driver);
 
 }  // namespace kinegraph

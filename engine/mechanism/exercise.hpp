@@ -1,6 +1,6 @@
-// Exercise: what a file asks of those who solve it, which parameters take other values from copy to copy, and which
-// conditions every copy meets. Results go by the names that they have in the rows of a sweep
-// (engine/results/result_names.hpp). Knows no values of results: those are constructions/positions/named_results.hpp.
+// Exercise: the results that students are to find, the parameters that vary between copies, and the conditions on
+// every copy. Results are named as in the rows of a sweep (engine/results/result_names.hpp). Values of results are
+// elsewhere: constructions/positions/named_results.hpp.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@
 
 namespace kinegraph {
 
-/// One of the results that are asked for.
+/// One of the wanted results.
 struct AskedResult {
     std::string name;   ///< "v B", "omega 3", "effort M"
     std::string where;  ///< JSON pointer
 };
 
-/// A parameter that has another value from copy to copy: one of `choices`, or from, from + step, from + 2 step …
+/// A parameter that varies between copies: one of `choices`, or from, from + step, from + 2 step …
 struct Variation {
     std::string parameter;
     std::string where;
-    std::vector<std::string> choices;  ///< as the file writes them: "30°", "3"; empty: it goes in steps
+    std::vector<std::string> choices;  ///< as the file writes them: "30°", "3"; empty: a range in steps
     Exact from, step;                  ///< in `unit`
     std::string unit;                  ///< empty: bare numbers
     std::uint64_t count = 1;           ///< of values
@@ -36,7 +36,7 @@ struct Variation {
 /// One side of a condition: a result, or a formula of parameters.
 struct Operand {
     std::string text;                                 ///< as the file writes it
-    std::string result;                               ///< its name; empty: a formula
+    std::string result;                               ///< name of the result; empty: a formula
     bool absolute = false;                            ///< |omega 3|
     std::optional<Measured> measured = std::nullopt;  ///< of a formula: its value with the parameters' own values
 };
@@ -47,26 +47,26 @@ struct Condition {
         compares,           ///< `left` with `right`
         lies_between,       ///< `left` between `right` and `upper`, these included
         crank_turns_fully,  ///< the first driver makes a whole turn
-        polygon_readable    ///< no vector that is sought in `polygon` is short on paper
+        polygon_readable    ///< no unknown vector in `polygon` is short on paper
     } kind = Kind::compares;
     enum class Relation { less, at_most, equal, at_least, greater } relation = Relation::less;
     Operand left{}, right{}, upper{};
     enum class Polygon { velocity, acceleration, force } polygon = Polygon::velocity;
     std::optional<bool> holds =
-        std::nullopt;  ///< where parameters alone decide: whether it holds with their own values
+        std::nullopt;  ///< where it depends on parameters only: whether it holds with their own values
 };
 
-/// A sought vector shorter than this on paper cannot be read with an accuracy worth the name, mm.
+/// An unknown vector shorter than this on paper cannot be measured accurately, mm.
 inline constexpr double readable_length = 8;
 
 struct Exercise {
     std::vector<AskedResult> ask;  ///< none twice
     std::vector<Variation> vary;   ///< no parameter twice
     std::vector<Condition> require;
-    std::string comes_to{};  ///< the values of the file's formulas: two variants with the same are one mechanism
+    std::string comes_to{};  ///< the values of the file's formulas: two variants with the same values are one mechanism
 };
 
-/// What a mechanism asks for; nothing where its file says nothing of it.
+/// The wanted results of a mechanism; empty where its file has none.
 inline const std::vector<AskedResult>& asked_of(const Mechanism& mechanism) {
     static const std::vector<AskedResult> nothing;
     return mechanism.exercise ? mechanism.exercise->ask : nothing;

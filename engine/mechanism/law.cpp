@@ -17,7 +17,7 @@ constexpr std::array<std::pair<LawForm, std::string_view>, 7> spellings{
      {LawForm::polynomial_345, "3-4-5"},
      {LawForm::modified_trapezoidal, "modified trapezoidal"}}};
 
-/// sin πx and cos πx; zero where they vanish.
+/// sin πx and cos πx; exactly zero where they vanish.
 double sin_pi(double x) {
     x -= 2 * std::round(x / 2);
     if (std::abs(x) > 0.5) x = std::copysign(1, x) - x;
@@ -25,7 +25,8 @@ double sin_pi(double x) {
 }
 double cos_pi(double x) { return sin_pi(0.5 - std::abs(x)); }
 
-/// The first half of the modified trapezoid: a ramp of an eighth, constant for a quarter, down again for an eighth.
+/// The first half of the modified trapezoid: a ramp over an eighth, constant over a quarter, a ramp down over an
+/// eighth.
 LawState first_half_of_trapezoid(double x) {
     const double most = 8 * std::numbers::pi / (2 + std::numbers::pi), four_pi = 4 * std::numbers::pi;
     const double speed_1 = most / four_pi, way_1 = speed_1 * (1.0 / 8 - 1 / four_pi);
@@ -41,7 +42,7 @@ LawState first_half_of_trapezoid(double x) {
             most * cos_pi(4 * u)};
 }
 
-/// f and its derivatives by τ = x.
+/// f and its derivatives with respect to τ = x.
 LawState unit_state(LawForm form, double x) {
     switch (form) {
         case LawForm::rest: return {};
@@ -94,7 +95,7 @@ double Law::length() const {
 }
 
 LawState Law::at(double t) const {
-    // A time that sums to a joint of two pieces but for rounding is meant to be there.
+    // A time within rounding of a joint between two pieces counts as that joint.
     const double grain = 1e-14 * length();
     double start = 0, way = 0;
     if (t < -grain) return {};

@@ -1,5 +1,5 @@
-// Law: how a driver, or a cam's follower, moves in time, or over the cam's turn: pieces of rest and of rise one after
-// the other. Knows the pieces' closed forms; neither mechanisms nor files.
+// Law: the motion of a driver over time, or of a cam's follower over the cam's rotation, as a sequence of dwells and
+// rises. Contains the pieces' closed forms only.
 #pragma once
 
 #include <optional>
@@ -28,27 +28,27 @@ std::string_view spelling_of(LawForm form);
 std::optional<LawForm> law_form_spelt(std::string_view text);
 std::vector<std::string> law_forms();
 
-/// SI: rise in rad or m, `over` in s, or in rad of the cam's turn; `over` is positive.
+/// SI: rise in rad or m, `over` in s, or in rad of the cam's rotation; `over` is positive.
 struct LawPiece {
     LawForm form = LawForm::rest;
     Exact rise, over;
 };
 
-/// The first and second derivative are by what the pieces are `over`.
+/// Derivatives are with respect to the variable of `over`.
 struct LawState {
     double s = 0, first = 0, second = 0;
 };
 
 struct Law {
     std::vector<LawPiece> pieces;
-    Exact drawn;  ///< how far the law has come (s) in the drawn position
+    Exact drawn;  ///< time of the law (s) in the drawn position
     std::string where;
 
     double length() const;  ///< of all pieces
-    /// Before its beginning and after its end it rests. Where two pieces meet, the later one's derivatives hold.
-    /// Source: R. L. Norton, Cam Design and Manufacturing Handbook, ch. 3; f and its derivatives as above.
+    /// It is constant before its beginning and after its end. Where two pieces meet, the derivatives are those of the
+    /// later one. Source: R. L. Norton, Cam Design and Manufacturing Handbook, ch. 3; f and its derivatives as above.
     LawState at(double t) const;
-    /// The first t at which it has come to s; none: it never does.
+    /// The first t at which it reaches s; none: it never does.
     std::optional<double> when(double s) const;
     /// The least and the greatest s.
     std::pair<double, double> range() const;

@@ -6,7 +6,7 @@
 namespace kinegraph {
 namespace {
 
-/// The state of a piece by itself, beginning at s = 0; both its ends are its own.
+/// The state within a single piece, starting at s = 0; both ends have the piece's own derivatives.
 LawState within(const LawPiece& piece, double t) { return Law{{piece}, {}, {}}.at(t); }
 LawState raised(LawState state, double by) {
     state.s += by;
@@ -38,7 +38,7 @@ std::vector<LawBreak> breaks_of_cycle(const Law& law) {
         before.s = way;
         add(start, before, raised(within(piece, 0), way));
         if (piece.form == LawForm::constant_acceleration) {
-            // In the middle it turns into a deceleration of the same size.
+            // In the middle the acceleration becomes a deceleration of the same size.
             const LawState after = raised(within(piece, over / 2), way);
             add(start + over / 2, {after.s, after.first, -after.second}, after);
         }

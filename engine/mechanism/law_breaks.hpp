@@ -1,4 +1,4 @@
-// Breaks of a law: where its speed or its acceleration jumps. Knows laws only.
+// Breaks of a law: where its speed or its acceleration jumps.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,16 @@
 
 namespace kinegraph {
 
-/// A jump of a law's first or second derivative: both as they are just before it and just after it. Of s there is none.
+/// A jump of a law's first or second derivative: both derivatives just before and just after it. s itself is
+/// continuous.
 struct LawBreak {
     double at = 0;
     LawState before, after;
     bool of_speed = false;  ///< the first derivative jumps: the acceleration is infinite
 };
 
-/// In their order, of a law that begins again where it ends: so at 0 stands what is between its end and its beginning,
-/// if anything is. A share of 1e-9 of the mean slope of the steepest piece (and of its square) is no jump.
+/// In order, for a periodic law: the break at 0 is between its end and its beginning. A jump below 1e-9 of the mean
+/// slope of the steepest piece (of its square, for the second derivative) is ignored.
 std::vector<LawBreak> breaks_of_cycle(const Law& law);
 
 }  // namespace kinegraph

@@ -1,5 +1,5 @@
-// Mechanism: what a file says, with names resolved, units turned to SI and every number exact. A value that does not
-// change once read. Knows nothing of positions found by compass (Pose) nor of motion.
+// Mechanism: the contents of a file, with names resolved, units converted to SI and every number exact. It does not
+// change once read. Without constructed positions (Pose) and without motion.
 #pragma once
 
 #include <algorithm>
@@ -53,7 +53,7 @@ struct Polar {
 struct Along {
     PointIndex from = none, to = none;
     Exact amount;
-    bool is_ratio = false;  ///< `amount` is a ratio of the distance from→to, else a distance in m
+    bool is_ratio = false;  ///< `amount` is a fraction of the distance from→to, else a distance in m
 };
 struct CircleCurve {
     Place centre;
@@ -112,15 +112,15 @@ struct Joint {
     std::vector<BodyIndex> bodies;          ///< two; a revolute or weld may have more
     std::optional<Bearing> along;           ///< prismatic, straight pin-slot
     PointIndex arc = none;                  ///< pin-slot curved about this point
-    std::map<BodyIndex, Profile> profiles;  ///< rolling, contact, gear (a body's own circle is filled in by the reader)
+    std::map<BodyIndex, Profile> profiles;  ///< rolling, contact, gear (the reader adds a body's own circle)
     std::optional<Bearing> tangent;
     std::optional<Angle> pressure_angle;
     BodyIndex arm = frame;         ///< gear: the carrier
     std::optional<Vector> pushes;  ///< contact: sense of the force on bodies[0]
-    bool loaded_pin = false;       ///< a hinge of two bodies on whose pin a load acts
+    bool loaded_pin = false;       ///< a hinge of two bodies with a load on its pin
     std::string where;
 
-    /// True where the bodies meet in a node of its own: a massless pin that touches each of them.
+    /// Whether the joint is a node of its own: a massless pin in contact with each of the bodies.
     bool has_own_node() const { return bodies.size() > 2 || loaded_pin; }
     const PlanePair& pair() const { return plane_pair(kind); }
     bool connects(BodyIndex body) const { return std::find(bodies.begin(), bodies.end(), body) != bodies.end(); }
@@ -128,7 +128,7 @@ struct Joint {
     BodyIndex other_than(BodyIndex body) const { return bodies[bodies[0] == body ? 1 : 0]; }
 };
 
-/// rad/s, rad/s², m/s, m/s². Where there is a law the rates are its, in the drawn position.
+/// rad/s, rad/s², m/s, m/s². With a law, these are its rates in the drawn position.
 struct SpinDriver {
     BodyIndex body = none, relative_to = frame;
     Exact omega, alpha;
@@ -175,20 +175,20 @@ struct CoupleLoad {
     Exact value;
     std::string where;
 };
-/// Pulls its two points together; where it is negative it pushes them apart.
+/// Pulls its two points together; where negative, it pushes them apart.
 struct SpringLoad {
-    /// k in N/m and the length without force, m: the force is k (l − l_0).
+    /// k in N/m and the free length, m: the force is k (l − l_0).
     struct Elastic {
         Exact stiffness, free_length;
     };
     std::string name;
     std::array<BodyIndex, 2> bodies{none, none};
     std::array<PointIndex, 2> between{none, none};
-    Exact magnitude;  ///< of one that is not elastic
+    Exact magnitude;  ///< where it is not elastic
     std::string where;
     std::optional<Elastic> elastic = std::nullopt;
 };
-/// A load along PQ, of an intensity (N/m of that length) that runs straight from one end to the other.
+/// A load along PQ, of an intensity (N per m of PQ) that varies linearly from one end to the other.
 struct DistributedLoad {
     std::string name;
     BodyIndex body = none;
@@ -197,13 +197,14 @@ struct DistributedLoad {
     Bearing along;
     std::string where;
 };
-/// Turns the first of its bodies back, and the second the other way: the couple on the first is −k φ.
+/// A restoring couple: −k φ on the first body, the opposite on the second.
 struct TorsionLoad {
     std::string name;
     std::array<BodyIndex, 2> bodies{none, none};
     PointIndex at = none;  ///< where it is drawn
     Exact stiffness;       ///< k, N m/rad
-    Exact turned;          ///< φ, rad: turn of the first body, seen from the second, from where there is no couple
+    Exact turned;          ///< φ, rad: rotation of the first body relative to the second, from the position without
+                           ///< couple
     std::string where;
 };
 using Load = std::variant<ForceLoad, CoupleLoad, SpringLoad, DistributedLoad, TorsionLoad>;
@@ -228,7 +229,7 @@ struct ActuatorEffort {
 };
 using Effort = std::variant<CoupleEffort, ForceEffort, ActuatorEffort>;
 
-/// One rigid body's act of motion, instead of joints and drivers (m/s, m/s²).
+/// The given instantaneous motion of one rigid body, instead of joints and drivers (m/s, m/s²).
 struct GivenMotion {
     PointIndex point = none;
     std::variant<Vector, Bearing> value;
@@ -239,29 +240,29 @@ struct ActOfMotion {
     std::string where;
 };
 
-/// What is asked of one point's relative motion.
+/// A request for one point's relative motion.
 struct RelativeMotionQuery {
     PointIndex point = none;
     BodyIndex observer = frame;          ///< the frame is fixed in this body …
     PointIndex translating_with = none;  ///< … or, where there is one, it translates with this point
     std::string where;
-    bool solves = false;  ///< the motion itself is to be found through this observer where the mechanism lets it
+    bool solves = false;  ///< the motion itself is found through this observer where the mechanism allows it
 };
-/// A cut through three bars of a truss: bodies, in the file's order of the wish.
+/// A cut through three bars of a truss: bodies, in the order that the file gives.
 struct CutQuery {
     std::vector<BodyIndex> bars;
     std::string where;
 };
 struct Find {
-    bool stated = false;  ///< false: all that the data allow
+    bool stated = false;  ///< false: find everything that the data allow
     bool instant_centres = false, velocity = false, acceleration = false, forces = false, curvature = false;
-    bool equations = false;     ///< the closure equations: of a file that states nothing else, too
-    bool virtual_work = false;  ///< virtual displacements and what they say of the efforts: the same
+    bool equations = false;     ///< the closure equations; may be set although `stated` is false
+    bool virtual_work = false;  ///< virtual displacements and the efforts that follow from them; likewise
     std::vector<RelativeMotionQuery> relative_motion;
     std::vector<CutQuery> cuts;
 };
 
-/// A unit of what is printed: its symbol and its size in SI.
+/// A unit of printed values: its symbol and its size in SI.
 struct Unit {
     std::string symbol;
     Exact si;
@@ -271,7 +272,8 @@ struct Units {
         mass{"kg", 1}, force{"N", 1}, moment{"N m", 1}, inertia{"kg m²", 1}, pressure{"Pa", 1};
 };
 
-/// A scale the file asks for a figure: `quantity` SI units for each mm on paper (drawing: m/mm, "1:5" is 0.005).
+/// A scale that the file prescribes for a figure: `quantity` SI units for each mm on paper (drawing: m/mm, "1:5" is
+/// 0.005).
 struct AskedScale {
     std::string figure;
     Exact per_millimetre;
@@ -282,16 +284,15 @@ struct AskedScale {
 /// some of them.
 struct Problem;
 
-/// What a file asks of its students: results, and how it may vary (engine/mechanism/exercise.hpp).
+/// The exercise of a file: wanted results, and which parameters vary (engine/mechanism/exercise.hpp).
 struct Exercise;
 
 struct Mechanism {
     std::string source;  ///< the file's name, for messages and the title block
     Words title;
     Units units;
-    std::optional<Exact>
-        precision;  ///< how far coordinates and lengths may be off, m, as the file states it; 0: not at all
-    std::vector<Exact> computed;  ///< lengths that formulas gave, m, in order: exact, however many digits they have
+    std::optional<Exact> precision;  ///< error of coordinates and lengths, m, as the file states it; 0: none
+    std::vector<Exact> computed;  ///< lengths computed by formulas, m, in order: exact, however many digits they have
     std::vector<NamedPoint> points;
     std::vector<Body> bodies;  ///< the frame first
     std::vector<Joint> joints;
@@ -302,15 +303,15 @@ struct Mechanism {
     std::vector<Load> loads;
     std::vector<Effort> efforts;
     std::optional<ActOfMotion> motion;
-    std::shared_ptr<const Problem> problem;    ///< in place of joints, or contacts at them; none: neither
-    std::shared_ptr<const Exercise> exercise;  ///< where the file is one
+    std::shared_ptr<const Problem> problem;    ///< in place of joints, or contacts at them; null: neither
+    std::shared_ptr<const Exercise> exercise;  ///< null: the file is no exercise
     Find find;
     std::vector<AskedScale> scales;
 
     const NamedPoint& point(PointIndex index) const { return points[at_index(index)]; }
     const Body& body(BodyIndex index) const { return bodies[at_index(index)]; }
     const Joint& joint(JointIndex index) const { return joints[at_index(index)]; }
-    /// Of a joint of this mechanism.
+    /// Precondition: the joint is one of this mechanism's.
     JointIndex index_of(const Joint& joint) const { return JointIndex(&joint - joints.data()); }
     /// All bodies but the frame.
     Indices<BodyIndex> moving_bodies() const { return bodies_after(frame); }
@@ -318,7 +319,7 @@ struct Mechanism {
     std::optional<PointIndex> point_named(std::string_view name) const;
     std::optional<BodyIndex> body_named(std::string_view name) const;
 
-    // Made, copied and ended in one place: in every file that holds one it would cost seconds of compiling.
+    // Defined in one source file: inlining them in every user would cost seconds of compile time.
     Mechanism();
     Mechanism(const Mechanism&);
     Mechanism(Mechanism&&) noexcept;
@@ -327,7 +328,7 @@ struct Mechanism {
     ~Mechanism();
 };
 
-/// A parameter's value in place of the file's: "r", "45 mm".
+/// A parameter's value that replaces the file's: "r", "45 mm".
 struct Setting {
     std::string name;
     std::string value;

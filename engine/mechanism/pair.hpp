@@ -1,12 +1,12 @@
-// Pairs of the plane: each kind of joint is a row of one table. A row says how the bodies of a pair meet at the joint's
-// point P, and which of the three freedoms of a plane motion it holds there: across the guide or the common tangent,
-// along it, and the rotation. Everything else follows: what it leaves free, the force it transmits, where its instant
-// centre lies, what it means to the planner and on paper. So the rest of the house asks for facts ("has a guide",
-// "holds the rotation") and never for a kind; only the check, a second opinion, knows the kinds by itself.
+// Pairs of the plane: each kind of joint is a row of one table. A row states how the bodies of a pair meet at the
+// joint's point P, and which of the three freedoms of planar motion the pair removes there: across the guide or the
+// common tangent, along it, and the rotation. Everything else follows: the remaining freedoms, the force it transmits,
+// where its instant centre lies, its use by the planner and its symbol. So other code queries properties ("has a
+// guide", "holds the rotation") and never the kind. Only the check, which is independent on purpose, has its own rules
+// for each kind.
 //
-// A table and not a variant of types with visitors: the kinds differ in what they are, which is data; what is done with
-// them belongs to rooms that this one knows nothing of, and there two or three facts at a time decide, seldom all seven
-// kinds.
+// A table, not a variant of types with visitors: the kinds differ in data only. The code that uses them is in other
+// folders and usually depends on two or three properties, rarely on all seven kinds.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace kinegraph {
 
 enum class JointKind { revolute, prismatic, pin_slot, rolling, contact, gear, weld };
 
-/// A pair of the plane as the file knows it. Class is the number of its freedoms; a weld is no pair.
+/// A pair of the plane as the file states it. Its class is the number of its freedoms; a weld is no pair.
 struct PlanePair {
     /// How the bodies meet at P.
     enum class Meeting {
@@ -28,20 +28,20 @@ struct PlanePair {
     enum class Centre { at_point, at_infinity, on_normal, everywhere };
 
     JointKind kind;
-    std::string_view key;                     ///< in the file, and of its words: "revolute" …
+    std::string_view key;                     ///< key in the file, and of its texts: "revolute" …
     std::string_view called;                  ///< in messages about the file
     std::string_view form;                    ///< as the file writes it
-    std::array<std::string_view, 4> members;  ///< what a file may say of it besides its bodies and its name
+    std::array<std::string_view, 4> members;  ///< members that a file may give besides bodies and name
     Meeting meeting;
     bool holds_normal;   ///< no relative velocity at P across the guide or the common tangent …
     bool holds_tangent;  ///< … nor along it …
     bool holds_rotation;
     bool joins_many;  ///< more than two bodies may share it
 
-    /// Unknowns of its reaction: one for each freedom that it holds.
+    /// Unknowns of its reaction: one for each freedom that it removes.
     int reactions() const { return (holds_normal ? 1 : 0) + (holds_tangent ? 1 : 0) + (holds_rotation ? 1 : 0); }
     int freedoms() const { return 3 - reactions(); }
-    /// P of one body and P of the other have one velocity: the force between them may have any direction.
+    /// P of one body and P of the other have the same velocity, so the force between them may have any direction.
     bool holds_point() const { return holds_normal && holds_tangent; }
     bool turns() const { return !holds_rotation; }
 
@@ -54,21 +54,21 @@ struct PlanePair {
     bool is_sleeve() const { return has_guide() && holds_rotation; }
     bool is_slot() const { return has_guide() && turns(); }
     bool rolls() const { return touches() && holds_point(); }
-    /// Pitch curves: they roll on each other, and what holds their centres apart is another pair.
+    /// Pitch curves: they roll on each other, and another pair fixes the distance of their centres.
     bool meshes() const { return touches() && !holds_normal; }
 
     /// The bodies slide on each other at P.
     bool slides() const { return holds_normal && !holds_tangent; }
-    /// They turn about a pin at P, which may itself slide.
+    /// They rotate about a pin at P, which may itself slide.
     bool has_pin() const { return !touches() && turns(); }
-    /// Accelerations there hang on the curvatures of the profiles.
+    /// Accelerations there depend on the curvatures of the profiles.
     bool asks_curvatures() const { return touches() && !meshes(); }
 
     Centre centre() const {
         if (holds_rotation) return slides() ? Centre::at_infinity : Centre::everywhere;
         return slides() ? Centre::on_normal : Centre::at_point;
     }
-    /// Besides the force, a couple about P: what hinders turning.
+    /// Besides the force, it transmits a couple about P, which prevents rotation.
     bool transmits_couple() const { return holds_rotation; }
 };
 

@@ -7,7 +7,7 @@
 namespace kinegraph {
 namespace {
 
-/// The tree of a Prüfer sequence: again and again the smallest leaf hangs on the sequence's next body.
+/// The tree of a Prüfer sequence: repeatedly, the smallest leaf is joined to the next body of the sequence.
 BinaryScheme tree_of(const std::vector<int>& sequence) {
     const std::size_t bodies = sequence.size() + 2;
     std::vector<int> degree(bodies, 1);

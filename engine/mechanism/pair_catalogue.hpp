@@ -1,5 +1,5 @@
-// The catalogue of pairs: beside those of the plane the lower pairs in space and what a multiple hinge stands for.
-// Data, from which `kinegraph pairs` and docs/pairs.md are printed; words are the sheet's business.
+// The catalogue of pairs: besides those of the plane, the lower pairs in space and the binary hinges equivalent to a
+// multiple hinge. Data, from which `kinegraph pairs` and docs/pairs.md are printed; the texts are elsewhere.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ inline constexpr std::array space_pairs{
     SpacePair{"spherical", 3, "r_x r_y r_z", "F_x F_y F_z"},
 };
 
-/// A hinge of n bodies stands for n − 1 binary ones: each scheme is a tree on the bodies, an edge a binary hinge.
+/// A hinge of n bodies is equivalent to n − 1 binary ones: each scheme is a tree on the bodies, an edge a binary hinge.
 struct BinaryScheme {
     std::vector<std::array<int, 2>> hinges;  ///< positions in the hinge's list of bodies, smaller first
 };

@@ -10,7 +10,7 @@
 namespace kinegraph {
 namespace {
 
-/// What a number of the file measures: how far it may be off, and when it is exact by its form.
+/// The kind of a number in the file, which decides its error and when it is exact by its form.
 enum class Measure : std::uint8_t {
     length,
     angle,   ///< in degrees or radians
@@ -18,8 +18,8 @@ enum class Measure : std::uint8_t {
     other    ///< in a unit: a velocity, a force …
 };
 
-/// Every number of the mechanism that geometry, motion or forces follow from, in the order of the file's sections:
-/// see(number, measure, unit). What merely chooses (`near`) is no datum.
+/// Visits every number of the mechanism on which geometry, motion or forces depend, in the order of the file's
+/// sections: see(number, measure, unit). A number that only chooses (`near`) is no datum.
 template <class See>
 class Numbers {
 public:
@@ -139,7 +139,7 @@ void for_each_number(Mechanism& mechanism, See see) {
     Numbers<See>(mechanism, see);
 }
 
-/// Significant digits of a decimal; of what is none (π, a third) as many as there may be.
+/// Significant digits of a decimal; the maximum for a number without a finite decimal expansion (π, a third).
 int digits_of(const Exact& value) {
     constexpr int endless = std::numeric_limits<int>::max();
     mpz_class rest;
@@ -164,7 +164,8 @@ std::uint64_t scattered(std::uint64_t number) {
     number = (number ^ (number >> 27U)) * 0x94D049BB133111EBU;
     return number ^ (number >> 31U);
 }
-/// From ½ to 1, in either sense; in parts of a prime, so that no decimals are shifted to where others stand.
+/// A factor from ½ to 1, of either sign; its denominator is a prime, so that shifted decimals never coincide with
+/// others.
 Exact part_of_precision(std::uint64_t number, int sample) {
     constexpr std::int64_t parts = 257, least = 129;
     const std::uint64_t bits = scattered(number * shifted_drawings + static_cast<std::uint64_t>(sample));

@@ -1,4 +1,3 @@
-// Lattice and shuffle: see variation.hpp.
 #include "engine/mechanism/variation.hpp"
 
 #include <gmpxx.h>

@@ -1,5 +1,5 @@
-// The lattice of all values that the parameters of an exercise may take together, and the order in which a seed draws
-// from it. Whole numbers only: the same on every machine. Knows no mechanism.
+// The set of all combinations of parameter values of an exercise, and the order in which a seed draws from it. Integers
+// only: the same on every machine.
 #pragma once
 
 #include <array>
@@ -12,23 +12,23 @@
 
 namespace kinegraph {
 
-/// All digits of a fraction that is a decimal; nothing of one that goes on for ever.
+/// All digits of a fraction with a finite decimal expansion; empty for any other.
 std::optional<std::string> decimal_text(const Exact& value);
 
 /// Every combination of the values of some parameters, numbered from 0.
 class Lattice {
 public:
-    /// How many there are; nothing where they are beyond `most`.
+    /// The number of combinations; empty where it exceeds `most`.
     static std::optional<std::uint64_t> size(const std::vector<Variation>& vary);
     static constexpr std::uint64_t most = std::uint64_t{1} << 62;
 
-    /// The combination of this number: a setting for each variation, in their order.
+    /// The combination with this number: a setting for each variation, in their order.
     static std::vector<Setting> at(const std::vector<Variation>& vary, std::uint64_t number);
 };
 
 /// The numbers 0 … size − 1 in an order that a seed chooses, each once: a Feistel network on the next even power of
-/// two, walked until it comes back below `size` (Black and Rogaway, Ciphers with arbitrary finite domains, 2002). Any
-/// place of the order is found without those before it.
+/// two, iterated until the value is below `size` (cycle walking; Black and Rogaway, Ciphers with arbitrary finite
+/// domains, 2002). Any element is computed without the earlier ones.
 class Shuffle {
 public:
     Shuffle(std::uint64_t seed, std::uint64_t size);

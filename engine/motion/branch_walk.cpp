@@ -6,7 +6,7 @@
 namespace kinegraph::closing {
 namespace {
 
-/// Cubic between two positions.
+/// Cubic Hermite interpolation between two positions.
 void between(const std::vector<double>& a, const std::vector<double>& va, const std::vector<double>& b,
              const std::vector<double>& vb, double width, double t, std::vector<double>& q) {
     for (std::size_t k = 0; k < q.size(); ++k) {
@@ -36,7 +36,7 @@ void BranchWalk::start_at_change_point(const State& position, const State& ahead
 // --- steps
 // --------------------------------------------------------------------------------------------------------------------
 
-/// Through the last two positions and their dq/ds, a cubic; from the first alone a straight line.
+/// Cubic through the last two positions and their dq/ds; a straight line if there is only one.
 void BranchWalk::predict(double s, std::vector<double>& q) const {
     const double ahead = s - here_.s, back = here_.s - before_.s;
     const bool cubic = has_before_ && ahead * back > 0 && std::abs(ahead) <= 2 * std::abs(back);
@@ -44,7 +44,7 @@ void BranchWalk::predict(double s, std::vector<double>& q) const {
     for (std::size_t k = 0; k < q.size(); ++k) {
         q[k] = here_.q[k] + here_.v[k] * ahead;
         if (!cubic) continue;
-        // Hermite on [−1, 0], carried on to t.
+        // Hermite on [−1, 0], extrapolated to t.
         const double rise = before_.q[k] - here_.q[k] + here_.v[k] * back, bend = (before_.v[k] - here_.v[k]) * back;
         q[k] += t * t * (3 * rise + bend) + t * t * t * (2 * rise + bend);
     }
@@ -63,7 +63,7 @@ bool BranchWalk::try_step(double s) {
         speed = std::max({speed, std::abs(next_.v[k]), std::abs(here_.v[k])});
     }
     if (next_.slack < least_slack) return bridge(next_);
-    // Another branch may lie near: what a look ahead did not foresee by far is not trusted.
+    // Another branch may be near: a step far from its prediction is rejected.
     if (correction > 0.2 * speed * std::abs(s - here_.s) || bend > 0.3 * speed) return false;
     next_.sign = closure_.sign_of_leading_rows();
     return next_.sign == regular_.sign || pass(regular_, next_);
@@ -80,15 +80,15 @@ void BranchWalk::accept() {
     if (!is_singular()) regular_ = here_;
 }
 
-/// The determinant changed its sign between two positions. If it vanishes in between, where they are joined smoothly,
-/// that is a change point, and is noted; if only the leading rows are at fault, it is nothing. False: the two are not
-/// on one branch.
+/// The determinant changed its sign between two positions. If it vanishes in between and the path is smooth there, that
+/// is a change point, which is recorded. If only the choice of leading rows caused the sign, nothing happens. False:
+/// the two positions are not on one branch.
 bool BranchWalk::pass(State& from, const State& to) {
     low_ = from;
     high_ = to;
     double slack = 1;
     constexpr double near = 1e-10;
-    const auto next = next_;  // closure_.close() below sets the places; they are set again at the end
+    const auto next = next_;  // closure_.close() below changes the places; they are restored at the end
     for (int i = 0; i < 60 && std::abs(high_.s - low_.s) > near * longest_step_; ++i) {
         middle_.s = (low_.s + high_.s) / 2;
         between(low_.q, low_.v, high_.q, high_.v, high_.s - low_.s, 0.5, middle_.q);
@@ -113,7 +113,7 @@ bool BranchWalk::pass(State& from, const State& to) {
     return vanishes || !closure_.all_rows_lead();
 }
 
-/// A position in which the matrix is singular: found between two beside it.
+/// A position with a singular matrix: interpolated from two positions beside it.
 bool BranchWalk::bridge(State& state) {
     State ahead = state;
     const double way = state.s > here_.s ? 1 : -1;
@@ -141,7 +141,7 @@ bool BranchWalk::bridge(State& state) {
             state.v[k] = 1.5 / width * (ahead.q[k] - low_.q[k]) - (low_.v[k] + ahead.v[k]) / 4;
         State from = low_;
         if (from.sign != ahead.sign && !pass(from, ahead)) return false;
-        // pass() keeps next_, which `state` is; what comes next is seen from beyond.
+        // pass() keeps next_, which is `state`; the next position is predicted from the one beyond.
         state.sign = ahead.sign;
         state.slack = 0;
         regular_ = ahead;
@@ -151,8 +151,8 @@ bool BranchWalk::bridge(State& state) {
     return false;
 }
 
-/// Steps became too small. Seen along the unknown that moves fastest, the driver's coordinate goes to an extreme and
-/// turns round: that is the limit. True: it goes on to `towards` after all, which is then in next_.
+/// Steps became too small. Parametrised by the unknown that moves fastest, the driver's coordinate reaches an extreme
+/// and reverses: that is the limit. True: the path reaches `towards` after all; that position is then in next_.
 bool BranchWalk::find_limit(double towards) {
     std::size_t column = 0;
     for (std::size_t k = 0; k < here_.v.size(); ++k)

@@ -1,6 +1,6 @@
-// From one position to the next on the same branch: steps that are looked ahead for (a cubic through two positions and
-// their dq/ds) and not believed where that did not foresee them; change points passed, limits found. Storage is made
-// once.
+// Path following: from one position to the next on the same branch. Each step is predicted (a cubic through two
+// positions and their dq/ds) and rejected if the prediction was poor; change points are passed, limits found. Storage
+// is allocated once.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace kinegraph::closing {
 class BranchWalk {
 public:
     BranchWalk() = default;
-    /// `longest_step`: of the course's coordinate, what a look ahead can well see.
+    /// `longest_step`: the largest step, in the course's coordinate, for which the prediction is used.
     BranchWalk(NumericClosure closure, double longest_step)
         : closure_(std::move(closure)), longest_step_(longest_step) {}
 
@@ -22,22 +22,23 @@ public:
     const NumericClosure& closure() const { return closure_; }
     double longest_step() const { return longest_step_; }
 
-    /// Starts in a position that is closed, with v, slack and sign.
+    /// Starts in a closed position, with v, slack and sign set.
     void start_at(const State& position);
-    /// Starts in a change point, where v is of the branch; what comes next is seen from `ahead`, which lies on it.
+    /// Starts in a change point, where v belongs to the branch; the next position is predicted from `ahead`, which lies
+    /// on it.
     void start_at_change_point(const State& position, const State& ahead);
 
     const State& here() const { return here_; }
-    /// On the branch that continuity gives. False: out of reach; `limit` says where the course stops, and nothing
-    /// moved.
+    /// Moves along the branch by continuity. False: out of reach; `limit` gives where the course stops, and the
+    /// position is unchanged.
     bool move_to(double coordinate);
     std::optional<double> limit() const { return limit_; }
     const std::vector<double>& change_points() const { return change_points_; }
-    /// The drivers do not determine the velocities here, or hardly for doubles.
+    /// Whether the velocities are undetermined here, or too ill-conditioned for doubles.
     bool is_singular() const { return here_.slack < least_slack; }
-    /// With a last pivot of this share of the first one, nine digits are left to the velocities.
+    /// With a last pivot of this share of the first one, velocities keep nine digits.
     static constexpr double least_slack = 1e-7;
-    /// The matrix is well told from a singular one.
+    /// Whether the matrix is safely distinguished from a singular one.
     static bool is_regular(const State& state) { return state.slack >= 100 * least_slack; }
 
 private:

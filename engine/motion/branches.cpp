@@ -13,11 +13,10 @@ namespace {
 
 using DenseRow = std::vector<Exact>;
 
-/// What is zero, and how long a number may grow.
+/// The test for zero, and the maximal length of numbers.
 class Arithmetic {
 public:
-    /// On rounded data the numbers here, all of the order of one, are good to a few hundred times the share of the
-    /// size.
+    /// On rounded data the numbers here, all of order one, have an error of a few hundred times the share of the size.
     explicit Arithmetic(const Pose& pose)
         : exact_(pose.exact && !pose.is_rounded()), nothing_(Exact::power_of_two(-60)) {
         constexpr int times = 256;
@@ -39,7 +38,7 @@ struct State {
     Exact omega;
 };
 
-/// The second-order terms of constraints, lengths in units of the drawing's size and places from its first point.
+/// The second-order terms of constraints, with lengths in units of the drawing's size, relative to its first point.
 class SecondOrderTerms {
 public:
     SecondOrderTerms(const Mechanism& mechanism, const Pose& pose) : mechanism_(mechanism), pose_(pose) {}
@@ -82,8 +81,8 @@ private:
 
     static Vector velocity(const State& state, const Vector& at) { return state.v + state.omega * quarter_turn(at); }
 
-    /// Centre of a profile's curvature at the contact; a tip is its own. Nothing for a line, and `known` false where
-    /// the file gives no profile.
+    /// Centre of curvature of a profile at the contact; a tip is its own centre. Empty for a line; sets `known` to
+    /// false where the file gives no profile.
     std::optional<Vector> centre(const Joint& joint, BodyIndex body, bool& known) const {
         const auto profile = joint.profiles.find(body);
         known = profile != joint.profiles.end();
@@ -93,8 +92,8 @@ private:
         return std::nullopt;
     }
 
-    /// Of two profiles that touch: n · (a_i(P) − a_j(P)) for the material points at P, by the equivalent linkage
-    /// through the centres of curvature. Nothing where the file does not say enough.
+    /// For two profiles in contact: n · (a_i(P) − a_j(P)) of the material points at P, by the equivalent linkage
+    /// through the centres of curvature. Empty where data are missing.
     std::optional<Exact> normal_difference(const Joint& joint, const DenseRow& u, const Vector& normal) const {
         const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
         bool known_i = false, known_j = false;
@@ -103,14 +102,14 @@ private:
         const State s_i = state(u, i), s_j = state(u, j);
         const Vector p = place(joint.point);
         if (c_i && c_j) {
-            // |C_i C_j| stays: d·(a(C_i) − a(C_j)) = −|v(C_i) − v(C_j)|²
+            // |C_i C_j| is constant: d·(a(C_i) − a(C_j)) = −|v(C_i) − v(C_j)|²
             const Vector d = *c_i - *c_j;
             if (d.is_zero()) return std::nullopt;
             const Exact along = -squared_length(velocity(s_i, *c_i) - velocity(s_j, *c_j)) +
                                 square(s_i.omega) * dot(d, *c_i - p) - square(s_j.omega) * dot(d, *c_j - p);
             return along * dot(normal, d) / squared_length(d);
         }
-        // The centre keeps its distance from a line of the other body: that of a pin in a slot, shifted.
+        // The centre keeps its distance from a line of the other body: a pin in a slot, shifted.
         const bool first = c_i.has_value();
         const State& round = first ? s_i : s_j;
         const State& flat = first ? s_j : s_i;
@@ -125,10 +124,10 @@ private:
     const Pose& pose_;
 };
 
-/// The space of velocities and its second order, lengths in units of the drawing's size and places from its middle.
+/// The space of velocities and its second order, with lengths in units of the drawing's size, relative to its middle.
 class Analysis {
 public:
-    /// `leader`: of the same mechanism on another drawing, whose pivots are taken.
+    /// `leader`: the analysis of the same mechanism on another drawing, whose pivots are reused.
     Analysis(const Mechanism& mechanism, const Pose& pose, const Analysis* leader = nullptr)
         : mechanism_(mechanism),
           terms_(mechanism, pose),
@@ -172,7 +171,7 @@ public:
     }
 
 private:
-    /// Gauss–Jordan on [J | 1]: the rows that vanish leave the states of self-stress, the pivots the null space.
+    /// Gauss–Jordan on [J | 1]: rows that vanish give the states of self-stress, the pivots the null space.
     void eliminate(const Analysis* leader) {
         const std::size_t columns = at_index(columns_), count = rows_.size();
         std::vector<std::pair<std::size_t, DenseRow>> kept;
@@ -203,14 +202,14 @@ private:
             velocities_.push_back(std::move(u));
         }
     }
-    /// The largest of a row's coefficients; none where it vanishes.
+    /// The largest of a row's coefficients; none where the row vanishes.
     std::optional<std::size_t> pivot_of(const DenseRow& row) const {
         const auto smaller = [](const Exact& a, const Exact& b) { return abs(a) < abs(b); };
         const auto pivot = std::max_element(row.begin(), row.begin() + columns_, smaller);
         if (columns_ == 0 || arithmetic_.is_zero(*pivot)) return std::nullopt;
         return static_cast<std::size_t>(pivot - row.begin());
     }
-    /// `column`: of `from`, where the factor stands before the row changes.
+    /// `column`: the column of `from` with the factor, read before the row changes.
     void subtract(DenseRow& from, std::size_t column, const DenseRow& other) const {
         const Exact factor = from[column];
         if (factor.is_zero()) return;
@@ -236,7 +235,7 @@ private:
         return entries;
     }
 
-    /// s·q(u); nothing where a row with a share in s has no second order.
+    /// s·q(u); empty where a row with a nonzero factor in s has no second order.
     std::optional<Exact> stress_times_quadratic(const DenseRow& stress, const DenseRow& u) const {
         Exact sum;
         for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -274,7 +273,7 @@ private:
         return coefficients;
     }
 
-    /// Of the stress of this index. On rounded data also where their precision explains every coefficient.
+    /// For the stress of this index. On rounded data also true where their precision explains every coefficient.
     bool vanishes(const DenseRow& form_here, std::size_t stress) const {
         std::vector<DenseRow> elsewhere;
         for (const Analysis& each : shifted_)

@@ -9,7 +9,7 @@ namespace {
 
 using Row = Closure::Row;
 
-/// Of length about 1, and exactly along: rows of one size make pivots that can be compared.
+/// Of length about 1, in exactly the same direction: rows of similar size have comparable pivots.
 Vector about_unit(const Vector& direction) { return Exact::from_double(1 / length(direction)) * direction; }
 
 class Writer {
@@ -39,8 +39,9 @@ private:
         return place - closure_.bodies[at_index(body)].reference;
     }
 
-    /// A hinge on the frame holds a body's reference: its place is known, and the hinge's own rows with it. Others have
-    /// theirs at a hinge where there is one, so that what turns freely about it has a column of its own.
+    /// A hinge on the frame fixes a body's reference: its place is known, and the rows of the hinge are not needed.
+    /// Other bodies have their reference at a hinge if there is one, so that a free rotation about it is a single
+    /// column.
     void choose_references() {
         std::vector<bool> chosen(closure_.bodies.size(), false), held(closure_.bodies.size(), false);
         held_by_.assign(closure_.bodies.size(), nullptr);
@@ -86,7 +87,7 @@ private:
         }
     }
     void equal_turns(BodyIndex i, BodyIndex j) { closure_.rows.push_back(row(Row::Kind::turns, i, {}, j, {})); }
-    /// P of i keeps its place across the direction `along` of j, but for what it rolls.
+    /// P of i keeps its coordinate across the direction `along` of j, except for rolling.
     void on_line(BodyIndex i, const Vector& p, BodyIndex j, const Vector& q, const Vector& along,
                  const Exact& lever = {}) {
         Row made = row(Row::Kind::on_line, i, p, j, q);
@@ -106,7 +107,7 @@ private:
         const BodyIndex i = joint.bodies[0];
         const Vector place = at(joint.point);
         if (pair.has_common_point()) {
-            // Every body against the one that the frame holds, if it does: that row is not written.
+            // Every body relative to the frame, if the joint includes it: that row is not written.
             const BodyIndex base = joint.connects(frame) ? frame : i;
             for (const BodyIndex body : joint.bodies) {
                 if (body == base) continue;
@@ -145,8 +146,8 @@ private:
         };
         const auto reach = [&](std::size_t side) -> Exact { return (*sides)[side].reach / closure_.unit; };
         if ((*sides)[0].straight || (*sides)[1].straight) {
-            // The centre of one, C = P + x n with n = z×t, runs along the other's line by −x t for each radian that it
-            // rolls.
+            // The centre of one body, C = P + x n with n = z×t, moves along the other's line by −x t per radian of
+            // rolling.
             const std::size_t round = (*sides)[0].straight ? 1 : 0;
             const BodyIndex i = joint.bodies[round], j = joint.bodies[1 - round];
             if (pair.holds_normal) on_line(i, centre(round), j, place, normal);
@@ -190,11 +191,11 @@ private:
     const Mechanism& mechanism_;
     const Pose& pose_;
     Closure closure_;
-    std::vector<const Joint*> held_by_;  ///< by body: the hinge on the frame that holds its reference
+    std::vector<const Joint*> held_by_;  ///< by body: the hinge on the frame that fixes its reference
     Errors errors_;
 };
 
-/// Bodies that hinges and clamps hold together at a point.
+/// Whether hinges and clamps connect the bodies at a point.
 bool are_pinned(const Mechanism& mechanism, PointIndex point, BodyIndex a, BodyIndex b) {
     std::vector<BodyIndex> group{a};
     for (std::size_t k = 0; k < group.size(); ++k) {
@@ -229,8 +230,8 @@ std::optional<std::array<ContactSide, 2>> sides_of(const Mechanism& mechanism, c
 
 namespace {
 
-/// Calls `claim(point, body)` for the places of masses, loads, efforts and driven points, each with the body that bears
-/// it.
+/// Calls `claim(point, body)` for the places of masses, loads, efforts and driven points, each with the body that
+/// carries it.
 template <class Claim>
 void claim_by_what_acts(const Mechanism& mechanism, const Claim& claim) {
     for (const Mass& mass : mechanism.masses) claim(mass.centre, mass.body);
@@ -273,7 +274,7 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
         if (joint.pair().is_slot()) claim(joint.point, joint.bodies[0], true);
         if (joint.arc != none) claim(joint.arc, joint.bodies[1], true);
     }
-    // The bodies of a sleeve do not turn against each other: a point of either will do.
+    // The bodies of a sleeve have no relative rotation: a point of either will do.
     for (const Joint& joint : mechanism.joints) {
         if (!joint.pair().is_sleeve()) continue;
         const BodyIndex known = carriers[at_index(joint.point)].body;

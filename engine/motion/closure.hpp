@@ -1,6 +1,5 @@
-// Closure: the loops of a mechanism as equations between the places of its bodies, one scalar equation a row, true in
-// every position that the joints and drivers allow. Knows the equations and their gradients; solving them is
-// Positions'.
+// Closure: the loops of a mechanism as equations between the positions of its bodies, one scalar equation a row, valid
+// in every position that the joints and drivers allow. Owns the equations and their gradients; Positions solves them.
 #pragma once
 
 #include <array>
@@ -11,8 +10,8 @@
 
 namespace kinegraph {
 
-/// Where a body is: the place of its reference (in `Closure::unit`), how far it has turned since the drawn pose (rad),
-/// and (cos, sin) of that.
+/// Position of a body: the place of its reference (in `Closure::unit`), its rotation since the drawn pose (rad), and
+/// (cos, sin) of that.
 template <class Number>
 struct BodyPlaceOf {
     VectorOf<Number> at;
@@ -20,14 +19,14 @@ struct BodyPlaceOf {
     VectorOf<Number> facing{1, 0};
 };
 
-/// `facing` · `drawn` as complex numbers: a direction that turns with the body.
+/// `facing` · `drawn` as complex numbers: a direction that rotates with the body.
 template <class Number>
 VectorOf<Number> faced(const VectorOf<Number>& facing, const VectorOf<Number>& drawn) {
     return {facing.x * drawn.x - facing.y * drawn.y, facing.x * drawn.y + facing.y * drawn.x};
 }
 
-/// One equation between bodies i and j. P = `p` is a place of i, Q = `q` one of j, both from the body's reference as
-/// drawn; D = P − Q where they are now; `along` a direction of j, of length about 1.
+/// One equation between bodies i and j. P = `p` is a place of i, Q = `q` one of j, both relative to the body's
+/// reference as drawn; D = P − Q in the current position; `along` a direction of j, of length about 1.
 template <class Number>
 struct ClosureRowOf {
     enum class Kind {
@@ -41,10 +40,10 @@ struct ClosureRowOf {
     BodyIndex i, j;
     VectorOf<Number> p, q, along;
     Number offset{}, lever{}, share_i{}, share_j{};
-    int driver = -1;  ///< its coordinate is added to the right side
+    int driver = -1;  ///< the driver whose coordinate is added to the right side
 };
 
-/// The excess of a row, the driver's coordinate not counted. `facing(ψ)` gives (cos ψ, sin ψ).
+/// The residual of a row without the driver's coordinate. `facing(ψ)` gives (cos ψ, sin ψ).
 template <class Number, class Facing>
 Number excess(const ClosureRowOf<Number>& row, const BodyPlaceOf<Number>& i, const BodyPlaceOf<Number>& j,
               Facing facing) {
@@ -59,13 +58,14 @@ Number excess(const ClosureRowOf<Number>& row, const BodyPlaceOf<Number>& i, con
     }
 }
 
-/// The equations of a mechanism. Places are counted in `unit`, a power of two near the drawing's size.
+/// The equations of a mechanism. Lengths are in `unit`, a power of two near the drawing's size.
 struct Closure {
     using Row = ClosureRowOf<Exact>;
     struct Body {
         Vector reference;  ///< as drawn
         int x = -1,
-            turn = -1;  ///< columns of its place (x, then y) and turn; x < 0: a hinge on the frame holds its reference
+            turn = -1;  ///< columns of its place (x, then y) and rotation; x < 0: a hinge on the frame fixes its
+                        ///< reference
     };
     Exact unit;
     int bits = 100;  ///< of the pose
@@ -76,21 +76,21 @@ struct Closure {
     BodyPlaceOf<Exact> drawn(BodyIndex body) const { return {bodies[at_index(body)].reference, 0, {1, 0}}; }
 };
 
-/// Errors: a joint whose shapes the file leaves open, which therefore says nothing of any other position.
+/// Errors: a joint whose shape the file does not give, so that no other position is determined.
 Result<Closure> closure_of(const Mechanism& mechanism, const Pose& pose);
 
-/// What holds a named point: a body, or, at a contact, the profiles themselves.
+/// The carrier of a named point: a body, or, at a contact, the profiles themselves.
 struct Carrier {
     BodyIndex body;
     JointIndex contact;
 };
 /// By PointIndex. The pin of a slot belongs to the first body of its joint, and so does the point of a sleeve unless
-/// its second body is pinned there; a point of bodies that nothing pins together there to the first that lists it.
+/// its second body is pinned there. A point that several bodies list without a pin belongs to the first of them.
 /// Errors: a point that two joints need on bodies that come apart.
 Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism);
 
-/// What a profile is to its contact: a straight line, or a centre at `reach` along the normal n from P (a tip is its
-/// own centre).
+/// The profile at a contact: a straight line, or a centre at `reach` along the normal n from P (a tip is its own
+/// centre).
 struct ContactSide {
     bool straight = false;
     PointIndex centre;

@@ -3,7 +3,7 @@
 namespace kinegraph {
 namespace {
 
-/// Along which directions the bodies have one speed at the joint's point.
+/// The directions along which the bodies have the same velocity at the joint's point.
 std::vector<Vector> held_directions(const PlanePair& pair, const Pose& pose, std::size_t slot) {
     if (pair.holds_point()) return {{1, 0}, {0, 1}};
     std::vector<Vector> held;

@@ -1,5 +1,5 @@
-// Constraint rows: what each pair forbids to the velocities of its bodies, one scalar condition a row. One list for the
-// count of the rank and for all that is asked of it afterwards. Knows no arithmetic but the pose's own.
+// Constraint rows: the conditions of each pair on the velocities of its bodies, one scalar condition a row. The rank
+// and everything derived from it use this one list, in the arithmetic of the pose.
 #pragma once
 
 #include <vector>

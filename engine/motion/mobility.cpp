@@ -1,6 +1,6 @@
 // Counts freedoms: Grübler's formula from the kinds of joints, and the rank of their constraints at this pose, joint by
-// joint, so that a redundant one is named. The constraints are written once, over a field: residues modulo a large
-// prime where the pose is exact, 512-bit reals where roots were taken or data are rounded. Speeds are unknown here.
+// joint, so that redundant ones are named. The constraints are templates over a field: residues modulo a large prime
+// where the pose is exact, 512-bit reals where roots were taken or data are rounded. Velocities are not computed.
 #include "engine/motion/mobility.hpp"
 
 #include <algorithm>
@@ -20,15 +20,15 @@ namespace {
 // --- two fields
 // ----------------------------------------------------------------------------------------------------------------
 
-/// Integers modulo a prime p < 2^61. A rank found here is never above the true one, and below it only if p happens to
-/// divide a minor, which for one prime has a chance of about 2^-60 and for two is not worth a thought.
+/// Integers modulo a prime p < 2^61. The rank modulo p is never above the true one, and is below it only if p divides a
+/// minor: probability about 2^-60 for one prime, negligible for two.
 class Residues {
 public:
     using Number = std::uint64_t;
     explicit Residues(std::uint64_t prime) : prime_(prime) {}
 
-    /// Zero for a number whose denominator the prime divides; `failed` then tells to take another prime (as after a
-    /// division by what is zero to this prime only).
+    /// Zero for a number whose denominator is divisible by the prime; `failed` then requests another prime (also after
+    /// a division by a value that is zero modulo this prime only).
     Number from(const Exact& value) {
         const auto above = mpz_fdiv_ui(value.rational().get_num_mpz_t(), prime_);
         const auto below = mpz_fdiv_ui(value.rational().get_den_mpz_t(), prime_);
@@ -45,13 +45,13 @@ public:
         a = product(a, inverse(b));
     }
     void subtract_product(Number& from, Number a, Number b) const { from = difference(from, product(a, b)); }
-    /// Any pivot is as good as another.
+    /// All non-zero pivots are equally good.
     double magnitude(Number a) const { return a == 0 ? 0 : 1; }
 
 private:
     __extension__ using Wide = unsigned __int128;
     Number inverse(Number a) const {
-        // Euclid: a·x ≡ r throughout
+        // Extended Euclidean algorithm: a·x ≡ r throughout
         std::int64_t x = 1, next_x = 0;
         auto r = static_cast<std::int64_t>(a);
         auto next_r = static_cast<std::int64_t>(prime_);
@@ -66,7 +66,7 @@ private:
     bool failed_ = false;
 };
 
-/// Reals of 512 bits: five times the digits of a pose, so that what is small is small because of the pose.
+/// Reals of 512 bits: five times the digits of a pose, so that a small value is due to the pose and not to rounding.
 class Reals {
 public:
     using Number = mpf_class;
@@ -92,7 +92,7 @@ public:
     void subtract_product(Number& from, const Number& a, const Number& b) {
         mpf_mul(product_.get_mpf_t(), a.get_mpf_t(), b.get_mpf_t());
         mpf_sub(from.get_mpf_t(), from.get_mpf_t(), product_.get_mpf_t());
-        // What is left of a cancellation to this depth is rounding; a finer pose errs by 2^-200 at most.
+        // The residue of a cancellation to this depth is rounding; the error of a finer pose is at most 2^-200.
         constexpr long rounding = -400;
         long exponent = 0;
         mpf_get_d_2exp(&exponent, from.get_mpf_t());
@@ -104,7 +104,7 @@ private:
     Number product_{0, bits};
 };
 
-/// Doubles, for a look at how large what is left of a row is.
+/// Doubles, for an estimate of the size of a reduced row.
 class Doubles {
 public:
     using Number = double;
@@ -124,7 +124,7 @@ public:
 template <class Number>
 using SparseRow = std::vector<std::pair<int, Number>>;
 
-/// Whose row: a joint or a driver, by index; a given motion's is neither.
+/// The owner of a row: a joint or a driver, by index; none for a given motion.
 struct Owner {
     JointIndex joint = none;
     int driver = -1;
@@ -139,7 +139,8 @@ public:
 
     Constraints(Field& field, const Mechanism& mechanism, const Pose& pose)
         : field_(field), mechanism_(mechanism), pose_(pose) {
-        // Lengths from the first point and over the size, so that no entry is large for being far away.
+        // Lengths are relative to the first point and divided by the size, so that distance from the origin does not
+        // enlarge entries.
         size_ = field.from(pose.size);
         points_.reserve(pose.points.size());
         if (!pose.points.empty()) origin_ = converted(pose.points.front());
@@ -164,7 +165,7 @@ private:
     using Pair = std::array<Number, 2>;
 
     Pair converted(const Vector& a) { return {field_.from(a.x), field_.from(a.y)}; }
-    /// A direction, its larger component one.
+    /// A direction, scaled so that its larger component is one.
     Pair direction(const Vector& a) {
         KG_ASSERT(!a.is_zero(), "a constraint has a direction");
         const bool is_steep = abs(a.y) > abs(a.x);
@@ -175,7 +176,7 @@ private:
 
     /// Σ ± (n·v_b at the point) = 0: n·v = n_x v_x + n_y v_y + ω (P × n).
     void equal_speeds(BodyIndex i, BodyIndex j, PointIndex point, const Pair& n) {
-        if (i == j) return enter({});  // says nothing
+        if (i == j) return enter({});  // an empty row
         SparseRow<Number> row;
         const Pair& place = points_[at_index(point)];
         Number moment = field_.product(place[0], n[1]);
@@ -249,14 +250,14 @@ private:
 // --- elimination
 // ---------------------------------------------------------------------------------------------------------------
 
-/// Rows reduced by those kept before; a kept row is scaled to one in its pivot column.
+/// Rows reduced by the rows kept before; a kept row is scaled to one in its pivot column.
 template <class Field>
 class Echelon {
 public:
     using Number = typename Field::Number;
     Echelon(Field& field, int columns) : field_(field), row_(at_index(columns), field.zero()) {}
 
-    /// Takes a row and removes what the kept rows say already.
+    /// Takes a row and subtracts its dependence on the kept rows.
     void reduce(const SparseRow<Number>& row) {
         for (Number& entry : row_) entry = 0;
         for (const auto& [column, value] : row) row_[at_index(column)] = value;
@@ -267,7 +268,8 @@ public:
             for (const auto& [column, value] : kept) field_.subtract_product(row_[at_index(column)], factor_, value);
         }
     }
-    /// The column of what is left that is largest (the first of equals), and its size; zero where nothing is left.
+    /// The column of the largest entry of the reduced row (the first of equals), and its size; zero if the row
+    /// vanishes.
     std::pair<int, double> largest() const {
         std::pair<int, double> found{-1, 0};
         for (std::size_t i = 0; i < row_.size(); ++i) {
@@ -277,7 +279,7 @@ public:
         }
         return found;
     }
-    /// The largest difference of what is left here from what is left there.
+    /// The largest difference between the reduced rows.
     double distance(const Echelon& there) const {
         double apart = 0;
         for (std::size_t i = 0; i < row_.size(); ++i)
@@ -302,7 +304,7 @@ private:
     Field& field_;
     std::vector<Number> row_;
     Number factor_{field_.zero()};
-    std::vector<std::pair<int, SparseRow<Number>>> kept_;  ///< pivot column, and the row but for its one there
+    std::vector<std::pair<int, SparseRow<Number>>> kept_;  ///< pivot column, and the row without its one there
 };
 
 /// Which rows add to the rank of those before them, and which bodies all rows together determine.
@@ -312,11 +314,11 @@ struct Verdict {
     std::vector<bool> determined;
     bool decided_by_finer_pose = false;
     bool decided_by_precision = false;
-    bool is_full = false;  ///< no rank could be higher
+    bool is_full = false;  ///< the rank is maximal
 };
 
-/// `keep(i)`: reduces row i, keeps what is left of it, and says whether anything was. `spanned(row)`: says whether
-/// nothing was.
+/// `keep(i)`: reduces row i, keeps the result, and returns whether it is not zero. `spanned(row)`: returns whether the
+/// row reduces to zero.
 template <class Field, class Keep, class Spanned>
 Verdict judge(Field& field, const Constraints<Field>& constraints, int bodies, Keep keep, Spanned spanned) {
     Verdict verdict;
@@ -374,8 +376,8 @@ Verdict judge_exactly(const Mechanism& mechanism, const Pose& pose) {
     return *std::move(best);
 }
 
-/// On an inexact pose, in step with a finer one once a pivot is so small that the pose may be to blame: what shrinks
-/// with the pose is zero, what stays is not. Nothing where the finer pose is needed and not given.
+/// On an inexact pose. Once a pivot is small enough to be an error of the pose, a finer pose is reduced in parallel: a
+/// value that shrinks with the pose is zero, one that stays is not. Empty where the finer pose is needed and not given.
 std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& pose, const Pose* finer) {
     const double suspicious = std::ldexp(1, -pose.bits * 2 / 5);
     const double shrinks = std::ldexp(1, -pose.bits / 2);
@@ -389,7 +391,7 @@ std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& po
     bool needs_finer = false;
     bool decided = false;
 
-    // Reduces in both; the pivot column, or −1 where what is left is zero.
+    // Reduces in both; returns the pivot column, or −1 where the result is zero.
     const auto left_of = [&](const SparseRow<mpf_class>& row, const SparseRow<mpf_class>& finer_row) {
         echelon.reduce(row);
         const auto [pivot, size] = echelon.largest();
@@ -420,15 +422,15 @@ std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& po
 
 Verdict judge_in_reals(const Mechanism& mechanism, const Pose& pose, const FinerPose& given) {
     if (auto verdict = judge_in_reals(mechanism, pose, nullptr)) return *std::move(verdict);
-    // A drawing that closes on 100 bits and not on 200 hangs on a coincidence of its numbers; then nothing shrinks.
+    // A drawing that closes at 100 bits and not at 200 depends on a coincidence of its numbers; then nothing shrinks.
     const Result<Pose> finer = given ? Result<Pose>(given()) : draw_pose(mechanism, 2 * pose.bits);
     const auto verdict = judge_in_reals(mechanism, pose, finer ? &*finer : &pose);
     KG_ASSERT(verdict, "a finer pose decides every pivot");
     return *verdict;
 }
 
-/// On rounded data, in step with the shifted drawings: zero is what is left of a row that the precision explains. What
-/// is larger than may be in question is not asked.
+/// On rounded data, in parallel with the shifted drawings: a reduced row is zero if the precision explains it. A row
+/// above bits_in_question is never zero.
 Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
     Reals field;
     const auto bodies = static_cast<int>(mechanism.bodies.size());
@@ -447,7 +449,7 @@ Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
     const double in_question = std::ldexp(1, -bits_in_question(pose.rounding()));
     bool decided = false;
 
-    // The pivot column, or −1 where what is left is zero. `row(i)` is that of the i-th drawing.
+    // The pivot column, or −1 where the result is zero. `row(i)` is that of the i-th drawing.
     const auto left_of = [&](auto row) {
         for (Elimination& each : all) each.echelon.reduce(row(each));
         const auto [pivot, size] = given.echelon.largest();

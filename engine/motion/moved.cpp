@@ -31,7 +31,8 @@ private:
         const Vector place = closure_.unit * (at.at + faced(at.facing, local));
         return body == frame ? place : on_grid(place);
     }
-    /// Coarser than what closing leaves, so that what is upright or level is so exactly, and numbers stay short.
+    /// Coarser than the error of the closure, so that vertical and horizontal directions are exact and numbers stay
+    /// short.
     Vector on_grid(const Vector& place) const {
         const int grid = closure_.bits - 4 - std::ilogb(closure_.unit.to_double());
         return {rounded(place.x, grid), rounded(place.y, grid)};
@@ -55,7 +56,7 @@ private:
         return on_grid(((*sides)[0].reach / apart) * centre(1) - ((*sides)[1].reach / apart) * centre(0));
     }
 
-    /// Between two points it stays what the file says as long as that is the guide's direction wherever it moves.
+    /// A bearing between two points stays as in the file if it is the guide's direction in every position.
     Bearing turned(const Bearing& bearing, const Vector& drawn, const Joint& joint, BodyIndex with) const {
         const Vector turned = faced_by(with, drawn);
         if (const auto* ends = std::get_if<Bearing::Between>(&bearing.form)) {
@@ -112,7 +113,7 @@ Mover::Mover(const Mechanism& mechanism, const Pose& pose) : mechanism_(mechanis
         return Drawn{std::move(drawn), *std::move(closure)};
     };
     drawn_ = draw(pose);
-    // A drawing that closes on 100 bits and not on 200 hangs on a coincidence of its numbers; then nothing shrinks.
+    // A drawing that closes at 100 bits and not at 200 depends on a coincidence of its numbers; then nothing shrinks.
     auto finer = draw_pose(mechanism, 2 * pose.bits);
     finer_ = finer ? draw(*std::move(finer)) : drawn_;
     auto carriers = carriers_of(mechanism);
@@ -122,7 +123,7 @@ Mover::Mover(const Mechanism& mechanism, const Pose& pose) : mechanism_(mechanis
 
 Mechanism Mover::mechanism_at(const Drawn& drawn, const std::vector<BodyPlaceOf<Exact>>& places) const {
     Mechanism moved = Redrawing(mechanism_, drawn.pose, drawn.closure, carriers_, places).run();
-    moved.precision = drawn.pose.precision;  // its coordinates are long, but as good as the file's
+    moved.precision = drawn.pose.precision;  // its coordinates are long, but no more accurate than the file's
     return moved;
 }
 

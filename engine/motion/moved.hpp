@@ -1,25 +1,25 @@
-// Moved: the mechanism as if it had been drawn in another of its positions, in exact numbers. Everything that reads a
-// Mechanism and a Pose then solves that position as it solves the drawn one.
+// Moved: the mechanism as if drawn in another of its positions, in exact numbers. Code that reads a Mechanism and a
+// Pose then solves that position like the drawn one.
 #pragma once
 
 #include "engine/motion/positions.hpp"
 
 namespace kinegraph {
 
-/// Points are given by coordinates; guides, profiles and pushes are turned with their bodies. Loads and drivers stay
-/// the file's.
+/// Points become coordinates; guides, profiles and pushes are rotated with their bodies. Loads and drivers are
+/// unchanged.
 struct Moved {
     Mechanism mechanism;
     Pose pose, finer;  ///< closed within 2^-bits, and with twice as many
 };
 
-/// Moves a drawn mechanism again and again to where its positions are.
+/// Repositions a drawn mechanism repeatedly.
 class Mover {
 public:
     /// `pose` is the drawn one. Both are kept by reference.
     Mover(const Mechanism& mechanism, const Pose& pose);
 
-    /// `coordinate`, of the driver, is that of `positions`, which are not singular.
+    /// `coordinate`, the driver's, is that of `positions`. Precondition: `positions` is not singular.
     Moved moved(Positions& positions, const Exact& coordinate) const;
 
 private:

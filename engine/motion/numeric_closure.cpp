@@ -127,7 +127,7 @@ std::size_t NumericClosure::rank(bool with_drivers) {
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (!with_drivers && rows_[i].driver >= 0) std::fill_n(jacobian_.row(i), jacobian_.columns(), 0.0);
     jacobian_.factor();
-    // A point may miss its curve by 1e-9 of the size, so no smaller pivot can be told from a redundant row.
+    // A point may miss its curve by 1e-9 of the size, so smaller pivots cannot be distinguished from redundant rows.
     constexpr double least = 1e-9;
     std::size_t rank = 0;
     while (rank < jacobian_.rank() && jacobian_.pivot_share(rank) > least) ++rank;
@@ -160,8 +160,8 @@ int NumericClosure::sign_of_leading_rows() {
 // ----------------------------------------------------------------------------------------------------------
 
 bool NumericClosure::close(State& state) {
-    // With a matrix that is right to within the first correction, a correction leaves about its square; doubles keep
-    // 1e-15.
+    // With a matrix accurate to within the first correction, the error after a correction is about its square; doubles
+    // resolve 1e-15.
     constexpr double enough = 1e-15, farthest = 0.5;
     constexpr int most = 25;
     double first = 0, last = 0;
@@ -183,7 +183,7 @@ bool NumericClosure::close(State& state) {
         if (first == 0) first = size;
         last = size;
         if (size * std::max(first, size) < enough) break;
-        // Within a few roundings nothing gets better.
+        // At rounding level further iterations do not improve.
         if (i > 3 && size < 1e-13) break;
         if (i + 1 == most) return false;
     }

@@ -1,5 +1,5 @@
-// The equations of a closure in doubles, closed by Newton's method near a given position, with the storage made once.
-// Knows no position but the one that it is asked for; which branch it lies on is BranchWalk's.
+// The equations of a closure in doubles, solved by Newton's method near a given position; storage is allocated once.
+// BranchWalk keeps track of the branch.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace kinegraph::closing {
 
-/// A position on the way of a course.
+/// A position along a course.
 struct State {
     double s = 0;              ///< the course's coordinate, rad or m
     std::vector<double> q, v;  ///< by the closure's columns, in its unit and rad; v = dq/ds
@@ -19,7 +19,7 @@ struct State {
     int sign = 0;      ///< of the leading rows' determinant
 };
 
-/// The largest |value|; 0 of none.
+/// The largest |value|; 0 if empty.
 double largest(const std::vector<double>& values);
 
 class NumericClosure {
@@ -27,7 +27,7 @@ public:
     using Row = ClosureRowOf<double>;
 
     NumericClosure() = default;
-    /// `shares`: by driver, its coordinate in the rows over the course's.
+    /// `shares`: by driver, its coordinate in the rows divided by the course's coordinate.
     NumericClosure(const Closure& closure, std::vector<double> shares);
 
     const std::vector<Row>& rows() const { return rows_; }
@@ -36,50 +36,48 @@ public:
     const std::vector<bool>& frozen() const { return frozen_; }
     const BodyPlaces& places() const { return places_; }
     std::size_t columns() const { return jacobian_.columns(); }
-    /// As drawn.
+    /// The drawn position.
     State drawn() const;
-    /// The rate of a row's right side with the course's coordinate.
+    /// Derivative of a row's right side with respect to the course's coordinate.
     double rate(const Row& row) const { return row.driver >= 0 ? shares_[at_index(row.driver)] : 0; }
 
     void set_places(const std::vector<double>& q);
-    /// Adds the gradient of a row, at the places set, to a line of `columns()` elements: n · dD and what the turns add,
-    /// with dD = dP − dQ.
+    /// Adds the gradient of a row, at the current places, to a line of `columns()` elements: n · dD and the terms of
+    /// the rotations, with dD = dP − dQ.
     void write(const Row& row, double* into) const;
-    /// The matrix at the places set, factored.
+    /// Factors the matrix at the current places.
     void factor();
 
     // Rows that determine the motion.
-    /// Of the rows at the places set, with those of the drivers or without, as far as it can be told from rounding;
-    /// factors them.
+    /// Numerical rank of the rows at the current places, with or without those of the drivers; factors them.
     std::size_t rank(bool with_drivers);
     /// Of the matrix factored last.
     std::size_t rank_factored() const { return jacobian_.rank(); }
     /// Its last leading pivot over the first.
     double slack() const { return jacobian_.pivot_share(leading_.size() - 1); }
-    /// Columns without one of the first `rank` pivots of the matrix factored last rest from now on: nothing determines
-    /// them.
+    /// Freezes columns without one of the first `rank` pivots of the matrix factored last: they are undetermined.
     void freeze_beyond(std::size_t rank);
     void unfreeze();
-    /// The rows of the first `count` pivots of the matrix factored last lead: independent as long as their determinant
-    /// keeps its sign.
+    /// Selects the rows of the first `count` pivots of the matrix factored last: they are independent as long as their
+    /// determinant keeps its sign.
     void take_leading_rows(std::size_t count);
-    /// As many as will be taken.
+    /// Reserves space for `count` rows.
     void expect_leading_rows(std::size_t count) { leading_.resize(count); }
-    /// None is left over: every sign of the determinant means something.
+    /// Whether no row is left over, so that every sign of the determinant is meaningful.
     bool all_rows_lead() const { return leading_.size() == rows_.size(); }
-    /// −1, 0, 1: of their determinant, at the places set and factored last.
+    /// −1, 0, 1: sign of their determinant, at the current places, as factored last.
     int sign_of_leading_rows();
 
     // Newton's method.
-    /// From state.q, the matrix kept as long as it serves; q, slack and the places are then those of the position.
-    /// False: there is none near.
+    /// From state.q; the matrix is kept as long as it converges. q, slack and the places are then those of the
+    /// position. False: there is no solution near.
     bool close(State& state);
-    /// With the unknown of a column given and the course's coordinate unknown in its stead; slope: ds over that
+    /// With a given value of the unknown in a column; the course's coordinate is unknown instead. slope: ds over that
     /// unknown, v: dq over it.
     bool close_at(std::size_t column, State& state, double& slope);
-    /// v by the matrix factored last.
+    /// Computes v with the matrix factored last.
     void look_along(State& state);
-    /// Of q, for these excesses by row, by the matrix factored last. Uses them up.
+    /// The correction of q for these residuals by row, with the matrix factored last. Overwrites the residuals.
     const std::vector<double>& correction(std::vector<double>& excesses);
 
 private:

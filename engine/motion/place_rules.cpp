@@ -7,11 +7,11 @@
 namespace kinegraph::closing {
 namespace {
 
-/// Of a point of a body, from the body's reference as drawn.
+/// A point of a body, relative to the body's reference as drawn.
 Spot local_place(const Pose& pose, const Closure& closure, BodyIndex body, PointIndex point) {
     return rough((1 / closure.unit) * pose.at(point) - closure.bodies[at_index(body)].reference);
 }
-/// Where such a place is.
+/// The current place of such a point.
 Spot world(const BodyPlaces& bodies, BodyIndex body, const Spot& local) {
     const BodyPlaceOf<double>& at = bodies[at_index(body)];
     return at.at + faced(at.facing, local);
@@ -60,7 +60,7 @@ void PlaceRules::add_joint(const Mechanism& mechanism, const Pose& pose, const C
     }
 }
 
-/// Where two profiles touch: on the normal through the one's centre, or on the line of both.
+/// The contact of two profiles: on the normal through the centre of one, or on the line of both centres.
 Spot PlaceRules::contact_point(const BodyPlaces& bodies, const JointRule& rule) const {
     const std::array<Spot, 2> centres{world(bodies, rule.bodies[0], rule.locals[0]),
                                       world(bodies, rule.bodies[1], rule.locals[1])};

@@ -1,5 +1,5 @@
-// How the places of points and the directions of joints follow from the places of the bodies, in doubles. Knows no
-// equation: what it reads is wherever the bodies are.
+// How places of points and directions of joints follow from the positions of the bodies, in doubles. Independent of the
+// equations: it works for any positions of the bodies.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace kinegraph {
 
-/// What a program's givens need of a position, in doubles and m.
+/// The part of a position from which a program's givens follow, in doubles and m.
 struct Places {
     using Spot = VectorOf<double>;
     std::vector<Spot> points;                     ///< by PointIndex
@@ -33,7 +33,7 @@ struct PointRule {
     Spot local;  ///< from the carrier's reference
 };
 struct JointRule {
-    BodyIndex turns_with;  ///< the body of the guide or of the straight profile; none: there is none
+    BodyIndex turns_with;  ///< the body of the guide or of the straight profile; none if there is neither
     std::array<BodyIndex, 2> bodies;
     Spot guide, tangent, normal;      ///< as drawn
     std::array<Spot, 2> locals;       ///< guide: P on both; arc: P and C; profiles: their centres
@@ -55,7 +55,7 @@ public:
     const std::vector<PointRule>& points() const { return points_; }  ///< by PointIndex
     const std::vector<JointRule>& joints() const { return joints_; }  ///< by JointIndex
     void read(const BodyPlaces& bodies, Places& places) const;
-    /// How far i of a straight slide has gone along X, seen from j, since the drawn pose, m.
+    /// Displacement along X of body i of a straight slide relative to j, since the drawn pose, m.
     double slid(const BodyPlaces& bodies, JointIndex joint) const;
 
 private:

@@ -1,4 +1,3 @@
-// Cycles of points, by their strongly connected components.
 #include "engine/motion/point_cycles.hpp"
 
 #include <algorithm>
@@ -9,7 +8,7 @@
 namespace kinegraph {
 namespace {
 
-/// Strongly connected components, by Tarjan's search with a path of its own: files may be deep.
+/// Strongly connected components, by Tarjan's search with an explicit stack: files may be deep.
 class Components {
 public:
     explicit Components(const Dependencies& graph)
@@ -52,7 +51,7 @@ private:
             if (low_[at_index(done)] == number_[at_index(done)]) close(done);
         }
     }
-    /// What was opened since its first member is a component.
+    /// Everything opened since its first member forms a component.
     void close(PointIndex first) {
         const auto component = static_cast<int>(sizes_.size());
         sizes_.push_back(0);
@@ -71,7 +70,7 @@ private:
     int next_number_ = 0;
 };
 
-/// Through a point, within its component.
+/// A shortest cycle through a point, within its component.
 std::vector<PointIndex> shortest_cycle(const Dependencies& graph, const Components& components, PointIndex first,
                                        std::vector<PointIndex>& reached_from) {
     std::vector<PointIndex> queue{first};

@@ -1,5 +1,4 @@
-// Cycles of points: those that are placed by each other, so that none can be placed. Knows which points hang on which,
-// not how.
+// Cycles of points: points that are placed by each other, so that none can be placed. Uses the dependencies only.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +9,7 @@
 
 namespace kinegraph {
 
-/// Which points each point is placed by: of point i, `targets[first[i]]` up to `targets[first[i + 1]]`.
+/// The dependencies of each point: of point i, `targets[first[i]]` up to `targets[first[i + 1]]`.
 struct Dependencies {
     std::vector<std::size_t> first;
     std::vector<PointIndex> targets;
@@ -20,8 +19,8 @@ struct Dependencies {
     }
 };
 
-/// One shortest cycle through the first point of each knot of points that depend on each other (Tarjan's strongly
-/// connected components, with a stack of our own so that no chain is too long).
+/// One shortest cycle through the first point of each strongly connected component (Tarjan, with an explicit stack, so
+/// that long chains do not overflow the call stack).
 std::vector<std::vector<PointIndex>> cycles(const Dependencies& graph);
 
 }  // namespace kinegraph

@@ -37,7 +37,7 @@ Error no_such_branch(const Driver& driver, std::size_t branch) {
              std::to_string(branch + 1)}};
 }
 
-/// By driver: its coordinate over that of the course, in rad and m.
+/// By driver: its coordinate divided by the course's, in rad and m.
 std::vector<Exact> shares_in(const Course& course, const std::vector<Driver>& drivers) {
     std::vector<Exact> shares(drivers.size());
     shares[at_index(course.driver)] = 1;
@@ -45,8 +45,8 @@ std::vector<Exact> shares_in(const Course& course, const std::vector<Driver>& dr
     return shares;
 }
 
-/// Of a course: two degrees, or a fortieth of the drawing, for each driver. So far a look ahead by velocities can well
-/// see.
+/// The longest step of a course: two degrees, or a fortieth of the drawing, for each driver. Prediction from velocities
+/// is reliable that far.
 double longest_step(const std::vector<Driver>& drivers, const std::vector<Exact>& shares, double unit) {
     constexpr double longest_turn = 0.035, longest_share = 1.0 / 40;
     double longest = std::numeric_limits<double>::infinity();
@@ -94,7 +94,7 @@ VectorOf<double> Positions::seen_from(BodyIndex body, const VectorOf<double>& pl
                     closing::rough(bodies()[at_index(body)].reference));
 }
 
-/// The matrix in doubles gives some fifteen digits more of the exact excesses at every pass.
+/// Iterative refinement: with the matrix in doubles each pass adds some fifteen digits, from exact residuals.
 std::vector<BodyPlaceOf<Exact>> Positions::refined(const Closure& closure, const Exact& coordinate) {
     closing::NumericClosure& numeric = walk_.closure();
     closing::State state = walk_.here();

@@ -24,7 +24,7 @@ bool StartOfWalk::start_as_drawn(std::size_t drivers) {
     drawn_.sign = closure_.sign_of_leading_rows();
     walk_.start_at(drawn_);
     if (rank == closure_.columns()) return true;
-    // What rests must be free everywhere; at a change point it is free in the drawn pose alone.
+    // A body at rest must be free everywhere; at a change point it is free in the drawn pose only.
     const bool moves = walk_.move_to(walk_.longest_step() / 7);
     closure_.unfreeze();
     const bool stays_free = moves && closure_.rank(true) == rank;
@@ -63,7 +63,7 @@ std::optional<std::vector<double>> StartOfWalk::tangent_of(const Branch& branch)
         turning[column] = true;
         ratio[column] = branch.ratios.empty() ? 0 : branch.ratios[i];
     }
-    // The places as they are, and one unknown more for all turns together.
+    // Keeps the places, with one additional unknown that scales all rotations.
     std::vector<std::size_t> places;
     for (std::size_t k = 0; k < columns; ++k)
         if (!turning[k]) places.push_back(k);
@@ -102,7 +102,7 @@ bool StartOfWalk::contradicts_rows(const std::vector<double>& tangent) const {
     });
 }
 
-/// Takes the tangent's branch if a position a little ahead lies on it; what comes next is seen from there.
+/// Accepts the tangent's branch if a position a little ahead lies on it; the next position is predicted from there.
 bool StartOfWalk::start_along(const std::vector<double>& tangent) {
     const std::size_t columns = drawn_.q.size();
     for (double reach = 0.05 * walk_.longest_step(); reach < walk_.longest_step(); reach *= 3) {

@@ -1,4 +1,4 @@
-// Where a walk starts: as drawn, along the one way in which the drivers lead; out of a change point along one of the
+// Start of a walk: as drawn, where the drivers determine the motion uniquely; or out of a change point along one of the
 // branches that the second order allows.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace kinegraph::closing {
 
-/// Where a change point is drawn: the branch that was taken, by its index in the results, and how many there are.
+/// For a change point: the chosen branch, by its index in the results, and the number of branches.
 struct BranchTaken {
     std::size_t index = 0, of = 0;
 };
@@ -20,11 +20,11 @@ class StartOfWalk {
 public:
     explicit StartOfWalk(BranchWalk& walk) : walk_(walk), closure_(walk.closure()), drawn_(closure_.drawn()) {}
 
-    /// The drivers (so many) lead from the drawn pose somewhere, in one way only. Bodies that nothing determines rest:
-    /// their columns are frozen.
+    /// Whether the first `drivers` drivers determine a unique motion from the drawn pose. Bodies that nothing
+    /// determines stay at rest: their columns are frozen.
     bool start_as_drawn(std::size_t drivers);
-    /// Of the branches that the second order allows, one that a step along it confirms: the one asked for, else the one
-    /// on which the bodies move least. None: there is none.
+    /// Of the branches that the second order allows, one that a step along it confirms: the requested one, else the one
+    /// on which the bodies move least. None if there is no such branch.
     std::optional<BranchTaken> start_at_change_point(const Mechanism& mechanism, const Pose& pose,
                                                      std::optional<std::size_t> asked);
 

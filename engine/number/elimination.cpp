@@ -16,8 +16,7 @@ void Elimination::resize(std::size_t rows, std::size_t columns) {
 
 void Elimination::clear() { std::fill(matrix_.begin(), matrix_.end(), 0.0); }
 
-/// Rows and columns stay where they are; row_at_ and column_at_ say in which order they are taken. L is left below the
-/// pivots.
+/// Rows and columns are not swapped; row_at_ and column_at_ store their order. L is stored below the pivots.
 void Elimination::factor() {
     for (std::size_t i = 0; i < rows_; ++i) row_at_[i] = i;
     for (std::size_t j = 0; j < columns_; ++j) column_at_[j] = j;

@@ -13,13 +13,13 @@
 namespace kinegraph {
 namespace {
 
-/// MPFR keeps π and numbers that were freed for each thread. They go when the thread ends, so that a user of the
-/// library owes it no call.
+/// MPFR caches π and freed numbers for each thread. This releases them when the thread ends, so that a user of the
+/// library need not.
 struct MpfrCaches {
     ~MpfrCaches() { mpfr_free_cache(); }
 };
 
-/// A number of MPFR that frees itself.
+/// Owns an MPFR number.
 class Real {
 public:
     explicit Real(int bits) {
@@ -137,7 +137,7 @@ Exact Exact::operator-() const {
 
 namespace {
 
-/// The first 128 binary digits of a number > 0, from its highest one on.
+/// The first 128 binary digits of a number > 0, from the highest one.
 struct Leading {
     std::array<mp_limb_t, 2> limbs;  ///< the lower one first; the highest bit is set
     std::size_t bits;                ///< of the whole number
@@ -153,8 +153,8 @@ Leading leading(mpz_srcptr number) {
             count * GMP_NUMB_BITS - static_cast<std::size_t>(unused)};
 }
 
-/// A number > 0 known nearly: between (digits − 2)·2^exponent and (digits + 1)·2^exponent, the highest bit of digits
-/// set.
+/// An approximation of a number > 0: between (digits − 2)·2^exponent and (digits + 1)·2^exponent, the highest bit of
+/// digits set.
 struct Nearly {
     mp_limb_t digits;
     long exponent;
@@ -272,7 +272,7 @@ std::optional<double> nearest_difference(const mpq_class& a, const mpq_class& b)
     return x_is_negative ? -*nearest : *nearest;
 }
 
-/// Of a fraction in lowest terms or not, denominator > 0.
+/// The nearest double of a fraction with denominator > 0, which need not be in lowest terms.
 double to_nearest_double(const mpq_class& value) {
     if (sgn(value) == 0) return 0;
     if (const auto nearest = nearest_double(nearly(value), 2, 1)) return sgn(value) < 0 ? -*nearest : *nearest;
@@ -286,8 +286,8 @@ double to_nearest_double(const mpq_class& value) {
 double to_nearest_length(const mpq_class& x, const mpq_class& y) {
     if (sgn(x) == 0 || sgn(y) == 0) return std::abs(to_nearest_double(sgn(x) == 0 ? y : x));
     if (const auto nearest = nearest_length(nearly(x), nearly(y))) return *nearest;
-    // With so many bits that nothing is lost to overflow or underflow and only the last rounding counts; the exact
-    // square would be reduced at great cost.
+    // Enough bits that overflow and underflow lose nothing and only the last rounding counts; reducing the exact square
+    // would be expensive.
     constexpr int bits = 160;
     Real other(bits), root(bits);
     mpfr_set_q(other(), x.get_mpq_t(), MPFR_RNDN);
@@ -368,7 +368,7 @@ Root square_root(const Exact& radicand, int bits) {
 }
 
 const Exact& pi() {
-    // 61 decimals, the last rounded: off by less than 10^-61 < 2^-200.
+    // 61 decimals, the last rounded: error below 10^-61 < 2^-200.
     static const Exact value = *Exact::from_decimal("3.1415926535897932384626433832795028841971693993751058209749446");
     return value;
 }
@@ -377,7 +377,7 @@ Exact tangent_in_first_octant(const Exact& half_turns, int bits) {
     KG_ASSERT(half_turns.sign() >= 0 && half_turns <= Exact::ratio(1, 4), "the first octant is 0° to 45°");
     if (half_turns.is_zero()) return 0;
     if (half_turns == Exact::ratio(1, 4)) return 1;
-    // MPFR rounds correctly, so that every machine gets the same tangent; 64 guard bits cover the product with π.
+    // MPFR rounds correctly, so every machine gets the same tangent; 64 guard bits cover the product with π.
     Real angle(bits + 64);
     mpfr_const_pi(angle(), MPFR_RNDN);
     mpfr_mul_q(angle(), angle(), half_turns.rational().get_mpq_t(), MPFR_RNDN);
@@ -389,7 +389,7 @@ Exact tangent_in_first_octant(const Exact& half_turns, int bits) {
 
 Exact degrees_of(const Exact& y, const Exact& x, int bits) {
     KG_ASSERT(!x.is_zero() || !y.is_zero(), "a zero vector has no angle");
-    // Of the ratio alone, in the first octant: the rest is folding, which is exact.
+    // From the ratio in the first octant; the reflections to the other octants are exact.
     const bool steep = abs(y) > abs(x);
     const Exact ratio = steep ? abs(x) / abs(y) : abs(y) / abs(x);
     Real tangent(bits + 64), half_turn(bits + 64);

@@ -1,5 +1,5 @@
-// Exact: the number of every construction, a rational without rounding (GMP's mpq). Owns arithmetic, reading of
-// decimals and the certified square root; knows nothing of units, points or doubles beyond handing out the nearest one.
+// Exact: the number of every construction, a rational without rounding (GMP's mpq). Owns arithmetic, the parsing of
+// decimals and the certified square root. Has no units and no points; doubles are only an output (the nearest one).
 #pragma once
 
 #include <gmpxx.h>
@@ -19,7 +19,7 @@ class Exact {
 public:
     Exact() = default;
     Exact(const Exact&) = default;
-    // (Of mpq_class alone a move might throw, and a vector that grows would copy.)
+    // (A move of mpq_class might throw, and then a growing vector would copy.)
     Exact(Exact&& other) noexcept { value_.swap(other.value_); }
     Exact& operator=(const Exact&) = default;
     Exact& operator=(Exact&& other) noexcept {
@@ -29,7 +29,7 @@ public:
     ~Exact() = default;
     Exact(int value) : value_(value) {}  // NOLINT(google-explicit-constructor): 2 * x reads as the formula does
     explicit Exact(mpq_class value) : value_(std::move(value)) { value_.canonicalize(); }
-    /// What is in lowest terms already, as whatever GMP has worked out of such fractions.
+    /// For a value that is already in lowest terms, such as any result of GMP's arithmetic on such fractions.
     static Exact in_lowest_terms(mpq_class&& value) {
         Exact result;
         result.value_.swap(value);
@@ -55,7 +55,7 @@ public:
     friend Exact operator*(const Exact& a, const Exact& b);
     friend Exact operator/(const Exact& a, const Exact& b);
     /// ab + cd and ab − cd: the scalar product and the determinant of CGAL's kernel (engine/number/geometry.cpp), which
-    /// tell sides and angles.
+    /// decide sides and angles.
     friend Exact sum_of_products(const Exact& a, const Exact& b, const Exact& c, const Exact& d);
     friend Exact difference_of_products(const Exact& a, const Exact& b, const Exact& c, const Exact& d);
     Exact operator-() const;
@@ -69,7 +69,7 @@ public:
     double to_double() const;
     /// "63/20", "-4".
     std::string to_fraction() const { return value_.get_str(); }
-    /// Bits of numerator and denominator together: what the exactness costs.
+    /// Bits of numerator and denominator together: a measure of cost.
     std::size_t bits() const;
     const mpq_class& rational() const { return value_; }
 
@@ -79,7 +79,7 @@ private:
 
 Exact abs(const Exact& value);
 inline Exact square(const Exact& value) { return value * value; }
-/// a − b to the nearest double: without the fraction in lowest terms, which costs most of a difference.
+/// a − b to the nearest double, without reducing the difference to lowest terms, which would be most of the cost.
 double difference_to_double(const Exact& a, const Exact& b);
 /// Whether a/b = c/d, b and d ≠ 0.
 bool is_same_ratio(const Exact& a, const Exact& b, const Exact& c, const Exact& d);
@@ -87,12 +87,12 @@ inline bool is_zero(const Exact& value) { return value.is_zero(); }
 /// −1, 0, 1.
 inline int sign_of(const Exact& value) { return value.sign(); }
 
-// The same of doubles, for what is written once for both.
+// The same for doubles, for templates over both.
 inline bool is_zero(double value) { return value == 0; }
 inline int sign_of(double value) { return value == 0 ? 0 : value < 0 ? -1 : 1; }
 inline double sum_of_products(double a, double b, double c, double d) { return a * b + c * d; }
 inline double difference_of_products(double a, double b, double c, double d) { return a * b - c * d; }
-/// Of rounded numbers that is never known.
+/// Equality of rounded ratios is never certain.
 inline bool is_same_ratio(double, double, double, double) { return false; }
 
 /// value rounded to the nearest multiple of 2^-bits.
@@ -136,7 +136,7 @@ struct VectorOf {
 using Vector = VectorOf<Exact>;
 /// The nearest doubles.
 inline VectorOf<double> to_double(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
-/// Of length one along a ≠ 0.
+/// Unit vector along a ≠ 0.
 inline VectorOf<double> unit_vector(const VectorOf<double>& a) { return (1 / std::hypot(a.x, a.y)) * a; }
 
 /// Length as a double, for printing and drawing only.

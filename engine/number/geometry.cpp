@@ -19,7 +19,7 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<mpq_class>;
 
-// In and out of the kernel: the same rationals, in lowest terms on both sides.
+// Conversions to and from the kernel: the same rationals, in lowest terms on both sides.
 Kernel::Vector_2 cgal_vector(const Exact& x, const Exact& y) { return {x.rational(), y.rational()}; }
 Kernel::Point_2 cgal_point(const Exact& x, const Exact& y) { return {x.rational(), y.rational()}; }
 Kernel::Point_2 cgal(const ProjectivePoint& p) { return cgal_point(p.x, p.y); }
@@ -27,8 +27,8 @@ Kernel::Point_2 cgal(const Vector& place) { return cgal_point(place.x, place.y);
 Kernel::Line_2 cgal(const ProjectiveLine& l) { return {l.a.rational(), l.b.rational(), l.c.rational()}; }
 Exact exact(mpq_class number) { return Exact::in_lowest_terms(std::move(number)); }
 
-/// A line by one of the formulas that the kernel makes its lines with: `make(a, b, c)`. (A line of the kernel would be
-/// a copy of every number.)
+/// A line by one of the formulas that the kernel uses: `make(a, b, c)`. (A line object of the kernel would copy every
+/// number.)
 template <class Make>
 ProjectiveLine line_of(const Make& make) {
     mpq_class a, b, c;
@@ -36,8 +36,8 @@ ProjectiveLine line_of(const Make& make) {
     return {exact(std::move(a)), exact(std::move(b)), exact(std::move(c))};
 }
 
-// Lines to be met go to CGAL's homogeneous kernel, with whole coefficients: its point has whole coordinates over a
-// common denominator, and only the two quotients are brought to lowest terms (figures in the header).
+// Meets use CGAL's homogeneous kernel, with integer coefficients: the point has integer coordinates over a common
+// denominator, and only the two quotients are reduced to lowest terms (measurements in the header).
 using WholeKernel = CGAL::Simple_homogeneous<mpz_class>;
 
 WholeKernel::Line_2 with_whole_coefficients(const ProjectiveLine& l) {
@@ -47,7 +47,7 @@ WholeKernel::Line_2 with_whole_coefficients(const ProjectiveLine& l) {
     return {whole(a), whole(b), whole(c)};
 }
 
-/// The point in what CGAL gives as an intersection, a variant: Boost's in CGAL 5, the standard library's since CGAL 6.
+/// The point in CGAL's result of an intersection, a variant: Boost's in CGAL 5, the standard library's since CGAL 6.
 template <class Intersection>
 const WholeKernel::Point_2* point_of(const Intersection& found) {
     if constexpr (requires { std::get_if<WholeKernel::Point_2>(&found); }) {

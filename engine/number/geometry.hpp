@@ -1,15 +1,15 @@
-// Points and lines of the projective plane over any number.
+// Points and lines of the projective plane over any number type.
 //
-// Over exact rationals the geometry of finite points and lines is CGAL's, in geometry.cpp, the only file that includes
-// it: what makes points, lines and numbers (constructions) and what answers (predicates). Its Cartesian kernel over
-// rationals does all but the meet. That is its homogeneous kernel's, over whole numbers: the Cartesian one brings every
-// product and difference to lowest terms, with which the 66 instant centres of twelve bodies take 1.35 times the
-// instructions that they took with formulas of our own; with the homogeneous one they take 1.13 times (a four-bar and
-// Jansen's leg 1.02 times, the exam of 2001 1.07 times). The products of vectors (`dot`, `cross` of exact.hpp) are
-// CGAL's, too, so that no side is told by another formula.
+// Over exact rationals, the constructions (which make points, lines and numbers) and predicates (which decide) on
+// finite points and lines use CGAL, in geometry.cpp, the only file that includes it. CGAL's Cartesian kernel over
+// rationals does everything but the meet, which uses the homogeneous kernel over integers: the Cartesian one reduces
+// every product and difference to lowest terms. With it the 66 instant centres of twelve bodies take 1.35 times the
+// instructions of hand-written formulas, with the homogeneous one 1.13 times (a four-bar and Jansen's leg 1.02 times,
+// the exam of 2001 1.07 times). The products of vectors (`dot`, `cross` of exact.hpp) use CGAL too, so that one formula
+// decides all sides.
 //
-// Points and lines at infinity, which CGAL's Cartesian kernel does not have, are a thin layer at the end of this
-// header. Over doubles, for replays, the same formulas stand here. Tests hold the laws below, and doubles against CGAL
+// Points and lines at infinity, which CGAL's Cartesian kernel lacks, are a thin layer at the end of this header. The
+// same formulas over doubles, for replays, are here. The tests check the laws below, and doubles against CGAL
 // (tests/engine/geometry_test.cpp).
 //
 // A line with coefficients (a, b, c) and one with (k a, k b, k c), k ≠ 0, are the same line; with k > 0 also the same
@@ -83,8 +83,8 @@ Number offset(const PointOf<Number>& p, const LineOf<Number>& l) {
     return Number(sum_of_products(l.a, p.x, l.b, p.y) + l.c);
 }
 
-/// The double nearest to √squared_distance(p, q), finite points. (CGAL knows only the square, which would be brought to
-/// lowest terms for nothing.)
+/// The double nearest to √squared_distance(p, q), finite points. (CGAL only gives the square, and reducing it to lowest
+/// terms would be wasted work.)
 inline double distance(const ProjectivePoint& p, const ProjectivePoint& q) { return distance(p.x, p.y, q.x, q.y); }
 /// √squared_distance(p, l) in double precision, for printing and drawing only; distances from 1e-150 to 1e150.
 double distance(const Vector& p, const ProjectiveLine& l);

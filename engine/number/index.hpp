@@ -1,5 +1,5 @@
-// Indices into the lists of a mechanism and of its record. Each knows of what: a body's is no joint's, and none is a
-// number.
+// Indices into the lists of a mechanism and of its record. Each list has its own index type, so a body's index is not
+// accepted for a joint, and no index converts to a number.
 #pragma once
 
 #include <compare>
@@ -9,11 +9,11 @@
 
 namespace kinegraph {
 
-/// The index that names nothing: of whatever list.
+/// The invalid index, for any list.
 struct NoIndex {};
 inline constexpr NoIndex none;
 
-/// An index into a list of `Of`, in the list's order; `none` comes before all.
+/// An index into a list of `Of`, in the list's order; `none` sorts before all.
 template <class Of>
 class ListIndex {
 public:
@@ -36,7 +36,7 @@ constexpr std::size_t at_index(ListIndex<Of> index) {
 }
 constexpr std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
 
-/// `first` and those after it, up to `end`, which is not among them.
+/// The range from `first` up to `end`, exclusive.
 template <class Index>
 class Indices {
 public:
@@ -61,7 +61,7 @@ private:
     Index first_, end_;
 };
 
-/// Of a list of `count`, from `first` on.
+/// The indices of a list with `count` elements, starting at `first`.
 template <class Index>
 constexpr Indices<Index> indices(std::size_t count, Index first = Index(0)) {
     return {first, Index(count)};
@@ -76,16 +76,16 @@ struct Body;
 struct Joint;
 struct Stroke;
 struct Statement;
-/// Of Mechanism's lists, in the file's order.
+/// For the lists of Mechanism, in the file's order.
 using PointIndex = ListIndex<NamedPoint>;
 using BodyIndex = ListIndex<Body>;
 using JointIndex = ListIndex<Joint>;
-/// What a stroke made: the place of both in Program::strokes and Protocol::values.
+/// The result of a stroke: its index in both Program::strokes and Protocol::values.
 using ElementIndex = ListIndex<Stroke>;
-/// Into Protocol::statements. Of what is drawn, `none`: it is there from the beginning.
+/// Into Protocol::statements. For a drawn item, `none` means that it is present from the beginning.
 using StatementIndex = ListIndex<Statement>;
 
-/// The body that everything stands on.
+/// The fixed body.
 inline constexpr BodyIndex frame{0};
 
 }  // namespace kinegraph

@@ -9,13 +9,13 @@
 
 namespace kinegraph {
 
-/// Recipes name the element; the value is read from the record once it is finished. What was shown to vanish has no
+/// Recipes store the element; the value is read from the record once it is finished. A value shown to vanish has no
 /// element.
 template <class T>
 class Recorded {
 public:
     Recorded() = default;
-    /// A value that stands in no record.
+    /// A value that is not in the record.
     Recorded(T value)
         : known_(true), value_(std::move(value)) {}  // NOLINT(google-explicit-constructor): as std::optional
     Recorded(std::nullopt_t) {}                      // NOLINT(google-explicit-constructor)
@@ -36,10 +36,10 @@ public:
     T value_or(T otherwise) const { return known_ ? value_ : std::move(otherwise); }
     const T& operator*() const { return value(); }
     const T* operator->() const { return &value(); }
-    /// None where it vanishes, or is not known.
+    /// None where it vanishes or is unknown.
     ElementIndex element() const { return element_; }
 
-    /// What `see(element, value)` makes of both: renumbers the one, reads the other.
+    /// Applies `see(element, value)` to both: it renumbers the element or reads the value.
     template <class See>
     void visit(See& see) {
         if (known_ && element_ != none) see(element_, value_);

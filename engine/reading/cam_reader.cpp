@@ -1,5 +1,4 @@
-// The file of a cam: FORMAT "Cams". Its law, its base circle and its follower, with the faults of a file as a
-// mechanism's.
+// The file of a cam: FORMAT "Cams". Its law, base circle and follower; faults are reported as for a mechanism file.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -98,7 +97,7 @@ private:
         if (law) read_law(law);
     }
 
-    /// The word of a choice; fallback where it is none, which is a fault.
+    /// The choice of this name; `fallback`, with a fault reported, where there is none.
     template <class Choice, std::size_t count>
     Choice choice(JsonValue value, const std::array<std::pair<std::string_view, Choice>, count>& known) {
         if (!value || !expect(value, Kind::string, {"a word", "una parola"})) return known.front().second;
@@ -159,7 +158,7 @@ private:
                                                        std::pair{std::string_view("right"), false}});
     }
 
-    /// A length that some followers have, and others have not.
+    /// A length that some kinds of follower need and others must not have.
     Exact wanted(const Members& form, std::string_view key, bool has_it, bool is_needed, const Words& meaning,
                  const Words& why_not) {
         const JsonValue value = form[key];

@@ -35,7 +35,7 @@ void ContactsOfJoints::read_bodies(JsonValue materials, const Joint& joint, Load
         contact.bodies.at(i).young = 1;
         contact.bodies.at(i).where = materials.pointer();
         if (materials.is_string()) materials_.read_by_name(materials, contact.bodies.at(i));
-        if (materials.is_string() && contact.bodies.at(i).young == Exact(1)) return;  // once said is enough
+        if (materials.is_string() && contact.bodies.at(i).young == Exact(1)) return;  // report it only once
     }
     if (materials.is_string() || !file_.expect(materials, Kind::object,
                                                {"a material, or an object of materials by body,",
@@ -71,7 +71,7 @@ void ContactsOfJoints::read_bodies(JsonValue materials, const Joint& joint, Load
                                     quoted(mechanism_.body(joint.bodies[i]).name)});
 }
 
-/// Hertz asks for curvatures: two smooth profiles, or teeth whose pressure angle is known.
+/// Hertz's theory needs curvatures: two smooth profiles, or teeth of known pressure angle.
 void ContactsOfJoints::check_profiles(JsonValue materials, const Members& form, const Joint& joint) {
     if (form["tangent"]) {
         file_.fault(form["tangent"],

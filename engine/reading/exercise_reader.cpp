@@ -1,4 +1,3 @@
-// Exercises, read.
 #include "engine/reading/exercise_reader.hpp"
 
 #include <algorithm>
@@ -33,7 +32,7 @@ constexpr std::array signs{Sign{">=", Condition::Relation::at_least}, Sign{"<=",
                            Sign{"≥", Condition::Relation::at_least},  Sign{"≤", Condition::Relation::at_most},
                            Sign{">", Condition::Relation::greater},   Sign{"<", Condition::Relation::less},
                            Sign{"=", Condition::Relation::equal}};
-/// What other languages write, and is no comparison here.
+/// Comparison signs of other languages, which are rejected.
 constexpr std::array<std::string_view, 7> foreign_signs{"!=", "≠", "<>", "==", "=>", "=<", "=!"};
 
 /// The first sign of a text, and where.
@@ -60,10 +59,10 @@ bool holds_by(Condition::Relation relation, int order) {
 
 void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
     if (!file["ask"] && !file["vary"] && !file["require"]) return;
-    // What results go by is known only where all that has them could be read.
+    // Names of results are known only if everything that has results was readable.
     knows_results_ = faults_.empty() && !stands_for_joints(mechanism);
     if (knows_results_) results_ = possible_results(mechanism);
-    // A value in place of a formula cuts off what the formula hangs on.
+    // A value that replaces a formula hides the dependencies of the formula.
     knows_uses_ =
         faults_.empty() && std::none_of(parameters_.begin(), parameters_.end(), [](const auto& each) {
             return !each.second.set.empty() && each.second.at.is_string() && is_formula(each.second.at.text());
@@ -270,7 +269,7 @@ void ExerciseReader::read_steps(const Members& form, const Measured* own, Variat
     }
     variation.count =
         static_cast<std::uint64_t>(mpz_class(steps.rational().get_num() / steps.rational().get_den()).get_ui()) + 1;
-    // Told in the unit of the first value, or in the step's where only that has a decimal for all of them.
+    // In the unit of the first value, or in the step's if only that one gives finite decimals for all values.
     for (const std::string_view key : {"from", "step"}) {
         Exact size = 1;
         if (form[key].is_string()) {
@@ -414,9 +413,9 @@ std::optional<Operand> ExerciseReader::operand(JsonValue at, std::string_view te
         side.measured = *std::move(value);
         return side;
     }
-    // Told before, as the parameter's own fault; or nothing can be said, since the rest of the file is wrong.
+    // Already reported as the parameter's own fault; or undecidable, because the rest of the file is faulty.
     if (value.error().empty() || (!knows_results_ && !is_problem)) return std::nullopt;
-    if (is_problem) {  // its solution tells whether there is one
+    if (is_problem) {  // its solution decides whether there is one
         side.result = name;
         side.absolute = absolute;
         return side;
@@ -439,7 +438,7 @@ std::optional<int> ExerciseReader::compared(JsonValue at, const Operand& left, c
         if (!difference.error().empty()) fault(at, difference.error());
         return std::nullopt;
     }
-    // What roots and sines leave open is zero.
+    // A difference within the error of roots and sines is zero.
     const Exact size = abs(left.measured->value) + abs(right.measured->value);
     if (difference->is_approximate && abs(difference->value) <= Exact::power_of_two(-160) * size) return 0;
     return difference->value.sign();
@@ -492,7 +491,7 @@ void ExerciseReader::hold_sides_together(JsonValue at, Condition& condition) {
         return;
     }
     const Column* column = result_named(result->result);
-    if (column == nullptr) return;  // of a problem: its solution tells
+    if (column == nullptr) return;  // a problem: its solution decides
     for (const Operand* side : sides) {
         if (side->result.empty()) {
             const auto read = as_quantity(*side->measured, column->unit, bare_unit(column->unit));

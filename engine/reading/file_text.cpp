@@ -1,4 +1,3 @@
-// The text of a mechanism file: see file_text.hpp.
 #include "engine/reading/file_text.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The text of a mechanism file made of another one: with values for its parameters, without some of its sections. Knows
-// no mechanism.
+// The text of a mechanism file derived from another one: with other parameter values, without some sections. Works on
+// JSON only.
 #pragma once
 
 #include <span>
@@ -11,9 +11,8 @@
 
 namespace kinegraph {
 
-/// The file in a plain layout (what fits stands on one line, two spaces for each level), its members in their order:
-/// parameters with the values of `set`, a number where the value is one, and without the members of the names
-/// `without`. Numbers stay as they are written.
+/// The file in a plain layout (short values on one line, two spaces per level), members in their order: parameters with
+/// the values of `set` (a number where possible), without the members named in `without`. Numbers keep their spelling.
 std::string file_with(const JsonSource& file, std::span<const Setting> set, std::span<const std::string_view> without);
 
 }  // namespace kinegraph

@@ -1,4 +1,3 @@
-// Forms of a mechanism file.
 #include "engine/reading/form_reader.hpp"
 
 #include <algorithm>
@@ -234,7 +233,7 @@ void FormReader::read_parameter(std::string_view name, Parameter& parameter) {
         value = read_measured(of_the_file ? parameter.at.text() : parameter.set,
                               [this](std::string_view other) { return look_up_parameter(other); });
     }
-    // "40" is a number in quotes: as everywhere in a file, it lacks its unit.
+    // "40" is a number in quotes: it lacks its unit, as everywhere in a file.
     if (value && of_the_file && parameter.at.is_string() && !is_formula(parameter.at.text()) && value->is_bare)
         value = tl::make_unexpected(Words("{0} has no unit; add one, or write the number without quotes",
                                           "{0} non ha unità; aggiungerla, o scrivere il numero senza virgolette",
@@ -275,7 +274,7 @@ tl::expected<Measured, Words> FormReader::look_up_parameter(std::string_view nam
 }
 
 bool FormReader::is_used(std::string_view parameter) const {
-    // Backwards from what the file uses: whatever is reached there matters.
+    // Backwards from the values that the file uses: every parameter reached is used.
     std::vector<std::string_view> reached;
     for (const auto& [name, each] : parameters_)
         if (each.is_used) reached.push_back(name);

@@ -7,8 +7,8 @@
 namespace kinegraph {
 namespace {
 
-/// A quantity whose unit is no one's own, "2 m/s^3", "0.4 1/s", as a formula: "= 2*(1 m)/(1 s)^3". Nothing where it is
-/// no such thing.
+/// A quantity in a compound unit without a name, "2 m/s^3", "0.4 1/s", as a formula: "= 2*(1 m)/(1 s)^3". Empty for any
+/// other text.
 std::optional<std::string> with_unit_put_together(std::string_view text) {
     const std::size_t space = text.find(' ');
     if (space == std::string_view::npos || is_formula(text)) return std::nullopt;

@@ -1,5 +1,5 @@
-// Laws of motion as files write them: FORMAT "Laws of motion". For drivers, over time, and for followers, over the
-// cam's turn.
+// Laws of motion as files write them: FORMAT "Laws of motion". For drivers, over time; for followers, over the cam's
+// rotation.
 #pragma once
 
 #include "engine/mechanism/law.hpp"
@@ -9,14 +9,14 @@ namespace kinegraph {
 
 class LawReader : protected FormReader {
 public:
-    /// What a law's pieces are measured in: the key and kind of their rise, and of what they go over.
+    /// Keys and kinds of the quantities of a piece: its rise, and its independent variable.
     struct LawTerms {
         std::string_view rise;
         QuantityKind rise_kind;
         std::string_view over;
         QuantityKind over_kind;
     };
-    /// One piece, or an array of pieces. What cannot be read is a fault.
+    /// One piece, or an array of pieces. Reports what is unreadable.
     Law law_of_value(JsonValue value, const LawTerms& terms);
 
 private:

@@ -1,6 +1,5 @@
-// The reader of mechanism files: docs/file.md turned into checks, and a Mechanism made of what passes them. Each
-// fault is reported once, where it stands; what only the drawing can tell (curves that do not meet, a misfit) is left
-// to the pose.
+// The reader of mechanism files: checks the rules of docs/file.md and builds a Mechanism. Each fault is reported once,
+// at its place. Faults that only the drawing shows (curves that do not meet, a misfit) are left to the pose.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -49,8 +48,8 @@ public:
     }
 
 private:
-    /// Roots and sines are as exact as a compass that the file itself holds: what they leave open, the precision
-    /// decides.
+    /// Roots and sines in formulas are rounded: without a stated or inferred precision, the precision is that of the
+    /// roots.
     Mechanism finished() {
         mechanism_.computed = std::move(computed_);
         std::sort(mechanism_.computed.begin(), mechanism_.computed.end());
@@ -68,7 +67,7 @@ private:
              "scales",  "hertz",     "reye",   "impact",  "positions",      "ask",       "vary",   "require"},
             {"a mechanism", "un meccanismo"});
         read_head(file);
-        // A problem names its bodies itself, and needs no points.
+        // A problem names its own bodies and needs no points.
         const bool is_problem = ProblemSection::is_in(file);
         read_points_and_bodies(file, is_problem);
         if (is_problem) {

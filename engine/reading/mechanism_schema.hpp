@@ -1,5 +1,5 @@
-// The JSON Schema of the mechanism file, word for word engine/reading/mechanism.schema.json, built into the library so
-// that reading a file needs no other. The text only: validating by it is the reader's business.
+// The JSON Schema of the mechanism file: the text of engine/reading/mechanism.schema.json, compiled into the library so
+// that no file is needed. The reader does not validate with it.
 #pragma once
 
 #include <string_view>

@@ -20,7 +20,7 @@ void PointsSection::read_points(JsonValue points) {
     for (const JsonValue member : points) {
         const bool again = file_.index_of_point(member.key()) != PointIndex(mechanism_.points.size());
         if (again) {
-            // A second one of the same name: its own faults are told, but it is not in the drawing.
+            // A duplicate name: its own faults are reported, but it is not in the drawing.
             const std::size_t kept = graph.targets.size();
             placement(member);
             graph.targets.resize(kept);

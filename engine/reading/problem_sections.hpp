@@ -47,19 +47,19 @@ private:
     using Kind = FormReader::Kind;
 
     void read_position(JsonValue value, PositionsProblem& problem);
-    /// What is rounded alone is moved along the join; more is a fault.
+    /// Moves the point along the join if the distances differ by rounding only; a larger difference is a fault.
     void keep_distance(JsonValue at, const PositionsProblem& problem, PositionsProblem::Position& position);
 
     FormReader& file_;
 };
 
-// ----- What a body is made of, for what presses it: a material by its name, or Young's modulus and Poisson's ratio.
+// ----- The material of a body in contact: by name, or Young's modulus and Poisson's ratio.
 
 class Materials {
 public:
     explicit Materials(FormReader& file) : file_(file) {}
 
-    /// Of a form with "material", or "young" and "poisson".
+    /// From a form with "material", or "young" and "poisson".
     void read(const Members& form, HertzBody& body);
     void read_by_name(JsonValue name, HertzBody& body);
 
@@ -67,7 +67,7 @@ private:
     FormReader& file_;
 };
 
-// ----- The "bodies" of a problem in place of joints: an object by name, where a body that the file has not is added.
+// ----- The "bodies" of a problem in place of joints: an object by name. A body that the file does not list is added.
 
 class ProblemBodies {
 public:
@@ -85,8 +85,8 @@ private:
     Mechanism& mechanism_;
 };
 
-// ----- "hertz": two bodies that press each other, by their radii and materials. Curvatures that leave no contact are
-// told here, since the problem needs no drawing.
+// ----- "hertz": two bodies pressed together, with radii and materials. Curvatures without contact are reported here,
+// since the problem needs no drawing.
 
 class HertzSection {
 public:
@@ -109,7 +109,7 @@ private:
     Materials materials_;
 };
 
-// ----- "impact": two bodies that strike each other, with their masses and velocities, restitution and friction.
+// ----- "impact": two colliding bodies, with masses, velocities, restitution and friction.
 
 class ImpactSection {
 public:
@@ -128,18 +128,18 @@ private:
     ProblemBodies bodies_;
 };
 
-// ----- The "materials" and the "length" of a joint whose bodies touch: Hertz's problem at a joint, whose force and
-// radii the mechanism gives.
+// ----- The "materials" and the "length" of a joint with contact: Hertz's problem at a joint. Force and radii come from
+// the mechanism.
 
 class ContactsOfJoints {
 public:
     ContactsOfJoints(FormReader& file, Mechanism& mechanism) : file_(file), mechanism_(mechanism), materials_(file) {}
 
-    /// The keys of a joint that say what its bodies are made of; of joints whose bodies touch.
+    /// The keys that give the materials of a joint with contact.
     static constexpr std::array<std::string_view, 2> keys{"materials", "length"};
-    /// Of the joint that will have that index, where it has materials.
+    /// Reads the contact of the joint that will have that index, if it has materials.
     void read(const Members& form, const Joint& joint, JointIndex index);
-    /// Those that were read.
+    /// Moves out the contacts read so far.
     LoadedContacts take() { return std::move(contacts_); }
 
 private:
@@ -155,15 +155,15 @@ private:
 };
 
 // ----- The "constants" of the laws of a point's motion, by name: numbers, quantities of any dimension, formulas of
-// those before them.
+// earlier constants.
 
 class LawConstants {
 public:
     explicit LawConstants(FormReader& file) : file_(file) {}
 
     void read(JsonValue constants);
-    /// A constant or a parameter of the file; an error without words has been told before. `variable`: what else an
-    /// expression may name, for the remedy.
+    /// A constant or a parameter of the file; an error without words has already been reported. `variable`: what else
+    /// an expression may name, for the remedy.
     tl::expected<Measured, Words> look_up(std::string_view name, std::string_view variable);
 
 private:
@@ -181,7 +181,7 @@ class PointMotionSection {
 public:
     explicit PointMotionSection(FormReader& file) : file_(file), constants_(file) {}
 
-    /// Whether a "motion" is that of a point, and not of a body.
+    /// Whether a "motion" is that of a point, not of a body.
     static bool is_stated_by(JsonValue motion);
     std::optional<PointProblem> read(JsonValue section);
 
@@ -192,7 +192,7 @@ private:
     StatedLaw read_law(JsonValue value, const std::string& symbol, QuantityKind of, QuantityKind is,
                        NamedConstants& constants);
     void read_path(JsonValue value, PointProblem& problem);
-    /// An angle or a vector: these problems have no points that a direction could lie between.
+    /// An angle or a vector: these problems have no points to define a direction.
     Vector own_direction(JsonValue value);
     void read_times(const Members& form, PointProblem& problem);
 
@@ -201,14 +201,14 @@ private:
 };
 
 // ----- The section of a file that states a problem in place of joints: "hertz", "reye", "impact", "positions", or the
-// "motion" of a point. Owns which sections go together; each problem has a file of its own.
+// "motion" of a point. Owns which sections may be combined; each problem has its own source file.
 
 class ProblemSection {
 public:
     ProblemSection(FormReader& file, Mechanism& mechanism) : file_(file), mechanism_(mechanism) {}
 
     static bool is_in(const Members& file);
-    /// Null where the file states none or one that cannot be read. Its bodies are added to the mechanism.
+    /// Null where the file has none or it is unreadable. Adds its bodies to the mechanism.
     std::shared_ptr<const Problem> read(const Members& file);
 
 private:

@@ -1,4 +1,4 @@
-// Sections of a mechanism file, each read by a class that gets the sections whose names it looks up.
+// Sections of a mechanism file. Each has a reader class, which receives the sections whose names it looks up.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ private:
     std::unordered_set<std::uint64_t> carried_;  ///< (body, point)
 };
 
-// ----- "motion" of a body: what is known of the velocities and accelerations of its points.
+// ----- "motion" of a body: given velocities and accelerations of its points.
 
 class MotionSection {
 public:
@@ -54,7 +54,7 @@ public:
 private:
     using Kind = FormReader::Kind;
 
-    /// The points named move with the body, listed there or not.
+    /// The named points move with the body, whether listed there or not.
     std::vector<GivenMotion> given_motions(BodyIndex on, JsonValue value, QuantityKind kind);
 
     FormReader& file_;
@@ -62,8 +62,8 @@ private:
     BodiesSection& bodies_;
 };
 
-// ----- "points": coordinates, or a place found from others by distances, lines and circles. Whether the curves meet,
-// the pose tells.
+// ----- "points": coordinates, or a place constructed from others by distances, lines and circles. Whether curves
+// intersect is decided by the pose.
 
 class PointsSection {
 public:
@@ -79,7 +79,7 @@ private:
     Placement placement(JsonValue value);
     Placement point_on_line(JsonValue value);
     Placement meet(JsonValue value);
-    /// Of two circles left or right; where a line meets a circle also which comes first on the line.
+    /// For two circles left or right; for a line and a circle also the order along the line.
     Meet::Side side_of(JsonValue value, const Meet& meet);
     Curve curve(JsonValue value);
 
@@ -87,7 +87,7 @@ private:
     Mechanism& mechanism_;
 };
 
-// ----- "units" and "scales": what bare numbers are measured in, and how large figures are drawn.
+// ----- "units" and "scales": the units of bare numbers, and the scales of figures.
 
 class UnitsSection {
 public:
@@ -105,21 +105,21 @@ private:
     Mechanism& mechanism_;
 };
 
-// ----- "find": what is asked for, relative motions and cuts of a truss among it. Cuts are read last, when the whole
-// file makes a truss.
+// ----- "find": requested results, including relative motions and cuts of a truss. Cuts are read last, because they
+// need the whole file.
 
 class WishesSection {
 public:
     WishesSection(FormReader& file, Mechanism& mechanism) : file_(file), mechanism_(mechanism) {}
 
     void read_wish(JsonValue value);
-    /// Cuts name bars of a truss, which the whole file makes.
+    /// Cuts name bars of a truss, which depend on the whole file.
     void read_cuts();
 
 private:
     using Kind = FormReader::Kind;
 
-    /// Whether the motion is to be found through the observer; one that translates gives no direction of a relative
+    /// Whether the motion is found through the observer. A translating observer gives no direction of a relative
     /// velocity.
     void read_solve(JsonValue value, RelativeMotionQuery& query);
     static bool is_cut(JsonValue value);
@@ -130,8 +130,7 @@ private:
     std::vector<JsonValue> cuts_;
 };
 
-// ----- The profiles that touch in a contact: given with the joint, or the circles of its bodies, or their common
-// tangent alone.
+// ----- The profiles of a contact: given with the joint, or the circles of its bodies, or only their common tangent.
 
 class ProfilesOfContact {
 public:
@@ -148,8 +147,8 @@ private:
     const Mechanism& mechanism_;
 };
 
-// ----- "joints": their kinds, bodies, guides and contacts, and how drivers, efforts and loads find them by name. Which
-// pair transmits what is the table of pairs'.
+// ----- "joints": their kinds, bodies, guides and contacts, and the lookup of joints by name for drivers, efforts and
+// loads. Which pair transmits what is in the table of pairs.
 
 class JointsSection {
 public:
@@ -157,9 +156,9 @@ public:
         : file_(file), mechanism_(mechanism), bodies_(bodies), contacts_(file, mechanism), profiles_(file, mechanism) {}
 
     void read_joints(const Members& file);
-    /// Of what touching bodies are made, where joints say so.
+    /// The materials of touching bodies, where joints give them.
     LoadedContacts take_contacts() { return contacts_.take(); }
-    /// A sliding joint by its name, or none with a fault; `remedy` is for those who name a joint of another kind.
+    /// A sliding joint by its name; none, with a fault reported. `remedy` is shown for a joint of another kind.
     JointIndex sliding_joint(JsonValue value, const Words& remedy);
     /// By its name, or else by its point.
     JointIndex hinge(JsonValue value);
@@ -169,13 +168,13 @@ private:
     using Kind = FormReader::Kind;
 
     void read_joint(JsonValue value);
-    /// Null where there is none, or two, which has been said.
+    /// Null where there is none, or two, which has been reported.
     const PlanePair* pair_of(JsonValue value);
-    /// Of the joint that is read next; results go by it, so it is given once.
+    /// Adds the name of the joint that is read next. Results are named by it, so it must be unique.
     void add_sliding_name(JsonValue value, const Joint& joint, std::string_view written);
-    /// The key that is meant to be the kind is misspelt, or there is none.
+    /// Reports a missing or misspelt kind.
     void miss_kind(JsonValue value);
-    /// What a joint of this kind may say: of its kind, of its bodies, of what is its own.
+    /// The permitted keys of a joint of this kind: of its kind, of its bodies, of its own.
     static std::vector<std::string_view> keys_of(const PlanePair& pair);
     void read_joint_bodies(const Members& form, Joint& joint);
     void read_slot(const Members& form, Joint& joint);
@@ -186,15 +185,15 @@ private:
     BodiesSection& bodies_;
     ContactsOfJoints contacts_;
     ProfilesOfContact profiles_;
-    bool joints_known_ = false;  ///< the list could be read, so that a name that is not in it is a fault
+    bool joints_known_ = false;  ///< the list was readable, so that an unlisted name is a fault
     std::unordered_map<std::string, JointIndex> sliding_by_name_;
     std::unordered_map<std::string, std::string>
-        sliding_keys_;  ///< where each name stands; contacts have results under theirs too
+        sliding_keys_;  ///< where each name stands; the results of contacts use them too
     std::vector<std::string_view> sliding_names_;
-    std::unordered_map<std::string, std::string_view> other_joints_;  ///< name → kind of those that do not slide
+    std::unordered_map<std::string, std::string_view> other_joints_;  ///< name → kind of joints that do not slide
 };
 
-// ----- "drivers": what drives a body, a joint or a point, and how fast; by rates or by a law of motion in time.
+// ----- "drivers": what drives a body, a joint or a point, with its rates or its law of motion in time.
 
 class DriversSection {
 public:
@@ -209,9 +208,9 @@ private:
     void read_slide_driver(JsonValue value);
     void read_point_driver(JsonValue value);
     void read_spin_driver(JsonValue value);
-    /// {"body": 2, "speed": 150}: a body turns.
+    /// Reports {"body": 2, "speed": 150}: a body rotates.
     void turn_instead(const Members& form);
-    /// FORMAT "Laws of motion": of a driver; `rates` are the keys that it stands for.
+    /// FORMAT "Laws of motion", for a driver; `rates` are the keys that it replaces.
     std::optional<Law> law(const Members& form, std::initializer_list<std::string_view> rates);
     /// A driver, with the rates of its law.
     void add(Driver driver);
@@ -222,7 +221,7 @@ private:
     JointsSection& joints_;
 };
 
-// ----- "effort": what balances the loads, a couple, a force or an actuator in a joint.
+// ----- "effort": the unknown that balances the loads: a couple, a force or an actuator in a joint.
 
 class EffortsSection {
 public:
@@ -234,7 +233,7 @@ public:
 private:
     using Kind = FormReader::Kind;
 
-    /// A name and where it stands.
+    /// A name and its place in the file.
     struct Named {
         std::string text{};
         JsonValue at{};
@@ -263,17 +262,17 @@ public:
 private:
     using Kind = FormReader::Kind;
 
-    /// Results and figures go by it.
+    /// Results and figures are named by it.
     std::string name_of_load(JsonValue value, const Words& wanted);
     void read_force(JsonValue value);
-    /// On the pin of a hinge, which is then a node of its own.
+    /// On the pin of a hinge, which then is a node of its own.
     void read_pin_load(JsonValue value);
     /// Components, or magnitude and direction, or a pressure on an area and a direction.
     void read_size(const Members& form, ForceLoad& force);
     std::optional<Exact> pressure_on_area(const Members& form);
     void read_spring(JsonValue value);
     void read_ends(const Members& form, SpringLoad& spring);
-    /// Of a spring.
+    /// The two bodies of a spring.
     std::array<BodyIndex, 2> two_bodies(JsonValue bodies);
     /// FORMAT "Forces": an elastic spring, straight or of torsion.
     void read_elastic(JsonValue value);

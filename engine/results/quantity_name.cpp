@@ -1,4 +1,3 @@
-// Names of quantities, as the results file prints them.
 #include "engine/results/quantity_name.hpp"
 
 #include <algorithm>
@@ -79,7 +78,7 @@ private:
     }
     std::string joint(JointIndex index) const { return mechanism_.joints[at(index)].name; }
     std::string carried(const Quantity& q) const {
-        // A place that the recipe needed and the file does not name.
+        // A place that the recipe needs and the file does not name.
         const std::string letter = q.point == none ? "S" : mechanism_.points[at(q.point)].name;
         return is_of_several_bodies(q.point) ? letter + " on " + body(q.body) : letter;
     }
@@ -89,7 +88,8 @@ private:
     std::string action(const Quantity& q) const {
         return "force " + joint(q.joint) + " " + body(q.other) + " on " + body(q.body);
     }
-    /// A pin and the point of the slot under it move differently under one letter.
+    /// Whether several bodies have this point, such as a pin and the point of the slot under it, with different motions
+    /// under one letter.
     bool is_of_several_bodies(PointIndex point) const {
         return std::count_if(solution_.points.begin(), solution_.points.end(),
                              [&](const PointMotion& each) { return each.point == point; }) > 1;

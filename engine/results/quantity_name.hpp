@@ -9,8 +9,8 @@ namespace kinegraph {
 
 struct Solution;
 
-/// The name that `checks` of the results file prints (docs/results.md): "omega 3", "velocity B x", "force A 3 on 2
-/// couple". Points that several bodies carry apart are told by their body: "velocity A on 4 y".
+/// The name of a quantity in `checks` of the results file (docs/results.md): "omega 3", "velocity B x", "force A 3 on 2
+/// couple". Where several bodies carry a point separately, the body is added: "velocity A on 4 y".
 std::string name_of(const Quantity& quantity, const Solution& solution);
 
 }  // namespace kinegraph

@@ -1,4 +1,3 @@
-// Names of results: see result_names.hpp.
 #include "engine/results/result_names.hpp"
 
 #include <algorithm>
@@ -17,7 +16,7 @@ std::string action_of(const Quantity& q, const Mechanism& mechanism) {
     return mechanism.joint(q.joint).name + " " + body(q.other) + " on " + body(q.body);
 }
 
-/// All quantities that a solution may hold, with the names of their subjects.
+/// All quantities that a solution may contain, with the names of their subjects.
 class Possible {
 public:
     explicit Possible(const Mechanism& mechanism) : m_(mechanism) {}

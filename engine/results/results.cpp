@@ -1,5 +1,5 @@
-// The results file (docs/results.md): a Solution written as JSON, SI units, keys in the file's order, numbers as the
-// shortest decimals that give the double back. Computes nothing and rounds nothing but to doubles.
+// The results file (docs/results.md): a Solution as JSON, SI units, keys in the file's order, numbers as the shortest
+// decimals that round-trip to the same double. Computes nothing and rounds only to doubles.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -19,12 +19,12 @@
 namespace kinegraph {
 namespace {
 
-/// Keys in order with values that are JSON already.
+/// Keys in order, with values that are already JSON text.
 using Members = std::vector<std::pair<std::string, std::string>>;
 
 std::string quoted(std::string_view text) { return json_text(text); }
 
-/// JSON has no infinities: what no double holds is null. −0 is 0.
+/// JSON has no infinities: a value outside the range of doubles is null. −0 is 0.
 void append_number(std::string& json, double value) {
     if (!std::isfinite(value)) {
         json += "null";
@@ -95,7 +95,7 @@ std::string object_of_lines(const Members& members) {
                  [](std::string& json, const auto& member) { append_member(json, member.first, member.second); });
 }
 
-/// A point at infinity has no sense: dx > 0, or (0, 1). The larger component is 1 or −1.
+/// The direction to a point at infinity has no sense: normalised to dx > 0, or (0, 1). The larger component is 1 or −1.
 Vector without_sense(Vector direction, bool pose_is_exact) {
     const Exact x = abs(direction.x);
     const Exact y = abs(direction.y);
@@ -103,7 +103,7 @@ Vector without_sense(Vector direction, bool pose_is_exact) {
     KG_ASSERT(!largest.is_zero(), "a point at infinity has a direction");
     direction = {direction.x / largest, direction.y / largest};
     if (!pose_is_exact) {
-        // On a pose with a leftover an upright direction is upright within 2^-100 or so; its sense must not hang on
+        // On a pose with a leftover a vertical direction is accurate to about 2^-100; its sense must not depend on
         // that.
         const Exact noise = Exact::power_of_two(-80);
         if (abs(direction.x) < noise) direction.x = 0;
@@ -118,7 +118,7 @@ std::string unit(const Vector& direction) {
     const double length = std::hypot(dx, dy);
     return pair(number(dx / length), number(dy / length));
 }
-/// The same direction in the smallest whole numbers: its length is 1 only by chance.
+/// The same direction in the smallest integers; its length is arbitrary.
 std::string whole(const Vector& direction) {
     if (direction.x.is_zero()) return fractions({0, 1});
     const Exact slope = direction.y / direction.x;
@@ -126,14 +126,14 @@ std::string whole(const Vector& direction) {
     return fractions({run, run * slope});
 }
 
-/// A bound, rounded outwards, so that it remains one.
+/// A bound, rounded outwards, so that it stays a bound.
 std::string bound(const Exact& leftover) {
     double value = leftover.to_double();
     if (Exact::from_double(value) < leftover) value = std::nextafter(value, HUGE_VAL);
     return quoted(number(value));
 }
 
-/// One entry of the file: its values, and beside them the exact ones where they are asked for.
+/// One entry of the file: its values, and the exact ones if requested.
 class Entry {
 public:
     Entry(const Pose& pose, bool exact) : pose_(pose), exact_(exact) {}
@@ -149,7 +149,7 @@ public:
         add(key, pair(*value));
         if (exact_ && certain(value->x) && certain(value->y)) fractions_.emplace_back(key, fractions(*value));
     }
-    /// A named point's own place, exact or with the bound on what the compass left over.
+    /// A named point's own place, exact or with the error bound of the compass.
     void add_place(PointIndex point) {
         const Vector& at = pose_.at(point);
         add("at", pair(at));
@@ -174,8 +174,8 @@ public:
     }
 
 private:
-    /// On a pose with a leftover what depends on it is a fraction as long as the compass's rounding, and no exact
-    /// value. A short one cannot depend on it.
+    /// On a pose with a leftover, a value that depends on it is a fraction as long as the compass's rounding, and not
+    /// exact. A short one cannot depend on it.
     bool certain(const Exact& value) const {
         return pose_.exact || value.bits() < static_cast<std::size_t>(pose_.bits > 0 ? pose_.bits : 1);
     }
@@ -186,7 +186,7 @@ private:
     std::string leftover_;
 };
 
-/// All values of a problem that the file has under their names.
+/// All values of a problem that have a name in the file.
 Members values_of(const ProblemSolution& found) {
     Members members;
     for (const ProblemValue& each : found.values)
@@ -207,13 +207,13 @@ std::string check_row(std::string_view name, double graphical, double numeric, d
     }
     return json += '}';
 }
-/// Of a value that has one.
+/// For a value that has one.
 std::string check_row(std::string_view name, const ProblemValue& value) {
     const double numeric = value.numeric.value_or(value.value);
     return check_row(name, value.value, numeric, value.value - numeric);
 }
 
-/// What the sections of the results are written from.
+/// The base of the sections of the results.
 class ResultsSection {
 public:
     ResultsSection(const Solution& solution, bool exact, const Teller& tell)
@@ -231,7 +231,7 @@ protected:
     const Teller& tell_;
 };
 
-/// Sections of what moves: points, bodies, sliding, centres, relative motion and curvature.
+/// Sections of motion: points, bodies, sliding, centres, relative motion and curvature.
 class MotionResults : ResultsSection {
 public:
     using ResultsSection::ResultsSection;
@@ -305,7 +305,7 @@ public:
         return object_of_lines(all);
     }
 
-    /// The place of a body whose acceleration vanishes.
+    /// The point of a body whose acceleration vanishes.
     std::string acceleration_centres() const {
         Entry where = entry();
         where.add("at", solution_.act_of_motion->acceleration_centre);
@@ -343,7 +343,7 @@ public:
     }
 
 private:
-    /// The joint's name; a contact that shares it with another joint that slides also says of whom on whom.
+    /// The joint's name; a contact that shares its point with another sliding joint also names the two bodies.
     std::string sliding_key(const Sliding& slide) const {
         const Joint& joint = mechanism_.joint(slide.joint);
         const auto shares = [&](const Sliding& other) {
@@ -378,7 +378,7 @@ private:
         return std::move(body).json();
     }
 
-    /// Bresse's second: of the points without tangential acceleration.
+    /// Bresse's second circle: the points without tangential acceleration.
     std::string tangential_circle(const Curvature& found) const {
         const Vector pole = found.pole->place(), half = Exact(1) / Exact(2) * (*found.tangential_pole - pole);
         return object({{"centre", pair(pole + half)}, {"diameter", number(2 * length(half))}});
@@ -440,7 +440,7 @@ class StaticsResults : ResultsSection {
 public:
     using ResultsSection::ResultsSection;
 
-    /// One member for each joint's name, in the file's order; within it the actions, of each body on each.
+    /// One member per joint name, in the file's order, with the actions between its bodies.
     std::string forces() const {
         std::vector<std::pair<std::string, Members>> by_joint;
         for (const JointForce& action : solution_.forces) {
@@ -489,8 +489,8 @@ public:
         return object_of_lines(all);
     }
 
-    /// Of each bar found by a cut: the moment of what acts on one side, and its arm; across parallel bars the
-    /// component.
+    /// For each bar found by a cut: the moment of the actions on one side, and its arm; for parallel bars the component
+    /// across them.
     std::string cuts() const {
         std::vector<std::string> all;
         for (const Truss::Cut& cut : solution_.truss->cuts) {
@@ -514,7 +514,7 @@ public:
         return lines('[', all, ']');
     }
 
-    /// By the bodies that hang together: "2", "2,3".
+    /// By connected bodies: "2", "2,3".
     std::string resultants() const {
         Members all;
         for (const Resultant& found : solution_.resultants) {
@@ -645,7 +645,7 @@ private:
         return lines('[', all, ']');
     }
 
-    /// By the joint's name: the load, and what comes of it.
+    /// By the joint's name: the load, and the values that follow from it.
     std::string contacts() const {
         Members joints;
         for (const SolvedContact& contact : std::get<SolvedContacts>(solution_.problem->of)) {
@@ -665,7 +665,7 @@ private:
     }
 };
 
-/// What was found of a problem in place of joints: its own section, and the checks of its values.
+/// Results of a problem in place of joints: its own section, and the checks of its values.
 class ProblemResults {
 public:
     ProblemResults(const Solution& solution, bool exact)
@@ -782,7 +782,7 @@ private:
         if (!pivots.empty()) members.emplace_back("fixed pivots", object(pivots));
         file.emplace_back("positions", object_of_lines(members));
     }
-    static void add(const SolvedContacts&, Members&) {}  // they go with the mechanism's own results
+    static void add(const SolvedContacts&, Members&) {}  // part of the mechanism's own results
     std::string checks() const {
         std::vector<std::string> all;
         for (const ProblemValue& each : found_.values)
@@ -803,7 +803,7 @@ std::string list(const std::vector<std::string>& entries) {
     return json + "]";
 }
 
-/// The equations by name: what varies is called by body or joint, what the loops are written in by letters.
+/// The equations by name: variables are named by body or joint, equations are written in letters.
 class EquationResults {
 public:
     explicit EquationResults(const Equations& equations) : e_(equations) {}
@@ -853,7 +853,7 @@ private:
         }
         return object(all);
     }
-    /// By the drivers' names; of two, joined with a comma.
+    /// By the drivers' names; for two drivers, joined with a comma.
     std::string second_ratios() const {
         Members all;
         for (std::size_t j = 0; j < e_.unknowns.size(); ++j) {
@@ -885,7 +885,7 @@ private:
     const Equations& e_;
 };
 
-/// Virtual work: what is displaced, how far and by which work for each unit of it, and the efforts.
+/// Virtual work: the displacements, the work per unit of them, and the efforts.
 class DisplacementResults {
 public:
     DisplacementResults(const Mechanism& mechanism, const Displacements& found)

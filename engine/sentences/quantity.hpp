@@ -1,5 +1,5 @@
-// Quantities: what a solution may hold a value of, as data: the kind, of whom, where, seen from where. One quantity
-// said twice compares equal. Knows no value and no typography.
+// Quantities: identifies a value of a solution: its kind, body, point, joint and observer. The same quantity always
+// compares equal. Contains no value and no typography.
 #pragma once
 
 #include <compare>
@@ -12,7 +12,7 @@ namespace kinegraph {
 struct Quantity {
     enum class Kind {
         unnamed,
-        velocity,      ///< of `point` as `body` carries it; a part of it or seen by `other`: see `part`
+        velocity,      ///< of `point` as carried by `body`; `part` selects a component or the observer `other`
         acceleration,  ///< the same
         omega,         ///< of `body`
         alpha,
@@ -20,19 +20,20 @@ struct Quantity {
         sliding_velocity,  ///< at `joint`, of its first body on its second
         sliding_acceleration,
         sliding_coriolis,
-        force,            ///< at `joint`, of `other` on `body` (none: the pin of a multiple hinge)
+        force,            ///< at `joint`, exerted by `other` on `body` (none: the pin of a multiple hinge)
         couple,           ///< the same, about the joint's point
-        force_component,  ///< of such a force, along the one direction in which every equilibrium has it alike
-        load,             ///< `given` counts Mechanism::loads
-        weight,           ///< `given` counts Mechanism::masses
+        force_component,  ///< of such a force, along the only direction in which every equilibrium has the same
+                          ///< component
+        load,             ///< `given`: index in Mechanism::loads
+        weight,           ///< `given`: index in Mechanism::masses
         inertia,
-        effort,               ///< `given` counts Mechanism::efforts
-        radius,               ///< of curvature, of the path of `point` as `body` carries it
+        effort,               ///< `given`: index in Mechanism::efforts
+        radius,               ///< of curvature, of the path of `point` as carried by `body`
         inflection_diameter,  ///< of the inflection circle of `body`
         acceleration_pole,    ///< of `body`
-        virtual_power,        ///< of all that acts from outside
+        virtual_power,        ///< of all external actions
         virtual_effort,       ///< the effort `given`, by virtual displacements
-        resultant,            ///< of all that is given on `body` and what hangs on it
+        resultant,            ///< of everything given on `body` and the bodies connected to it
         resultant_couple,     ///< the same, about the origin
         bar                   ///< the force in the bar `body` of a truss, tension positive
     } kind = Kind::unnamed;
@@ -40,12 +41,12 @@ struct Quantity {
     PointIndex point = none;
     JointIndex joint = none;
     int given = -1;
-    /// Of a velocity or an acceleration.
+    /// The part of a velocity or an acceleration.
     enum class Part { whole, relative, normal, tangential, sliding, coriolis, transport } part = Part::whole;
-    PointIndex seen_from = none;  ///< the point of `other` that a part is counted from
+    PointIndex seen_from = none;  ///< the point of `other` relative to which a part is measured
     enum class Component { whole, x, y } component = Component::whole;
 
-    // clang-tidy 14 takes the 0 that the compiler compares with for a pointer.
+    // clang-tidy 14 mistakes the compiler-generated comparison with 0 for a null pointer.
     friend auto operator<=>(const Quantity&, const Quantity&) = default;  // NOLINT(modernize-use-nullptr)
 
     Quantity along(Component axis) const {

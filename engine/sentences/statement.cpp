@@ -1,4 +1,4 @@
-// Plain names of symbols: the ASCII form that ids, tables and results share. Knows no typography.
+// Plain names of symbols: the ASCII form used by ids, tables and results.
 #include "engine/sentences/statement.hpp"
 
 #include <algorithm>
@@ -48,12 +48,13 @@ Symbol velocity_of_coriolis(Symbol coriolis, bool observed) {
 bool has_own_name(const Symbol& symbol) {
     if (symbol.letter != Symbol::Letter::F && symbol.letter != Symbol::Letter::M) return false;
     const std::string_view name = symbol.about;
-    // A letter of its kind alone, with a script, a number or small letters: F, F_gas, F1, Fc. A torque is as often a T.
+    // A letter of its kind alone, or with a subscript, a number or small letters: F, F_gas, F1, Fc. A torque is often
+    // written T.
     const std::string_view letters = symbol.letter == Symbol::Letter::F ? "F" : "MT";
     if (name.empty() || letters.find(name[0]) == std::string_view::npos) return false;
     if (name.size() == 1 || name[1] == '_' || name.find_first_not_of("0123456789", 1) == std::string_view::npos)
         return true;
-    // Mr and Fc are M and F with short scripts, as one writes them without one.
+    // Mr and Fc are M and F with short subscripts, written without underscore.
     constexpr std::size_t longest = 3;
     const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
     return name.size() <= longest && std::all_of(name.begin() + 1, name.end(), is_small);
@@ -73,7 +74,7 @@ std::string name_of(const Symbol& symbol) {
     std::string name(stem(symbol.letter));
     if (has_own_name(symbol)) name.clear();
     if (!symbol.about.empty()) name += (name.empty() ? "" : "_") + symbol.about;
-    // That a centre lies at infinity is a property of where it is, not of its name.
+    // That a centre lies at infinity is a property of its position, not of its name.
     if (!symbol.term.empty() && symbol.term != "∞") name += (name.empty() ? "" : "_") + symbol.term;
     return name;
 }

@@ -43,7 +43,7 @@ std::vector<EffortValue> efforts_found(const Solution& solution) {
 
 namespace {
 
-/// Gauss and Jordan: each effort in the equation in which it does most.
+/// Gauss–Jordan elimination: each effort is eliminated with the equation in which it does the most work.
 class Elimination {
 public:
     Elimination(std::vector<std::vector<Exact>> rows, std::size_t count)
@@ -57,7 +57,7 @@ public:
     }
     bool is_used(std::size_t row) const { return used_[row]; }
     const Exact& rest(std::size_t row) const { return rows_[row][count_]; }
-    /// None where it stands in no equation, or never alone.
+    /// None where it is in no equation, or always together with another one.
     std::optional<Exact> value(std::size_t j) const {
         if (pivot_of_[j] == rows_.size()) return std::nullopt;
         const std::vector<Exact>& row = rows_[pivot_of_[j]];
@@ -66,7 +66,7 @@ public:
         return row[count_] / row[j];
     }
 
-    static constexpr double noise = 1e-12;  ///< below it a work is what rounding left of zero
+    static constexpr double noise = 1e-12;  ///< below this share a work is the rounding error of zero
 
 private:
     void take(std::size_t j) {

@@ -1,5 +1,5 @@
-// Every element that the results of a solution name, with its value: of which elements are renumbered and values read
-// anew. A result that names an element belongs in one of these lists.
+// All elements that the results of a solution refer to, with their values. Used to renumber elements and to read values
+// again. A result that refers to an element must be in one of these lists.
 #pragma once
 
 #include "engine/solution/solution.hpp"
@@ -7,7 +7,7 @@
 namespace kinegraph {
 namespace found_elements {
 
-/// An element and its value that stand side by side.
+/// An element stored beside its value.
 template <class Value, class See>
 void visit_pair(ElementIndex& element, Value& value, See& see) {
     if (element != none) see(element, value);

@@ -1,4 +1,3 @@
-// Held: see held.hpp.
 #include "engine/solution/held.hpp"
 
 namespace kinegraph {

@@ -1,6 +1,6 @@
-// Held: the names by which marks of figures of forces, curvature and Joukowsky's lever say what they hang on, and by
-// which each plan of a moving mechanism tells the elements that are it there. A name says of what it is (a load on a
-// body, the reaction of a joint, a point of concurrency), never where it lies. Knows no figure and no plan.
+// Stable names that bind marks of the figures of forces, curvature and Joukowsky's lever to program elements, in every
+// plan of a moving mechanism. A name identifies an object (a load on a body, the reaction of a joint, a point of
+// concurrency), never a position.
 #pragma once
 
 #include <string>
@@ -9,27 +9,27 @@
 
 namespace kinegraph {
 
-/// `load`: whose loads act alone (the name of a body or a pin); empty: all do.
+/// `load`: whose loads act alone (the name of a body or a pin); empty: all loads act.
 std::string held_force(const std::string& load, const FreeBody& body, const AppliedForce& applied);
-/// Of what was added up on a body, or on bodies taken together (`of`: their place among those).
+/// A sum of forces on a body, or on bodies taken together (`of`: their index).
 std::string held_sum(const std::string& load, const FreeBody& body, const AppliedForce& sum);
 std::string held_sum(const std::string& load, std::size_t of, const AppliedForce& sum);
-/// The couple of any of these: where a body has force and couple apart, two places go with them.
+/// The couple of any of these. Where a body has a force and a separate couple, two names are needed.
 std::string couple_of(const std::string& held);
 /// A point of concurrency.
 std::string held_meet(const std::string& load, const std::string& name);
-/// An arm's end: the place about which, or the foot.
+/// The end of a moment arm: the centre of moments, or the foot.
 std::string held_arm(const std::string& load, const FreeBody& body, std::size_t arm, bool is_foot);
 /// Force and couple of a joint at its own point.
 std::string held_pair(const JointForce& pair);
-/// A vertex of a funicular polygon, by the reactions that it finds; the one past the last is where the outer strings
-/// meet.
+/// A vertex of a funicular polygon, identified by the reactions that it finds; the one past the last is the
+/// intersection of the outer strings.
 std::string held_string(const std::string& load, const FreeBody::Funicular& funicular, std::size_t vertex);
 /// A place of a body's curvature: "pole", "axis", "J", …
 std::string held_curvature(BodyIndex body, const std::string& what);
 /// A force on Joukowsky's lever and the velocity of its place.
 std::string held_work(const VirtualWork::Entry& entry);
-/// A point of the mechanism, which the position alone gives.
+/// A point of the mechanism, which depends on the position only.
 std::string held_point(PointIndex point);
 /// The pole of the lever, and the foot of the perpendicular from it on the line of a force.
 std::string held_pole();

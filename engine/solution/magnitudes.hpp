@@ -1,5 +1,5 @@
-// Magnitudes: how large the quantities of each kind get in one solution, by construction and by check. What difference
-// counts and what is rounding is told by them. Computes no mechanics.
+// Magnitudes: the largest quantity of each kind in one solution, by construction and by check. They decide whether a
+// difference is significant or rounding.
 #pragma once
 
 #include <optional>
@@ -9,23 +9,24 @@
 
 namespace kinegraph {
 
-/// The lengths of a record's drawn velocities and accelerations, SI, by Protocol::vectors; none of a force.
+/// The lengths of a record's drawn velocities and accelerations, SI, by Protocol::vectors; none for a force.
 std::vector<std::optional<double>> moduli_of_motion(const Protocol& protocol);
 
-/// The largest of each kind, SI units, what the file gives for drivers and loads included. Kinds that one motion ties
-/// together share their measure across the size L of the drawing: where the points move at v a body that turns at v/L
-/// turns at all, where bodies turn at ω a velocity of ω·L is one, and so on to ω²·L; where a force F acts, F·L is a
-/// couple. So what vanishes altogether (no body turns) is measured, too.
+/// The largest of each kind, SI units, including given values of drivers and loads. Kinds related by one motion share
+/// their scale through the size L of the drawing: where points move at v, the scale of ω is v/L; where bodies rotate at
+/// ω, the scale of velocity is ω·L, and so on to ω²·L; where a force F acts, the scale of couples is F·L. So a kind
+/// that vanishes altogether (no body rotates) has a scale too.
 class Magnitudes {
 public:
     explicit Magnitudes(const Solution& solution) : Magnitudes(solution, moduli_of_motion(solution.protocol)) {}
-    /// With the moduli of the solution's record, where they are at hand.
+    /// With the moduli of the solution's record, if already computed.
     Magnitudes(const Solution& solution, const std::vector<std::optional<double>>& moduli);
 
     double of(const Quantity& quantity) const;
 
-    /// The check's equations are solved to some 1e-13 of the largest of their kind, and lose a few digits more near a
-    /// dead point; no table prints more than six. What lies below this share of the largest is the check's rounding.
+    /// The check's equations are accurate to about 1e-13 of the largest value of their kind, and lose a few digits more
+    /// near a dead point; tables print at most six. Below this share of the largest, a value is the check's rounding
+    /// error.
     static constexpr double noise = 1e-9;
     bool is_noise(const Quantity& quantity, double value) const;
 

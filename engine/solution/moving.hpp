@@ -1,6 +1,6 @@
-// Moving: what it takes to move a mechanism and its construction elsewhere than here, as data: the closure of the
-// joints with a start for Newton's method all along each driver's travel, and for each stretch of it the program whose
-// guards hold there. Knows no figure and no page. Made by constructions/moving/moving.hpp.
+// Moving: data with which a viewer moves a mechanism and its construction: the closure of the joints, with starting
+// values for Newton's method along each driver's travel, and for each part of the travel a program whose guards hold
+// there. Made by constructions/moving/moving.hpp.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace kinegraph {
 
-/// A given whose value hangs on the position, and the rule by which it follows from the places.
+/// A given whose value depends on the position, and the rule that computes it from the places.
 struct MovingGiven {
     enum class Rule {
         place,         ///< of point `index`
@@ -27,9 +27,9 @@ struct MovingGiven {
         between,  ///< unit vector from `ends[0]` to `ends[1]`
         spring,   ///< factor · (distance of the ends − offset), N
         torsion,  ///< −factor · (offset + turn of bodies[0] − turn of bodies[1]), N m
-        rate,     ///< of a driver with a law
+        rate,     ///< rate of a driver with a law
         acceleration,
-        setting  ///< as it was planned with, times what Moving::settings[index] has become
+        setting  ///< its original value times the change of Moving::settings[index]
     } rule = Rule::place;
     int given = 0;  ///< index in Program::givens
     int index = -1;
@@ -38,13 +38,13 @@ struct MovingGiven {
     double factor = 1, offset = 0;
 };
 
-/// A construction that holds for a stretch: its program, and which elements are drawn, under names that are the same in
-/// all plans.
+/// A construction that is valid on a part of the travel: its program, and the elements that are drawn, under the same
+/// names in all plans.
 struct MovingPlan {
     Program program;
-    std::vector<ValueOf<double>> givens;  ///< in the position where it was planned
+    std::vector<ValueOf<double>> givens;  ///< in the position for which it was planned
     std::vector<MovingGiven> moving;
-    /// By column of Moving::columns: the element that holds it; none: it is zero where `known`.
+    /// By column of Moving::columns: the element with its value; none: it is zero if `known`, else unknown.
     struct Source {
         bool known = false;
         ElementIndex element;
@@ -56,7 +56,7 @@ struct MovingPlan {
         bool vanishes = false;
     };
     std::vector<Vector> vectors;
-    /// A vertex of a polygon under its label's name, an instant centre ("P_13", figure empty).
+    /// A vertex of a polygon, named by its label, or an instant centre ("P_13", figure empty).
     struct Spot {
         std::string figure, name;
         ElementIndex point;
@@ -69,7 +69,7 @@ struct MovingPlan {
         std::vector<ElementIndex> points;
     };
     std::vector<Line> lines;
-    /// What marks of figures of forces, curvature and the lever go with (engine/solution/held.hpp).
+    /// The names that marks of figures of forces, curvature and the lever are bound to (engine/solution/held.hpp).
     struct Held {
         std::string name;
         ElementIndex place, vector, couple;
@@ -77,36 +77,36 @@ struct MovingPlan {
     std::vector<Held> held;
 };
 
-/// One driver on its way, the others at rest as drawn.
+/// One driver along its travel, the others at rest as drawn.
 struct MovingCourse {
     int driver = 0;
     std::string name;
     bool turns = true;
-    double rate = 0;  ///< of the coordinate as drawn; zero: it has no time of its own
+    double rate = 0;  ///< of the coordinate as drawn; zero: the course has no time scale
     Travel travel;
-    bool by_law = false;  ///< `at` of the samples is a time, and only these positions are shown
+    bool by_law = false;  ///< `at` of the samples is a time, and only these positions can be shown
     std::vector<double> shares;
     struct Sample {
         double at = 0, coordinate = 0;  ///< rad or m, zero as drawn
-        std::vector<double> q;          ///< by column of the closure; a start for Newton's method
-        int plan = -1;                  ///< index in Moving::plans; −1: no construction holds here
+        std::vector<double> q;          ///< by column of the closure; a starting value for Newton's method
+        int plan = -1;                  ///< index in Moving::plans; −1: no construction is valid here
         double rate = 0, acceleration = 0;
-        /// Where a verdict drowns in doubles (a body all but at rest): by column what the exact construction found;
-        /// else empty.
+        /// Where doubles cannot reproduce a verdict (a body nearly at rest): by column the values of the exact
+        /// construction; else empty.
         std::vector<std::optional<double>> values;
     };
-    std::vector<Sample> samples;  ///< in the order of the way
+    std::vector<Sample> samples;  ///< in the order of the travel
 };
 
-/// Something given that may be changed while all else stays: a driver's rate, the size of a load, the length of a bar,
-/// how far apart the frame's two hinges are, a parameter of the file. Never zero: verdicts hang on that.
+/// A given that can be changed while everything else stays: a driver's rate, the size of a load, the length of a bar,
+/// the distance of the frame's two hinges, a parameter of the file. Never zero, because verdicts depend on that.
 struct MovingSetting {
     enum class Kind {
         velocity,
         acceleration,
         load,
-        bar,       ///< of a body that two hinges hold: all its places, seen from its reference, in proportion
-        ground,    ///< the hinge at `ends[1]` goes along the line from the one at `ends[0]`
+        bar,       ///< a body with two hinges: all its places, relative to its reference, are scaled
+        ground,    ///< the hinge at `ends[1]` moves along the line from the one at `ends[0]`
         parameter  ///< see MovingEffect
     } kind = Kind::velocity;
     int of = 0;  ///< index of the driver, the load or the body in the mechanism
@@ -115,16 +115,16 @@ struct MovingSetting {
     double value = 0;               ///< SI, as given; of a parameter in `written_unit`
     std::string written_unit = {};  ///< of a parameter, as the file writes it: "mm"; of a bare number empty
     std::array<PointIndex, 2> ends{};
-    double radians = 0;  ///< of a parameter that is an angle: its written unit; else 0
+    double radians = 0;  ///< for a parameter that is an angle: size of its written unit, rad; else 0
 };
 
-/// A number of the closure, of a plan or of the settings that follows from parameters of the file:
-///   number = (what the file gives) + Σ by · Δ_first · Δ_second,
-/// where Δ_2i of setting i is its value less what the file gives; of an angle Δ_2i is that of its cosine, Δ_2i+1 of its
-/// sine.
+/// A number of the closure, of a plan or of the settings that depends on parameters of the file:
+///   number = (value in the file) + Σ by · Δ_first · Δ_second,
+/// where Δ_2i of setting i is its value minus the file's value; for an angle Δ_2i is the change of its cosine, Δ_2i+1
+/// that of its sine.
 struct MovingEffect {
     enum class List {
-        row,    ///< `item` of Moving::rows; `part` 0 … 9 as they stand in ClosureRowOf, from p.x to share_j
+        row,    ///< `item` of Moving::rows; `part` 0 … 9 in the order of ClosureRowOf, from p.x to share_j
         body,   ///< reference of a body, x or y
         point,  ///< local of a point, x or y
         local,  ///< locals of a joint: part / 2 the side, part % 2 x or y
@@ -154,14 +154,14 @@ struct Moving {
     std::vector<Positions::JointRule> joints;
     std::vector<double> directions;  ///< by body: from its first point to the next, as drawn, rad
     std::vector<MovingSetting> settings;
-    std::vector<MovingEffect> effects;  ///< of the settings that are parameters
-    /// A parameter that can be changed in the file alone, and why.
+    std::vector<MovingEffect> effects;  ///< effects of the settings that are parameters
+    /// A parameter that can only be changed in the file, and the reason.
     struct Fixed {
         enum class Why {
-            otherwise,  ///< what follows from it does so in another way, or makes another mechanism
-            nothing,    ///< nothing follows, but at most where the mechanism is drawn
-            zero,       ///< verdicts hang on that
-            many        ///< enough were taken before
+            otherwise,  ///< its effects have another form, or it changes the structure of the mechanism
+            nothing,    ///< it has no effect, except perhaps on the position of the drawing
+            zero,       ///< it is zero, and verdicts depend on that
+            many        ///< the limit on settings was reached
         } why = Why::otherwise;
         std::string name;
     };

@@ -1,6 +1,6 @@
-// What was found of the motion of a point, and of motions in the large, between positions of a body. Values in SI
-// units, angles in radians. Methods: constructions/problems/point_motion.hpp and finite_displacements.hpp; numeric
-// checks: engine/check/check_point_motion.hpp.
+// Results for the motion of a point and for finite displacements of a body. Values in SI units, angles in radians.
+// Methods: constructions/problems/point_motion.hpp and finite_displacements.hpp; numeric checks:
+// engine/check/check_point_motion.hpp.
 #pragma once
 
 #include <array>
@@ -22,15 +22,15 @@ struct Derived {
     std::array<Expression, 3> by_order;
 };
 
-/// What was found of the motion of a point at the instant. Of components that are undefined there the flags tell.
+/// The motion of a point at the instant. Flags mark components that are undefined there.
 struct PointMotionSolution {
     std::vector<Derived> laws;             ///< of PointProblem::laws
     std::optional<Derived> of_path;        ///< f, f′, f″
-    Vector place, velocity, acceleration;  ///< the doubles that the laws give, as the board takes them
-    double way = 0;                        ///< s from `from` on; of a path as its law counts it
+    Vector place, velocity, acceleration;  ///< the values of the laws in doubles, as input of the board
+    double way = 0;                        ///< path length s from `from`; for a path, as its law counts it
     bool rests = false;                    ///< v = 0: no tangent, no normal, no curvature
     bool straight = false;                 ///< a_n = 0: the centre of curvature at infinity
-    bool at_pole = false;                  ///< of coordinates: r = 0, no direction of the radius
+    bool at_pole = false;                  ///< polar coordinates: r = 0, the radial direction is undefined
     /// By the construction; none where `rests`.
     std::optional<Vector> tangential, normal;  ///< components of the acceleration
     std::optional<Vector> centre;              ///< of curvature; none where `straight`
@@ -44,8 +44,7 @@ struct PointMotionSolution {
     };
     std::vector<At> course;  ///< from `from` to `to`
     Protocol record;         ///< the board of the components and of the centre of curvature
-    /// Elements of the record: points of the drawing in which a metre per second and a metre per second² are a metre
-    /// each.
+    /// Elements of the record: points of the drawing, where one metre stands for 1 m/s or 1 m/s².
     struct Elements {
         ElementIndex tip_of_velocity = none, tip_of_acceleration = none, foot = none, reversed = none, centre = none;
     } elements;
@@ -54,33 +53,32 @@ struct PointMotionSolution {
 /// The value of "motion" in the results file (docs/results.md), of a solution whose problem is the motion of a point.
 std::string motion_json(const Solution& solution);
 
-// ----- motions in the large
+// ----- finite displacements
 
-/// What takes a body from one position to another.
+/// The displacement of a body from one position to another.
 struct Displacement {
     std::size_t from = 0, to = 1;
     enum class Kind {
-        rest,         ///< both are the same
-        translation,  ///< all points go the same way
-        rotation,     ///< about one of the two points, which keeps its place
-        general       ///< about the pole, where neither is
+        rest,         ///< both positions are the same
+        translation,  ///< all points have the same displacement
+        rotation,     ///< about one of the two points, which stays in place
+        general       ///< about a pole that is neither of the points
     } kind = Kind::general;
-    std::optional<Vector> pole;  ///< none of a translation or of rest
+    std::optional<Vector> pole;  ///< none for a translation or rest
     Vector way;                  ///< of a translation
     double angle = 0;            ///< −π … π, counter-clockwise positive
-    /// How the pole was found: the bisectors' meet; where they coincide, the meet of both joins, or the common middle;
-    /// a point that stays.
+    /// How the pole was found: intersection of the perpendicular bisectors; where they coincide, intersection of the
+    /// two joins, or the common midpoint; or a point that stays.
     enum class By { bisectors, joins, middle, point } by = By::bisectors;
 };
-/// The fixed pivot of a crank that carries one of the points through three positions: centre of the circle through
-/// them.
+/// The fixed pivot of a crank that guides one of the points through three positions: centre of the circle through them.
 struct FixedPivot {
     enum class Kind {
         pivot,
         straight,
         free,
         fixed
-    } kind = Kind::pivot;  ///< free: two places coincide; fixed: all three do
+    } kind = Kind::pivot;  ///< free: two places coincide; fixed: all three coincide
     std::optional<Vector> centre;
     Vector direction;   ///< of the straight line
     double radius = 0;  ///< length of the crank

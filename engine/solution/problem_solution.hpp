@@ -1,6 +1,5 @@
-// What was found of a problem that a file states in place of joints (engine/mechanism/problem.hpp), as values in SI
-// units. Knows no method: those are constructions/problems/hertz.hpp and its like, the numeric checks
-// engine/check/check_hertz.hpp and its like.
+// Results of a problem without joints (engine/mechanism/problem.hpp), as values in SI units. Methods:
+// constructions/problems/hertz.hpp and others; numeric checks: engine/check/check_hertz.hpp and others.
 #pragma once
 
 #include <array>
@@ -16,44 +15,44 @@
 
 namespace kinegraph {
 
-/// One scalar result, as tables, results and checks say it.
+/// One scalar result, for tables, results and checks.
 struct ProblemValue {
     Words name;          ///< in English the key of the results file
     std::string symbol;  ///< "p_0", "σ_z": a letter and its subscript
     QuantityKind kind = QuantityKind::dimensionless;
     double value = 0;               ///< SI
     std::optional<double> numeric;  ///< by the check
-    bool in_file = true;            ///< false: the results file has it in a form of its own
-    std::string unit{};             ///< SI, of what has no kind: "N s", "J"
-    Words spoken{};  ///< on sheets and in tables, where that is not the name: with a body's label for its key
+    bool in_file = true;            ///< false: the results file has a special form for it
+    std::string unit{};             ///< SI unit of a value without a kind: "N s", "J"
+    Words spoken{};  ///< on sheets and in tables, where it differs from the name: with a body's label instead of its
+                     ///< key
 };
 
-/// What was found of a Hertzian contact. Axes: x along the longer axis of the ellipse of contact (of a line: along the
-/// common tangent, across the line), z into the bodies.
+/// A Hertzian contact. Axes: x along the longer axis of the contact ellipse (for a line: along the common tangent,
+/// across the line), z into the bodies.
 struct HertzSolution {
-    Exact curvature_sum;  ///< 1/R of a line or a round point contact: the sum of both bodies' curvatures; of an ellipse
-                          ///< A + B, twice
-    double radius = 0;    ///< effective: R, of an ellipse (R′R″)^½
-    double modulus = 0;   ///< effective: E*, Pa
+    Exact curvature_sum;         ///< 1/R of a line or a round point contact: the sum of both bodies' curvatures; for an
+                                 ///< ellipse twice A + B
+    double radius = 0;           ///< effective: R, for an ellipse (R′R″)^½
+    double modulus = 0;          ///< effective: E*, Pa
     bool elliptic = false;       ///< a point contact with different principal curvatures
     double long_curvature = 0;   ///< A of the gap A x² + B y², 1/m: that of the longer axis
     double short_curvature = 0;  ///< B
-    double
-        a = 0,
-        b = 0;  ///< half axes, a ≥ b, m; a round contact has two equal ones, of a line b is the half width and a is 0
+    double a = 0,
+           b = 0;  ///< half axes, a ≥ b, m; equal for a round contact; for a line b is the half width and a is 0
     double mean = 0, greatest = 0;  ///< pressure, Pa
     double approach = 0;            ///< of points far from the contact, m
     double shear = 0, depth = 0;    ///< the greatest shear on the axis, Pa, and its depth, m
-    std::size_t sheared = 0;        ///< in which of the two bodies it is
-    /// On the axis, Pa; tension positive. σ_x and σ_y are alike under a round contact.
+    std::size_t sheared = 0;        ///< which of the two bodies has it
+    /// On the axis, Pa; tension positive. σ_x and σ_y are equal under a round contact.
     struct Stress {
         double z = 0, along_x = 0, along_y = 0, along_z = 0, shear = 0;
     };
     std::vector<Stress> stresses;  ///< of the body `sheared`, from the surface down
 };
 
-/// What was found of an impact, exactly. The normal n is no unit vector (it is rational), the tangent t is n turned a
-/// quarter; impulses and velocities along them are counted in |n|, so that friction's limit stays |J_t| ≤ f J_n.
+/// An impact, exactly. The normal n is no unit vector (it is rational); the tangent t is n turned by a quarter turn.
+/// Impulses and velocities along them are in units of |n|, so that the friction limit stays |J_t| ≤ f J_n.
 struct ImpactSolution {
     Vector at;               ///< the point of impact, m
     Vector normal, tangent;  ///< from the second body into the first
@@ -62,7 +61,8 @@ struct ImpactSolution {
         Vector centre;  ///< m
         std::optional<Vector> pivot;
         Exact inverse_mass;                    ///< 0: fixed or pivoted
-        Exact inverse_inertia;                 ///< about the centre, or the pivot where there is one; 0: does not turn
+        Exact inverse_inertia;                 ///< about the centre, or the pivot where there is one; 0: does not
+                                               ///< rotate
         Vector before, after;                  ///< velocity of the centre, m/s
         Exact omega_before, omega_after;       ///< rad/s
         Vector contact_before, contact_after;  ///< velocity of its point at the impact, m/s
@@ -70,11 +70,11 @@ struct ImpactSolution {
         std::optional<Vector> percussion;      ///< the centre of percussion of a pivoted body, m
     };
     std::array<Body, 2> bodies;
-    /// Relative velocity of the points in contact, of the first body seen from the second, along n and t; and how an
-    /// impulse changes it: Δu_n = a J_n + b J_t,  Δu_t = b J_n + c J_t.
+    /// Relative velocity of the points in contact, first body relative to the second, along n and t; and the effect of
+    /// an impulse on it: Δu_n = a J_n + b J_t,  Δu_t = b J_n + c J_t.
     Exact approach, slip, a, b, c;
     Exact friction, restitution;
-    /// One phase of the impact: the impulses at its end and what the contact did in it.
+    /// One phase of the impact: the impulses at its end and the state of the contact.
     struct Phase {
         enum class Kind { slides, sticks } kind = Kind::slides;
         int sense = 0;  ///< of the slip along t
@@ -91,11 +91,11 @@ struct ImpactSolution {
     Exact kinematic_restitution;  ///< −u_n′/u_n (Newton)
 };
 
-/// What was found of a rubbing contact. The coordinate of pressures is x from the pad's end (m), the radius of a disc
-/// (m), or the angle of a shoe (rad).
+/// A rubbing contact. The coordinate of pressures is x from the pad's end (m), the radius of a disc (m), or the angle
+/// of a shoe (rad).
 struct ReyeSolution {
-    double begin = 0, end = 0;     ///< where contact is
-    double first = 0, second = 0;  ///< pressures at both ends of the face, Pa; 0 where it lifts
+    double begin = 0, end = 0;     ///< ends of the contact
+    double first = 0, second = 0;  ///< pressures at both ends of the face, Pa; 0 where it lifts off
     double greatest = 0, greatest_at = 0;
     std::optional<Exact> m;          ///< pad: (p₂ − p₁)/p₁, where the whole face touches
     std::optional<Exact> resultant;  ///< pad, block: of the pressures, from the end x = 0, m
@@ -103,7 +103,7 @@ struct ReyeSolution {
     std::optional<double> friction_force;                    ///< pad, block
     std::optional<double> torque;                            ///< disc, shoe; N m
     std::optional<double> uniform_pressure, uniform_torque;  ///< disc: new, before it has worn in
-    std::optional<double> locking_friction;  ///< leading shoe: from this coefficient on it needs no force
+    std::optional<double> locking_friction;  ///< leading shoe: above this coefficient it locks without force
     VectorOf<double> normal_force;           ///< shoe: resultant of the pressures on the shoe, N; x towards the pivot
     double pressure_radius = 0;              ///< shoe: of the centre of pressure, m
     std::optional<std::array<double, 2>> worn;  ///< depth at both ends of the face, m
@@ -114,7 +114,7 @@ struct ReyeSolution {
 };
 
 struct ProblemSolution;
-/// What was found of the contact at one joint: the problem that it comes to, and its solution.
+/// The contact at one joint: its problem, and the solution.
 struct SolvedContact {
     JointIndex joint = none;
     std::shared_ptr<const Problem> stated;
@@ -123,7 +123,7 @@ struct SolvedContact {
 using SolvedContacts = std::vector<SolvedContact>;
 
 struct ProblemSolution {
-    Words subject;  ///< what the sheet is, for its title block
+    Words subject;  ///< subject of the sheet, for its title block
     std::variant<HertzSolution, ImpactSolution, ReyeSolution, SolvedContacts, PointMotionSolution, PositionsSolution>
         of;
     std::vector<ProblemValue> values;

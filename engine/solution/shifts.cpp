@@ -3,7 +3,7 @@
 namespace kinegraph {
 namespace {
 
-/// Of a load or a reaction, as it counts on one of these bodies.
+/// The couple of a load or a reaction, with its sign on one of these bodies.
 std::optional<Exact> couple_on(const Solution& solution, const std::vector<BodyIndex>& bodies, const Symbol& symbol) {
     for (const FreeBody& body : solution.free_bodies)
         for (const BodyIndex each : bodies)

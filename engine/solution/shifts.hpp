@@ -1,5 +1,5 @@
-// By how much a force was moved aside for a couple, d = M/F, where bodies were taken together. Reads what was found;
-// owns no construction.
+// The displacement d = M/F of a force that replaces a force and a couple, where bodies were taken together. Read from
+// the results.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace kinegraph {
 
-/// From the line of a sum before the statement moved it aside for a couple to where it is then, square to it, m. None:
-/// the statement moves another force, or none.
+/// The displacement of a sum's line of action by the statement, perpendicular to it, m. None: the statement displaces
+/// another force, or none.
 std::optional<Vector> shift_of(const Solution& solution, StatementIndex statement, const AppliedForce& sum);
 
 }  // namespace kinegraph

@@ -1,4 +1,3 @@
-// Sliding at a joint: see sliding.hpp.
 #include "engine/solution/sliding.hpp"
 
 #include <algorithm>
@@ -10,14 +9,14 @@ namespace {
 
 using Spot = VectorOf<double>;
 
-/// A name that is one letter with digits reads well beside another such: BA, O2A.
+/// Whether the name is one letter with digits, which can be joined to another such name: BA, O2A.
 bool is_short(const std::string& name) {
     const auto digit = [](char c) { return c == '*' || std::isdigit(static_cast<unsigned char>(c)) != 0; };
     return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
            std::all_of(name.begin() + 1, name.end(), digit);
 }
 
-/// Whether two bodies carry a point alike: a pin there holds them together.
+/// Whether several bodies carry a point together, because a pin connects them there.
 bool are_pinned(const Mechanism& mechanism, PointIndex point, BodyIndex one, BodyIndex other) {
     return one == other || std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
                return joint.pair().is_hinge() && joint.point == point && joint.connects(one) && joint.connects(other);
@@ -45,7 +44,7 @@ bool is_of_sliding(const Quantity& vector, JointIndex index, bool second_order, 
     const Joint& joint = mechanism.joint(index);
     const Quantity::Kind kind = second_order ? Quantity::Kind::acceleration : Quantity::Kind::velocity;
     if (vector.kind != kind || vector.component != Quantity::Component::whole || vector.point == none) return false;
-    // What translates on the other body has one velocity relative to it, at whichever point that is drawn.
+    // A body in relative translation has one relative velocity, whichever point it is drawn at.
     const bool is_between_moving = joint.bodies[1] != frame;
     if (vector.point != joint.point && !(is_between_moving && joint.pair().is_sleeve())) return false;
     if (!are_pinned(mechanism, vector.point, vector.body, joint.bodies[0])) return false;
@@ -54,7 +53,7 @@ bool is_of_sliding(const Quantity& vector, JointIndex index, bool second_order, 
 }
 
 std::optional<Symbol> symbol_of_sliding(const Solution& solution, JointIndex joint, bool second_order) {
-    // Before all at the joint's own point.
+    // The joint's own point is preferred.
     const DrawnVector* elsewhere = nullptr;
     for (const DrawnVector& vector : solution.protocol.vectors) {
         if (!is_of_sliding(vector.quantity, joint, second_order, solution.mechanism)) continue;

@@ -1,4 +1,4 @@
-// Sliding at a joint: in which sense it counts positive, and how its vector is called. Knows no value of it.
+// Sliding at a joint: its positive direction and the name of its vector. Contains no values.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace kinegraph {
 
-/// X of a slide, or the common tangent of a contact or a curved slot, as a unit vector: along it relative velocities
-/// are counted.
+/// X of a slide, or the common tangent of a contact or a curved slot, as a unit vector: relative velocities are
+/// measured along it.
 VectorOf<double> direction_of_sliding(const VectorOf<double>& guide, const VectorOf<double>& tangent,
                                       const VectorOf<double>& normal);
 VectorOf<double> direction_of_sliding(const Pose& pose, JointIndex joint);
@@ -18,16 +18,16 @@ VectorOf<double> direction_of_sliding(const Pose& pose, JointIndex joint);
 std::string relative_name(const std::string& of, const std::string& to);
 
 /// Whether a vector of motion is the velocity of the joint's first body relative to its second, or (`second_order`) the
-/// relative acceleration; where the second is the frame, that of the point.
+/// relative acceleration; where the second body is the frame, that of the point.
 bool is_of_sliding(const Quantity& vector, JointIndex joint, bool second_order, const Mechanism& mechanism);
 
-/// What a solution calls that vector: v_AA*, a_AA*^rel; v_B where the second is the frame. Nothing where it draws no
-/// such vector.
+/// Its symbol in a solution: v_AA*, a_AA*^rel; v_B where the second body is the frame. Empty where the solution draws
+/// no such vector.
 std::optional<Symbol> symbol_of_sliding(const Solution& solution, JointIndex joint, bool second_order);
-/// The same, or the joint's own name where the solution draws none: v_cyl; v_D^rel, where that is the name of a point,
-/// too.
+/// The same, or the joint's own name where the solution draws none: v_cyl; v_D^rel, where that is also the name of a
+/// point.
 Symbol name_of_sliding(const Solution& solution, JointIndex joint, bool second_order);
-/// What a driver gives of a point: the component along its line, v_P∥, as solutions call it.
+/// The given component of a point driver along its line, v_P∥.
 Symbol along_drive(Symbol::Letter letter, const PointDriver& driver, const Mechanism& mechanism);
 
 }  // namespace kinegraph

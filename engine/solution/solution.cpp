@@ -15,7 +15,7 @@ namespace {
 
 void read(const Value& from, Exact& value) { value = std::get<Exact>(from); }
 void read(const Value& from, ProjectivePoint& value) { value = std::get<ProjectivePoint>(from); }
-/// A vector from the pole may stand in the record as its tip.
+/// A vector from the pole may be stored in the record as its tip.
 void read(const Value& from, Vector& value) {
     const auto* point = std::get_if<ProjectivePoint>(&from);
     value = point == nullptr ? std::get<Vector>(from) : point->place();
@@ -49,7 +49,7 @@ Vector unit_of_component(const JointForce& action) {
     const Exact& largest = x > y ? x : y;
     KG_ASSERT(!largest.is_zero(), "a component has a direction");
     along = {along.x / largest, along.y / largest};
-    // On a pose with a leftover an upright direction is upright within 2^-100 or so; its sense must not hang on that.
+    // On a pose with a leftover a vertical direction is accurate to about 2^-100; its sense must not depend on that.
     const Exact noise = Exact::power_of_two(-80);
     if (x / largest < noise) along.x = 0;
     if (y / largest < noise) along.y = 0;

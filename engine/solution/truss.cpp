@@ -11,7 +11,7 @@
 namespace kinegraph {
 namespace {
 
-/// Reads a truss off a mechanism; what a truss has not ends the reading.
+/// Recognises a truss in a mechanism; stops at the first property that excludes it.
 class TrussReader {
 public:
     explicit TrussReader(const Mechanism& mechanism) : mechanism_(mechanism), ends_(mechanism.bodies.size()) {}
@@ -30,7 +30,8 @@ private:
                !mechanism_.inertia_forces && weightless;
     }
 
-    /// Hinges, and on the frame supports with a reaction along one line; a guide is one where a roller slides in it.
+    /// Hinges, and on the frame supports with a reaction along one line; a guide is a support where a roller slides in
+    /// it.
     bool read_joints() {
         for (const Joint& joint : mechanism_.joints) {
             const bool is_hinge = joint.pair().is_hinge();
@@ -76,7 +77,7 @@ private:
         return true;
     }
 
-    /// Hinged to the bars at one point, where its one guide holds it.
+    /// A body hinged to the bars at one point, where its only guide constrains it.
     bool is_roller(BodyIndex body) const {
         const auto& ends = ends_[at_index(body)];
         const auto holds = [&](const Joint& joint) { return joint.connects(body) && !joint.pair().is_hinge(); };
@@ -100,8 +101,8 @@ private:
         });
     }
 
-    /// As many unknowns as equations; and at each pin as many joints as hold its bodies together, so that the force at
-    /// each is determined, too.
+    /// As many unknowns as equations; and at each pin exactly the joints that connect its bodies, so that the force at
+    /// each is determined too.
     bool is_determinate() const {
         std::size_t unknown = truss_.bars.size();
         for (const TrussStructure::Pin& pin : truss_.pins) {
@@ -111,7 +112,7 @@ private:
             std::size_t links = 0;
             for (const Joint& joint : mechanism_.joints) {
                 if (joint.point != pin.point) continue;
-                if (!joint.pair().is_hinge()) continue;  // what holds along a line repeats no hinge
+                if (!joint.pair().is_hinge()) continue;  // a constraint along a line does not repeat a hinge
                 bodies.insert(joint.bodies.begin(), joint.bodies.end());
                 links += joint.bodies.size() - 1;
             }
