@@ -109,13 +109,14 @@ private:
 
 std::string Quizzes::csv() const {
     // The same columns as in the answer key: those of the first variant; a later variant may lack one.
-    const std::vector<render::QuizBlank>& blanks = rows_.front().blanks;
+    const std::vector<render::QuizBlank>& first_row = rows_.front().blanks;
     Line head;
     head << "variant";
     if (has_owners_) head << "name";
     head << "seed";
     for (const std::string& each : parameters_) head << each;
-    for (const render::QuizBlank& each : blanks) head << each.name << each.name + " unit" << each.name + " tolerance";
+    for (const render::QuizBlank& each : first_row)
+        head << each.name << each.name + " unit" << each.name + " tolerance";
     for (const char* each : {"question", "solution", "results", "file"}) head << each;
     std::string text = std::move(head).text();
     for (const Row& row : rows_) {
@@ -124,7 +125,7 @@ std::string Quizzes::csv() const {
         if (has_owners_) line.text_of_others(row.owner);
         line << seed_;
         for (const std::string& each : row.parameters) line << each;
-        for (const render::QuizBlank& each : blanks) {
+        for (const render::QuizBlank& each : first_row) {
             const auto own = std::find_if(row.blanks.begin(), row.blanks.end(),
                                           [&](const render::QuizBlank& other) { return other.name == each.name; });
             const bool has = own != row.blanks.end();

@@ -1,4 +1,3 @@
-// Asked values: see asked_values.hpp.
 #include "app/library/asked_values.hpp"
 
 #include "engine/mechanism/exercise.hpp"

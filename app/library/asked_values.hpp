@@ -1,4 +1,4 @@
-// Asked values: results by name, as the engine finds them, for the sheets that tell them. Computes nothing.
+// The requested values: named results with their units, for the sheets that show them.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace kinegraph::app {
 
-/// Each with the unit in which a file of these units tells it.
+/// Each in the unit that a file with these units uses for it.
 std::vector<render::AskedValue> asked_values(const std::vector<NamedResult>& results, const Units& units);
-/// What the file asks for by name, and whatever else there is by name; nothing where it asks for nothing.
+/// The results in the file's "ask", then all other named results; empty if the file has no "ask".
 std::vector<render::AskedValue> asked_values(const Solution& solution);
 
 }  // namespace kinegraph::app

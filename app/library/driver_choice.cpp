@@ -74,7 +74,7 @@ Words time_text(double time) {
 Words coordinate_text(const Mechanism& mechanism, int driver, double coordinate, double grain) {
     const bool turning = turns(mechanism, driver);
     const Unit& unit = turning ? mechanism.units.angle : mechanism.units.length;
-    constexpr int digits = 7;  // a limit is known to nine
+    constexpr int digits = 7;  // limits are computed to nine digits
     std::array<char, 32> text{};
     double value = coordinate / unit.si.to_double();
     value = std::round(value / grain) * grain;

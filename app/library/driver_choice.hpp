@@ -1,4 +1,4 @@
-// Which driver moves, and how far, as a command line says it: names of drivers, turns and slides.
+// Reads and writes drivers, their coordinates and times, as a command line gives them.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,21 @@
 
 namespace kinegraph::app {
 
-/// A driver by its body's, joint's or point's name; the first where the name is empty. Error: a line that names those
-/// there are.
+/// A driver by the name of its body, joint or point; the first if the name is empty. Error: a message that lists the
+/// existing names.
 tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::string& name);
 std::string name_of_driver(const Mechanism& mechanism, int driver);
 bool turns(const Mechanism& mechanism, int driver);
-const Law* law_of(const Mechanism& mechanism, int driver);  ///< null: it has none
+const Law* law_of(const Mechanism& mechanism, int driver);  ///< null if it has none
 
-/// `branch` as the command line says it: from 1; 0: none is asked for.
+/// `branch` as on the command line: from 1; 0: not given.
 Course course_of(int driver, int branch);
 
-/// "90°", "1.57 rad", "20 mm", or a bare number in the file's unit: rad or m, exactly. Error: a line that says what is
-/// wrong.
+/// "90°", "1.57 rad", "20 mm", or a bare number in rad or m, exactly. Error: a message that says what is wrong.
 tl::expected<Exact, Words> coordinate_of(const Mechanism& mechanism, int driver, const std::string& text);
-/// A quantity of one kind, or a bare number of units of so much. Error: a line that says what is wrong.
+/// A quantity of one kind, or a bare number of `unit`s. Error: a message that says what is wrong.
 tl::expected<Exact, Words> quantity_of(const std::string& text, QuantityKind kind, const Exact& unit);
-/// "0.2 s" or a bare number of seconds. Error: a line that says what is wrong.
+/// "0.2 s" or a bare number of seconds. Error: a message that says what is wrong.
 tl::expected<Exact, Words> time_of(const std::string& text);
 /// In the file's unit, rounded to `grain` of it and to seven digits: "30°", "20 mm".
 Words coordinate_text(const Mechanism& mechanism, int driver, double coordinate, double grain = 1e-9);
@@ -36,7 +35,7 @@ Words time_text(double time);  ///< "0.2 s"
 
 /// "400 mm is out of reach: driver 2 stops at 80 mm".
 Words out_of_reach(const Words& wanted, const std::string& driver, const Words& limit);
-/// A decimal in messages: the comma of Italian.
+/// A decimal number in messages: Italian uses the comma.
 Words decimal(std::string text);
 
 }  // namespace kinegraph::app

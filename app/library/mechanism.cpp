@@ -1,4 +1,4 @@
-// MechanismFile: read, checked, solved.
+// MechanismFile: reads, checks and solves mechanism files.
 #include <string>
 #include <utility>
 
@@ -37,7 +37,7 @@ std::string printed(const std::vector<render::EquationItem>& items, TextForm for
     return form == TextForm::latex ? render::as_latex(items) : render::as_text(items);
 }
 
-/// What the file's exercise asks for and does not get, or compares and finds otherwise with the file's own values.
+/// Remarks on the file's exercise, with the file's own values: missing results, and conditions that are not fulfilled.
 Expected<std::vector<Text>> check_exercise(const Mechanism& mechanism) {
     std::vector<Text> remarks;
     if (!mechanism.exercise) return remarks;
@@ -47,7 +47,7 @@ Expected<std::vector<Text>> check_exercise(const Mechanism& mechanism) {
     if (const Errors missing = missing_in(*solution, results); !missing.empty())
         return tl::unexpected(diagnostics_of(missing));
     for (const Condition& each : mechanism.exercise->require) {
-        if (each.kind == Condition::Kind::polygon_readable) continue;  // a drawing tells that
+        if (each.kind == Condition::Kind::polygon_readable) continue;  // needs a drawing
         Result<bool> fits = true;
         if (each.kind == Condition::Kind::crank_turns_fully)
             fits = crank_turns_fully(mechanism, solution->pose);

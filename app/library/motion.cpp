@@ -1,4 +1,4 @@
-// Whole cycles and cams as values of the face.
+// Whole cycles and cams for the public interface.
 #include "kinegraph/motion.hpp"
 
 #include <utility>
@@ -24,7 +24,7 @@ template class Shared<const CamFile::State>;
 struct Sweep::State {
     Mechanism mechanism;
     Pose pose;
-    std::optional<Cycle> cycle;  ///< of these two, which stay where they are
+    std::optional<Cycle> cycle;  ///< refers to both members above, which must not move
     Travel travel;
     long steps = 0;
     std::vector<SweepColumn> columns;
@@ -41,7 +41,7 @@ Sweep::~Sweep() { delete state_; }
 
 namespace {
 
-/// The travel asked for, or why the driver cannot make it.
+/// The requested travel, or the reason why the driver cannot make it.
 Expected<Travel> travel_of(const SweepOptions& options, const Mechanism& mechanism, int driver,
                            const Positions& positions) {
     const Law* const law = app::law_of(mechanism, driver);
@@ -133,7 +133,7 @@ double Sweep::largest_difference() const { return state_->cycle->difference().sh
 Expected<CamFile> CamFile::parse(std::string_view text, std::string name) {
     auto cam = read_cam(text, std::move(name));
     if (!cam) return tl::unexpected(diagnostics_of(cam.error()));
-    // The geometry refers to the cam where it stays.
+    // The geometry refers to the cam, which must not move after this.
     auto* const state = new State(*std::move(cam), {});
     CamFile file{Shared<const State>(state)};
     auto geometry = CamGeometry::of(state->cam);

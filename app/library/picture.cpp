@@ -1,4 +1,3 @@
-// Pictures compared: see render/backends/picture_difference.hpp.
 #include "kinegraph/picture.hpp"
 
 #include "app/library/state.hpp"

@@ -1,4 +1,4 @@
-// Drawings of a solution, and their bytes.
+// Drawings of a solution, and their output formats.
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -26,7 +26,7 @@ using Paper = DrawingOptions::Paper;
 using Dimensions = DrawingOptions::Dimensions;
 using SheetWanted = DrawingOptions::Sheet;
 
-/// A drawing's fonts, which a thread opens once. They forget what the drawing before has met.
+/// The thread's fonts, opened once. Each call clears the list of missing characters.
 Expected<const render::Fonts*> fonts_of_thread() {
     thread_local std::optional<render::Fonts> fonts;
     if (fonts) {
@@ -39,7 +39,7 @@ Expected<const render::Fonts*> fonts_of_thread() {
     return &*fonts;
 }
 
-/// The fonts of pages that are laid out already.
+/// The fonts for pages that are already laid out.
 const render::Fonts* fonts_that_drew() {
     const auto fonts = fonts_of_thread();
     KG_ASSERT(fonts.has_value(), "the fonts that laid out the pages are still there");
@@ -67,7 +67,7 @@ std::vector<Text> remarks_on(const render::Fonts& fonts) {
                           "il font non ha {0}: disegnato come codice in un riquadro", absent))};
 }
 
-/// The pages of one solution; what is to be said of them is added to `remarks`.
+/// The pages of one solution; adds remarks to `remarks`.
 Expected<std::vector<render::Page>> pages_of(const Solution& solution, const DrawingOptions& wanted,
                                              const render::SheetOptions& options, const render::Fonts& fonts,
                                              std::vector<Text>& remarks) {
@@ -97,7 +97,7 @@ Drawing drawing(std::vector<render::Page> pages, std::vector<Text> remarks) {
     return Drawing(Shared<const Drawing::State>(new Drawing::State{{}, std::move(pages), std::move(remarks)}));
 }
 
-/// What `paint` paints.
+/// Calls `paint` with the thread's fonts once the rendering library is open.
 template <class Paint>
 Expected<std::string> painted(Paint paint) {
     const auto fonts = fonts_of_thread();
@@ -200,7 +200,7 @@ Expected<std::string> live_page(const Solved& solved, const DrawingOptions& opti
     if (!sheet) return tl::unexpected(sheet.error());
     const auto& source = solved.state().source;
     const Rereading file = source ? rereading_of(source->text, source->name, source->set) : Rereading{};
-    // A built-in theme of colours goes with the dark one on dark screens; what was chosen otherwise is shown as it is.
+    // The built-in colour theme is combined with the dark one for dark screens; any other choice is used as it is.
     const bool by_screen = options.theme_file.empty() && options.theme == "colour";
     const Solution& solution = solved.state().solution;
     return render::live_page(solution, moving_of(solution, file), *sheet,

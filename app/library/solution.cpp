@@ -1,4 +1,4 @@
-// Solved: the results of a solution by name, its sentences, its documents.
+// Solved: named results, sentences and documents of a solution.
 #include <algorithm>
 #include <utility>
 

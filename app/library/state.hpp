@@ -1,6 +1,6 @@
-// What stands behind the values of the public face (include/kinegraph/), and how the engine's texts and faults become
-// those of the face. The one folder that knows engine, constructions and render together; the command line, and later
-// Python and the browser, stand on the face alone.
+// States behind the public interface (include/kinegraph/), and conversions from the engine's texts and errors to public
+// ones. This is the only folder that uses engine, constructions and render together; the command line uses the public
+// interface only.
 #pragma once
 
 #include <atomic>
@@ -41,7 +41,7 @@ struct MechanismFile::State : Owned {
     Mechanism mechanism;
 };
 
-/// The file that a solution's live page reads again with other parameters.
+/// The file that a live page reads again with other parameter values.
 struct SourceFile {
     std::string text, name;
     std::vector<Setting> set;
@@ -50,9 +50,8 @@ struct Solved::State : Owned {
     explicit State(Solution solution, std::optional<SourceFile> source = std::nullopt);
 
     Solution solution;
-    std::optional<SourceFile> source;  ///< none of a position that the file does not draw
+    std::optional<SourceFile> source;  ///< none if the position is not the drawn one of a file
 };
-/// A solution as a value of the face.
 Solved solved(Solution solution, std::optional<SourceFile> source = std::nullopt);
 
 struct Drawing::State : Owned {
@@ -67,13 +66,13 @@ Diagnostics diagnostics_of(const Errors& errors);
 tl::unexpected<Diagnostics> refused(Diagnostic::Kind kind, const Words& words);
 
 std::vector<Setting> settings_of(const std::vector<ParameterValue>& values);
-/// In the file's unit, with the exact value where there is one.
+/// In the file's unit, with the exact value if there is one.
 ResultValue value_of(const NamedResult& result, const Solution& solution);
 
-/// Error: the faults of a theme file, or that there is no theme of that name.
+/// Error: the faults of a theme file, or an unknown theme name.
 Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options);
 
-/// The whole of a file, at most 64 MiB.
+/// The whole content of a file, at most 64 MiB.
 Expected<std::string> read_file(const std::string& path, const Words& kind);
 
 }  // namespace kinegraph

@@ -1,4 +1,4 @@
-// Texts, faults and files: from the engine's to the face's.
+// Converts texts, faults and files from the engine's types to public ones.
 #include <cerrno>
 #include <cstdio>
 #include <memory>

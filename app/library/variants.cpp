@@ -1,4 +1,4 @@
-// Variants of an exercise as values of the face.
+// Variants of an exercise for the public interface.
 #include "kinegraph/variants.hpp"
 
 #include <array>

@@ -95,7 +95,7 @@ private:
         }
     }
 
-    /// What the velocities leave open, and what would close it.
+    /// What the velocities do not determine, and which data would.
     void explain(State<Plane::velocity>& state) {
         const Message what = act_.sought<Plane::velocity>();
         const bool located = act_.centre.has_value() || act_.result.figure.found == ActFigure::Found::rest;
@@ -112,7 +112,7 @@ private:
         if (located && act_.turns(state)) {
             act_.unsolved(what, {Sentence::speed_of_translation_open, {}});
         } else if (located) {
-            // Where the centre is a point of the file, that one is known.
+            // A point of the file at the centre has zero velocity.
             for (const NodeIndex index : act_.structure.nodes_of(act_.body_index)) {
                 if (!state.track.has(index) && board_.coincide(act_.place(index), *act_.centre))
                     act_.set_tip(state, index, board_.pole<Plane::velocity>());

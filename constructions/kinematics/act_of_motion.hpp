@@ -1,10 +1,10 @@
-// The act of motion of one body: what the velocities of some of its points, wholly given or in direction only, say of
-// all the others, and where the centre of instantaneous rotation is; then the same for accelerations. It asks the
-// board, never computes.
+// The instantaneous motion of one body: from the velocities of some of its points, given as vectors or as directions
+// only, those of all other points and the instant centre; then the same for accelerations. All numbers come from the
+// board.
 //
-// Sources: Rivals 1853 for velocities and accelerations of two points (so that velocities project alike on their join);
-// Euler and Chasles for the centre; Assur (1914) for the auxiliary point where three directions of accelerations are
-// given.
+// Sources: Rivals 1853 for velocities and accelerations of two points (so that velocities have equal projections on
+// their join); Euler and Chasles for the centre; Assur (1914) for the auxiliary point where three directions of
+// accelerations are given.
 #pragma once
 
 #include <vector>
@@ -17,19 +17,19 @@
 namespace kinegraph {
 
 struct ActOfMotionResult {
-    Motion motion;         ///< tips and spins of the body, as of a mechanism's
-    ActFigure figure;      ///< what the drawing shows besides
-    InstantCentre centre;  ///< of the body against the frame; unknown where the data do not tell
+    Motion motion;         ///< tips and spins of the body, as for a mechanism
+    ActFigure figure;      ///< what else the figure shows
+    InstantCentre centre;  ///< of the body against the frame; unknown if the data do not determine it
     std::vector<Unsolved> unsolved;
 };
 
-/// What of it is asked for; velocities are drawn in any case, since all else hangs on them.
+/// What to find. Velocities are always drawn, since all else depends on them.
 struct ActWishes {
     bool centre = true, velocities = true, accelerations = false;
 };
 
-/// Draws the act of motion of `mechanism.motion`. Velocities that no rigid motion has are not drawn further: the result
-/// says between which points, and has both projections where these differ.
+/// Draws the instantaneous motion of `mechanism.motion`. Velocities that no rigid motion has are not continued: the
+/// result names the two points, with both projections where these differ.
 ActOfMotionResult draw_act_of_motion(Structure& structure, Board& board, const ActWishes& wishes);
 
 }  // namespace kinegraph

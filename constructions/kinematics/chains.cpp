@@ -1,4 +1,3 @@
-// Chains, theorem by theorem.
 #include "constructions/kinematics/chains.hpp"
 
 #include <algorithm>
@@ -144,7 +143,7 @@ void Chains::start_slide(const Track<plane>& track, const Locus& locus, Chain<pl
     if constexpr (!is_velocity<plane>) {
         const auto add = [&](std::optional<Link<plane>> link, const LineReason& reason) {
             if (!link) return;
-            // Seen from a guide's place whose slider rests, the terms change sides: they are the place's own.
+            // If the base is the slider, at rest, the terms change sides: they belong to the guide's place.
             if (result.from_rest && locus.inverse) link->vector = board_.negate(link->vector);
             link->term = {symbol(link->term.symbol.term), true, true, reason, colour};
             result.known.push_back(*link);

@@ -1,6 +1,6 @@
 // Chains: loci as they are drawn, each from the tip of its base along known vectors, then a line on which the tip
-// sought lies. The theorems of two points of a body (Rivals), of relative motion (Coriolis) and of rolling (Euler,
-// Savary) stand here; which loci meet, and in what order, is for the recipes.
+// sought lies. Contains the theorems of two points of a body (Rivals), of relative motion (Coriolis) and of rolling
+// (Euler, Savary). The recipes decide which loci meet, and in what order.
 #pragma once
 
 #include <map>
@@ -34,7 +34,7 @@ template <Plane plane>
 struct Chain {
     NodeIndex base = none;
     PointOn<plane> start, end;
-    std::vector<Link<plane>> known;  ///< set off one after the other from `start`, those of an inverse chain backwards
+    std::vector<Link<plane>> known;  ///< set off one after the other from `start`; in an inverse chain backwards
     LineOn<plane> line;
     LineReason reason;
     Term sought;
@@ -42,10 +42,10 @@ struct Chain {
     DrawnVector::Role role = DrawnVector::Role::relative;
     bool from_rest = false;
     bool inverse = false;
-    bool absolute = false;  ///< the sought vector is the node's whole velocity (acceleration)
+    bool absolute = false;  ///< the sought vector is the node's absolute velocity (acceleration)
 };
 
-/// What the recipes of motion are built with.
+/// Builds chains; shared by the recipes of motion.
 class Chains {
 public:
     Chains(Structure& structure, Board& board)
@@ -54,12 +54,12 @@ public:
     const Node& node(NodeIndex index) const { return structure_.node(index); }
     PointOn<Plane::drawing> place(NodeIndex index) { return diagram_.place(index); }
     bool at_rest(NodeIndex index) const { return node(index).bodies.front() == frame; }
-    /// The body whose colour a node's vector has.
+    /// The body whose colour is used for a node's vector.
     BodyIndex colour_of(NodeIndex index) const {
         const std::vector<BodyIndex>& bodies = node(index).bodies;
         if (at_rest(index)) return frame;
-        // Of several the one that the frame guides: its locus of the velocity has that colour, so the acceleration has
-        // it too.
+        // If the node is on several bodies, the one guided by the frame, whose locus has that colour in the velocity
+        // polygon.
         const auto guided = std::find_if(bodies.begin(), bodies.end(),
                                          [&](BodyIndex each) { return structure_.is_guided_by_frame(each); });
         return guided == bodies.end() ? bodies.front() : *guided;
@@ -75,17 +75,17 @@ public:
     CarriedPlace carried(NodeIndex index) { return carried(index, node(index).bodies.front()); }
     CarriedPlace carried(NodeIndex index, BodyIndex body) { return {place(index).element, body, node(index).point}; }
     Seen seen(NodeIndex of) { return {carried(of), {}, none}; }
-    /// From a place about which it turns.
+    /// Seen from a place about which it turns.
     Seen turning(NodeIndex of, NodeIndex to) { return {carried(of), carried(to), place(to).element}; }
-    /// From a place of the guide in which it slides; in a curved one it turns, which only accelerations show. At a
-    /// hinge the place is of several bodies, of which `guide_body` has the guide.
+    /// Seen from a place of the guide in which it slides. In a curved guide it turns, which affects only accelerations.
+    /// At a hinge the place is on several bodies; `guide_body` has the guide.
     template <Plane plane>
     Seen sliding(JointIndex joint, NodeIndex slider, NodeIndex guide, BodyIndex guide_body) {
         const PointIndex arc = is_velocity<plane> ? none : mechanism_.joint(joint).arc;
         return {carried(slider), carried(guide, guide_body), arc != none ? board_.place(arc).element : none};
     }
     Segment segment(NodeIndex from, NodeIndex to) const { return {node(from).label, node(to).label}; }
-    /// What a driver asks of this plane; nothing where only the effect of an assumption is wanted.
+    /// The driver's velocity or acceleration; zero in a response, where all drivers rest.
     template <Plane plane>
     ScalarHandle driven(int driver) {
         if (drivers_rest_) return board_.number(0);
@@ -98,20 +98,20 @@ public:
     }
 
     bool rolls_known(JointIndex index) const;
-    /// a_P − a_P*, P on `body`: with c₁, c₂ from the contact to the centres of curvature, ω_rel² c₁ · c₂/(c₂ − c₁); on
-    /// a line ω_rel² c.
+    /// a_P − a_P*, P on `body_of`. With c₁, c₂ from the contact to the centres of curvature: ω_rel² c₁ · c₂/(c₂ − c₁);
+    /// on a line ω_rel² c.
     VectorOn<Plane::acceleration> rolling_offset(JointIndex index, BodyIndex body_of);
     LineReason reason_of(const Locus& locus) const;
     template <Plane plane>
     bool ready(const Track<plane>& track, const Locus& locus) const;
     template <Plane plane>
     Chain<plane> chain(Track<plane>& track, const Locus& locus);
-    /// The equation that the two chains close, written without minus signs: terms of an inverse chain change sides.
+    /// The equation that the two chains close, without minus signs: terms of an inverse chain change sides.
     template <Plane plane>
     Equation equation(NodeIndex sought, const Chain<plane>& first, const Chain<plane>& second) const;
     /// −ω² · (from → to).
     VectorOn<Plane::acceleration> normal_of(BodyIndex turning, NodeIndex from, NodeIndex to);
-    /// 2 ω_j ∧ v_rel, nothing where it vanishes.
+    /// 2 ω_j ∧ v_rel; none if it vanishes.
     std::optional<Link<Plane::acceleration>> coriolis_of(BodyIndex guide_body, NodeIndex slider, NodeIndex guide);
 
     Structure& structure() { return structure_; }
@@ -119,7 +119,7 @@ public:
     const Mechanism& mechanism() const { return mechanism_; }
     /// What is drawn so far.
     Motion& motion() { return motion_; }
-    /// Only the effect of an assumption is wanted.
+    /// Sets all drivers to zero, to compute the response to an assumption.
     void rest_drivers() { drivers_rest_ = true; }
 
 private:
@@ -130,41 +130,40 @@ private:
     Motion motion_;
     bool drivers_rest_ = false;
 
-    /// Known base, direction ⟂ to the join: v_BA ⟂ BA; a_BA = a_BA^n + a_BA^t. An equivalent link turns as a body
-    /// would.
+    /// Known base, direction ⟂ to the join: v_BA ⟂ BA, a_BA = a_BA^n + a_BA^t (Rivals). Also for an equivalent link.
     template <Plane plane>
     void start_rotation(const Track<plane>& track, const Locus& locus, Chain<plane>& result);
-    /// Known place of the other body, direction ∥ guide: v_X = v_X* + v_XX*; a_X = a_X* + a_XX*^cor + a_XX*^rel.
+    /// Known place of the other body, direction ∥ guide: v_X = v_X* + v_XX*, a_X = a_X* + a_XX*^cor + a_XX*^rel
+    /// (Coriolis).
     template <Plane plane>
     void start_slide(const Track<plane>& track, const Locus& locus, Chain<plane>& result);
     LineReason line_reason(const Locus& locus) const;
     LineReason normal_reason(const Locus& locus) const;
-    /// A driver gives the component along X: from the pole set it off, then ⟂ to X.
+    /// A driver gives the component along X: set it off from the pole, then ⟂ to X.
     template <Plane plane>
     void start_component(const Track<plane>&, const Locus& locus, Chain<plane>& result);
-    /// ω of the body known: the image of the node from the base, and the line along the join on which it lies.
+    /// ω of the body is known: the image of the node from the base, and the line along the join on which it lies.
     template <Plane plane>
     void start_image(const Track<plane>& track, const Locus& locus, Chain<plane>& result);
-    /// A driven slide: its component along the guide is given.
+    /// A driven slide: the component along the guide is given.
     template <Plane plane>
     void start_driven_slide(const Track<plane>& track, const Locus& locus, Chain<plane>& result);
-    /// In contact with the base in rolling: from its tip by the difference of accelerations.
+    /// In rolling contact with the base: from its tip by the difference of accelerations.
     template <Plane plane>
     void start_roll(const Track<plane>& track, const Locus& locus, Chain<plane>& result);
-    /// The locus of another node carried to the one sought: by ω ∧ YX (and −ω² YX) on a body whose spin is known; over
-    /// a rolling contact by nothing (and the difference of its accelerations).
+    /// Carries the locus of another node to the one sought: by ω ∧ YX (and −ω² YX) on a body with known spin; over a
+    /// rolling contact by zero (and the difference of accelerations).
     template <Plane plane>
     void shift(const Track<plane>& track, const Carry& carry, Chain<plane>& result);
-    /// The tip of a node that was not drawn for its own sake, from the image of a body that carries it.
+    /// The tip of a node; if it was not drawn, from the image of a body that carries it.
     PointOn<Plane::velocity> velocity_tip(NodeIndex index);
     bool has_velocity(NodeIndex index) const;
-    /// v_rel of the slider seen from the guide.
+    /// v_rel of the slider relative to the guide.
     VectorOn<Plane::velocity> sliding_velocity(NodeIndex slider, NodeIndex guide);
-    /// A slot curved about C: the pin turns about C as seen from the slot, −ω_r² · CP.
+    /// In a slot curved about C the pin turns about C relative to the slot: −ω_r² · CP.
     std::optional<Link<Plane::acceleration>> centripetal_of(JointIndex joint, NodeIndex slider, NodeIndex guide,
                                                             BodyIndex guide_body);
-    /// −ω_r² · CX where X, seen from the base, turns about a centre C at the place of which `base` moves as the base
-    /// does.
+    /// −ω_r² · CX. Relative to the base's body, X turns about C, a place that moves as `base` does.
     VectorOn<Plane::acceleration> centripetal_about(PointOn<Plane::drawing> centre, NodeIndex base, NodeIndex index);
 
     std::map<BodyIndex, ScalarHandle> squares_;

@@ -19,7 +19,7 @@ std::vector<Curvature> draw_curvature(Structure& structure, Board& board, const 
     std::vector<BodyIndex> open;
     for (const BodyIndex body : draft.mechanism.moving_bodies())
         if (draft.is_known(body) && !simple.settle(body)) open.push_back(body);
-    // A body of which two paths are known makes known the paths of its pins; where none is, accelerations help.
+    // A body with two known paths gives the paths of its pins. If there is no such body, accelerations are used.
     while (!open.empty()) {
         const auto next =
             std::find_if(open.begin(), open.end(), [&](BodyIndex body) { return circle.by_known_paths(body); });

@@ -1,7 +1,6 @@
-// Curvature: the motion of each body to the second order, as geometry. The pole and its tangent, the inflection circle,
-// the centre of curvature of any point's path, that of a straight line's envelope, Bresse's circles and the
-// acceleration pole. It asks the board, never computes; of accelerations it takes no more than a body needs of which no
-// two paths are known.
+// Curvature: the motion of each body to the second order, as geometry. Finds the pole and its tangent, the inflection
+// circle, the centres of curvature of points' paths and of straight lines' envelopes, Bresse's circles and the
+// acceleration pole. All numbers come from the board. Accelerations are only used for a body without two known paths.
 //
 // Sources: Euler (1765) and Savary (1845) for conjugate points; Bobillier (1870) for the pole tangent; Hartmann (1893)
 // for the centre of curvature by the velocity of the pole; Bresse (1853) for the two circles; all as in Dijksman,
@@ -17,7 +16,7 @@
 
 namespace kinegraph {
 
-/// Of all moving bodies whose velocities and accelerations are known in `motion`, in the file's order.
+/// For all moving bodies whose velocities and accelerations are known in `motion`, in the file's order.
 std::vector<Curvature> draw_curvature(Structure& structure, Board& board, const Motion& motion);
 
 }  // namespace kinegraph

@@ -5,7 +5,7 @@
 namespace kinegraph {
 namespace {
 
-/// ω_b/ω_reference of all other moving bodies.
+/// ω_b/ω_reference for all other moving bodies.
 Ratios ratios_of(const Branch& branch, const Mechanism& mechanism) {
     const auto omega = [&](BodyIndex body) {
         return Symbol{Symbol::Letter::omega, mechanism.bodies[at_index(body)].name, ""};
@@ -77,7 +77,7 @@ std::vector<Message> remarks_on_lengths(const Mechanism& mechanism, const Pose& 
     std::vector<Message> remarks;
     for (const BodyIndex body : mechanism.moving_bodies()) {
         std::vector<PointIndex> pins;
-        bool has_others = false;  // a guide or a profile may give the body its size
+        bool has_others = false;  // a guide or a profile may define the body's size
         for (const Joint& joint : mechanism.joints) {
             if (!joint.connects(body)) continue;
             const bool is_pin = joint.pair().is_hinge() || (joint.pair().is_slot() && joint.bodies[0] == body);
@@ -95,7 +95,7 @@ std::vector<Message> remarks_on_lengths(const Mechanism& mechanism, const Pose& 
 
 std::vector<Message> remarks_on_gravity(const Mechanism& mechanism) {
     if (!mechanism.gravity || mechanism.masses.empty()) return {};
-    // From dwarf planets (Ceres has 0.28 m/s²) to the Sun (274 m/s²).
+    // From dwarf planets (Ceres: 0.28 m/s²) to the Sun (274 m/s²).
     constexpr double least = 0.1, most = 300;
     const double size = length(*mechanism.gravity);
     if (size == 0 || (size >= least && size <= most)) return {};

@@ -1,4 +1,4 @@
-// Degeneracy: what there is to say of a position where the rank and the count differ, or a driver drives nothing.
+// Remarks on degenerate positions: where rank and count of constraints differ, or a driver determines nothing.
 #pragma once
 
 #include <optional>
@@ -10,19 +10,17 @@
 
 namespace kinegraph {
 
-/// The motions of this position, where there is a reason to look: constraints that repeat others, or a driver that
-/// fixes nothing.
+/// The motions of this position, if constraints are redundant or a driver determines nothing.
 std::optional<InstantMotion> degenerate_motion(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility);
 
 /// Redundant constraints, bodies that cannot be driven, branches of a change point: one sentence each.
 std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobility& mobility,
                                          const std::optional<InstantMotion>& motion);
 
-/// Links of which all pins lie at one place: each is told with their names, since a crank of length zero was hardly
-/// meant.
+/// Links whose pins all coincide, by name: a crank of zero length is probably a mistake.
 std::vector<Message> remarks_on_lengths(const Mechanism& mechanism, const Pose& pose);
 
-/// Gravity as it is on no planet: most likely a bare number in a unit that was not thought of.
+/// Gravity far from any real value: probably a bare number in the wrong unit.
 std::vector<Message> remarks_on_gravity(const Mechanism& mechanism);
 
 }  // namespace kinegraph

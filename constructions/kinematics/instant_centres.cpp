@@ -12,7 +12,7 @@ namespace {
 
 using Drawing = PointOn<Plane::drawing>;
 
-/// Says where the centre of a pair lies; none where the pair alone does not tell.
+/// The sentence for the centre of a pair; none if the pair alone does not determine it.
 std::optional<Sentence> primary_sentence(const PlanePair& pair) {
     if (pair.is_hinge()) return Sentence::primary_revolute;
     if (pair.is_clamp()) return Sentence::primary_weld;
@@ -41,7 +41,7 @@ InstantCentres::InstantCentres(Structure& structure, Board& board)
 
 std::size_t InstantCentres::index(BodyIndex i, BodyIndex j) const {
     if (i > j) std::swap(i, j);
-    // Row i of the upper triangle starts after the rows before it.
+    // Index in the upper triangle, row by row.
     return at_index(i.number() * (2 * count_ - i.number() - 1) / 2 + (j.number() - i.number() - 1));
 }
 
@@ -102,7 +102,7 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
                    : board_.place(joint.point);
     };
     if (entry.point) {
-        // Two pairs between the same bodies: they agree, or the bodies cannot move against each other.
+        // Two pairs between the same bodies: the centres coincide, or there is no relative motion.
         if (!board_.coincide(*entry.point, place())) entry.centre.everywhere = true;
         return;
     }
@@ -111,8 +111,8 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
     board_.statement(entry.centre.statement).message.arguments = names();
 }
 
-/// Bodies over which the pair has a line: both centres known as points; finite ones first, for a line that can be
-/// drawn.
+/// Third bodies over which the pair has a line, since both centres are known points. Finite ones come first, because
+/// their line can be drawn.
 std::vector<BodyIndex> InstantCentres::intermediates(BodyIndex i, BodyIndex j) {
     std::vector<BodyIndex> finite, infinite;
     for (const BodyIndex k : indices_of(structure_.mechanism().bodies)) {
@@ -142,7 +142,7 @@ std::optional<std::pair<InstantCentres::Line, InstantCentres::Line>> InstantCent
     std::optional<std::pair<Line, Line>> found;
     const auto meets_one = [&](const Line& candidate) {
         for (const Line& earlier : lines) {
-            if (!board_.meet(line_of(i, j, earlier), line_of(i, j, candidate))) continue;  // the same line once more
+            if (!board_.meet(line_of(i, j, earlier), line_of(i, j, candidate))) continue;  // the same line again
             found.emplace(earlier, candidate);
             return true;
         }
@@ -161,7 +161,7 @@ std::optional<std::pair<InstantCentres::Line, InstantCentres::Line>> InstantCent
 bool InstantCentres::kennedy(BodyIndex i, BodyIndex j) {
     const Board::Mark before = board_.mark();
     const auto lines = lines_that_meet(i, j);
-    board_.rewind(before);  // which lines do not lead on was found out on scratch paper
+    board_.rewind(before);  // Removes the trials of lines that do not help.
     if (!lines) return false;
     const auto& [first, second] = *lines;
     Pair& entry = pair(i, j);
@@ -238,7 +238,7 @@ void InstantCentres::draw() {
 
 namespace {
 
-/// The velocity of the place of a node as carried by a body whose motion is known.
+/// The velocity of a node's place on a body whose motion is known.
 std::optional<PointOn<Plane::velocity>> tip_on(const Structure& structure, Board& board,
                                                const Track<Plane::velocity>& track, BodyIndex body, Drawing place) {
     if (body == frame) return board.pole<Plane::velocity>();
@@ -275,8 +275,8 @@ bool InstantCentres::at_relative_rest(const Pair& entry, const Motion& motion) {
     return on_i && on_j && board_.is_zero(board_.vector(*on_i, *on_j));
 }
 
-/// Places at which two bodies' relative velocity may be drawn: their nodes, and one beside them, for nodes that lie all
-/// on one line with the centre sought.
+/// Places at which the relative velocity of two bodies may be drawn: their nodes, and one place beside these in case
+/// all nodes are in line with the centre sought.
 std::vector<InstantCentres::Place> InstantCentres::places_of(BodyIndex first, BodyIndex second) {
     std::vector<Place> places;
     for (const BodyIndex body : {first, second}) {

@@ -1,9 +1,9 @@
-// All instant centres of relative rotation: primary ones from the pairs, then the theorem of Aronhold (1872) and
-// Kennedy (1886) — the three centres of three bodies lie on a line — until no more follow; what is left, from the
-// velocities found.
+// All instant centres of relative rotation. Primary centres come from the pairs. Then the theorem of Aronhold (1872)
+// and Kennedy (1886), that the three centres of three bodies lie on a line, is applied until no more follow. The
+// remaining ones come from the velocities.
 //
-// At infinity a centre is a translation and is used like any other. Where two of three centres coincide the line does
-// not exist and the third is with them; where both lines lie at infinity, only that much is known.
+// A centre at infinity is a translation and is used like any other. If two of three centres coincide, there is no line
+// and the third centre coincides with them. If both lines are at infinity, only this is known.
 #pragma once
 
 #include <vector>
@@ -19,14 +19,14 @@ class InstantCentres {
 public:
     InstantCentres(Structure& structure, Board& board);
 
-    /// Primary centres and Kennedy's theorem: geometry only, no velocities.
+    /// Primary centres and Kennedy's theorem; uses geometry only, no velocities.
     void draw();
-    /// The centres that Kennedy could not reach, from velocities; and the pairs that do not move against each other
-    /// just now. `freedoms`: of the mechanism; with more than one a centre found so holds for this ratio of the
-    /// drivers.
+    /// The centres that Kennedy's theorem does not give, from velocities; and the pairs without relative motion in this
+    /// position. `freedoms`: of the mechanism; with more than one, a centre found this way is valid for this ratio of
+    /// the drivers only.
     void complete(const Motion& motion, int freedoms);
-    /// Angular velocities once more, by instant centres: ω_b = ω_d · P_1d P_db / P_1b P_db for a body d driven against
-    /// the frame.
+    /// Angular velocities again, by instant centres: ω_b = ω_d · P_1d P_db / P_1b P_db, for a body d driven against the
+    /// frame.
     void second_way(const Motion& motion, BodyIndex driven_body, std::vector<SecondWay>& results);
 
     std::vector<InstantCentre> results() const;
@@ -39,8 +39,8 @@ private:
     };
     /// A line on which the centre of a pair lies.
     struct Line {
-        BodyIndex by = none;  ///< over which body (Kennedy), or none: …
-        int normal = -1;      ///< … which of the pair's normals
+        BodyIndex by = none;  ///< the third body (Kennedy), or none
+        int normal = -1;      ///< if none: index of the pair's normal
     };
     std::size_t index(BodyIndex i, BodyIndex j) const;
     Pair& pair(BodyIndex i, BodyIndex j) { return pairs_[index(i, j)]; }
@@ -57,7 +57,7 @@ private:
     bool by_coincidence(BodyIndex i, BodyIndex j);
     std::vector<BodyIndex> intermediates(BodyIndex i, BodyIndex j);
     LineOn<Plane::drawing> line_over(BodyIndex i, BodyIndex k, BodyIndex j);
-    /// Where a relative velocity may be drawn; `point` none: at no point of the file's.
+    /// A place where a relative velocity may be drawn; `point` none: not a point of the file.
     struct Place {
         PointOn<Plane::drawing> at;
         std::string name;

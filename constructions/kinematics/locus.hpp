@@ -1,5 +1,5 @@
-// Loci: the lines on which the tips of velocities and accelerations must lie, said by structure. Which line that is on
-// a board, the space diagram knows (space_diagram.hpp).
+// Loci: the lines on which the tips of velocities and accelerations lie, as structure. The space diagram gives their
+// directions on a board (space_diagram.hpp).
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@ namespace kinegraph {
 struct Node;
 using NodeIndex = ListIndex<Node>;
 
-/// A known vector between the tips of two nodes, over which a locus of the one becomes a locus of the other.
+/// A known vector between the tips of two nodes, which carries a locus of one node to the other.
 struct Carry {
     enum class Kind {
         image,  ///< both on `body`, whose ω is known: ω ∧ XY (Rivals)
-        roll    ///< the points in contact of two bodies that roll on each other, `to` the one on `body`
+        roll    ///< `from` and `to` in rolling contact, `to` on `body`
     };
     Kind kind = Kind::image;
     BodyIndex body = none;
@@ -23,33 +23,32 @@ struct Carry {
     NodeIndex from = none, to = none;
 };
 
-/// A line on which the tip of a node must lie: from a known base along one direction.
+/// A line on which the tip of a node lies: from a known base along one direction.
 struct Locus {
     enum class Kind {
-        rotation,   ///< the body turns about a node already known: ⟂ to their join (Rivals)
-        sleeve,     ///< slides along a guide whose point there is known (Coriolis' theorem)
-        slot,       ///< the same for a pin in a straight slot, or in one curved about a centre: ∥ the tangent
+        rotation,   ///< the body turns about a known node: ⟂ to their join (Rivals)
+        sleeve,     ///< slides along a guide whose coincident point is known (Coriolis)
+        slot,       ///< pin in a slot, straight or curved about a centre: ∥ the tangent
         link,       ///< on the equivalent link of a contact, whose other end is known: ⟂ to it (Rivals)
-        tangent,    ///< slides on a body along a common tangent; nothing is known of the curvatures
+        tangent,    ///< slides on a body along a common tangent; the curvatures are unknown
         mesh,       ///< pitch curves roll on each other: ∥ their common normal
-        component,  ///< a driver fixes the component along a direction
-        image,  ///< closings alone: ω of the body is known, so the image fixes what lies ⟂ to the join: ∥ to it
-        driven_slide,  ///< closings alone: a driver gives the component along the guide: ⟂ to it
-        roll  ///< closings alone: in contact with a point of a body on which it rolls: any line through that point's
-              ///< tip
+        component,  ///< a driver gives the component along a direction
+        image,      ///< closings only: ω of the body is known, so the image gives the part ⟂ to the join: ∥ to it
+        driven_slide,  ///< closings only: a driver gives the component along the guide: ⟂ to it
+        roll           ///< closings only: in rolling contact with a known point: any line through that point's tip
     };
     Kind kind = Kind::rotation;
-    BodyIndex body = none;  ///< the body that carries the node
-    NodeIndex node = none;  ///< whose tip it holds
+    BodyIndex body = none;
+    NodeIndex node = none;  ///< the node whose tip lies on the line
     NodeIndex base = none;
     JointIndex joint = none;
     BodyIndex guide = none;  ///< slides: the body with the guide
-    bool inverse = false;    ///< the node is the guide's point, the base the slider's
+    bool inverse = false;    ///< the node is on the guide, the base on the slider
     int driver = -1;
     bool across = false;         ///< roll: along the common normal, else along the tangent
-    std::vector<Carry> carries;  ///< one after the other, from `node` to the node sought
+    std::vector<Carry> carries;  ///< in order, from `node` to the node sought
 
-    /// The node whose tip the line holds once it is carried.
+    /// The node whose tip lies on the line after all carries.
     NodeIndex holds() const { return carries.empty() ? node : carries.back().to; }
 };
 

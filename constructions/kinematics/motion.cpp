@@ -12,7 +12,7 @@ namespace kinegraph {
 namespace recipes {
 namespace {
 
-/// What one plane is drawn with.
+/// Recipes and state of one plane.
 template <Plane plane>
 struct InPlane {
     SpinRecipes<plane> spins;
@@ -40,7 +40,7 @@ public:
         return std::move(chains_.motion());
     }
 
-    /// Velocities with all drivers at rest and one assumption moved.
+    /// Velocities with all drivers at rest and one assumption at the value one.
     Track<Plane::velocity> response(std::size_t assumed) {
         pen_.take(RecipePen::Hand::silent);
         chains_.rest_drivers();
@@ -71,7 +71,7 @@ private:
         for (const Step& step : plan_.steps) carry_out(track, step);
     }
 
-    /// The frame rests.
+    /// The frame is at rest.
     template <Plane plane>
     void start(Track<plane>& track) {
         track.tips.resize(chains_.structure().nodes().size());

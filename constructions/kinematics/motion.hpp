@@ -1,12 +1,10 @@
-// The recipes of motion: the plan carried out in the velocity plane and in the acceleration plane. Each recipe reads
-// like the page of the book it comes from: Rivals' theorem for two points of a body, the theorem of relative motion
-// (Coriolis) for a place seen on two bodies, Mehmke's and Burmester's images for further points, Assur's auxiliary
-// point. It asks the board, never computes.
+// The recipes of motion: draws a plan in the velocity plane and in the acceleration plane. The theorems are Rivals' for
+// two points of a body, relative motion (Coriolis) for a place on two bodies, Mehmke's and Burmester's images for
+// further points, Assur's auxiliary point. All numbers come from the board.
 //
 // Sources: Rivals 1853; Burmester, Lehrbuch der Kinematik (1888), velocity and acceleration images; Assur (1914) for
 // the auxiliary point; Euler and Savary for the centres of curvature of profiles that roll or slide on each other; the
-// trial values
-// ("regula falsi" of graphical kinematics) as in Rosenauer and Willis, Kinematics of Mechanisms (1953).
+// trial values ("regula falsi" of graphical kinematics) as in Rosenauer and Willis, Kinematics of Mechanisms (1953).
 #pragma once
 
 #include <map>
@@ -36,7 +34,7 @@ struct Track {
     ScalarHandle spin(BodyIndex body) const { return spins[at_index(body)].value(); }
 };
 
-/// Two known points of one body whose velocities have different projections on their join: no rigid motion has them.
+/// Two known points of one body whose velocities have different projections on their join, as no rigid motion has.
 struct Contradiction {
     BodyIndex body = none;
     NodeIndex first = none, second = none;
@@ -45,23 +43,21 @@ struct Contradiction {
 struct Motion {
     Track<Plane::velocity> velocity;
     Track<Plane::acceleration> acceleration;
-    int velocities_settled = 0;  ///< strokes of the board once the velocities were drawn
+    int velocities_settled = 0;  ///< number of board operations once the velocities were drawn
     std::vector<Contradiction> contradictions;
-    std::vector<EquivalentLinkage> equivalents;  ///< of contacts, in the order they were used
+    std::vector<EquivalentLinkage> equivalents;  ///< of contacts, in the order of their use
 };
 
 /// Draws the velocity polygon and, where `with_accelerations`, the acceleration polygon.
 Motion draw_motion(Structure& structure, Board& board, const Plan& plan, bool with_accelerations);
 
-/// The velocities that the assumption `plan.steps[assumed]` alone would give: it is moved by one, all drivers and the
-/// other open assumptions rest. Nothing is drawn and nothing said; it tells the planner which condition the assumption
-/// moves.
+/// The velocities if the assumption `plan.steps[assumed]` has the value one and all drivers and other open assumptions
+/// are zero. Draws and writes nothing; shows the planner which condition the assumption changes.
 Track<Plane::velocity> draw_response(Structure& structure, Board& board, const Plan& plan, std::size_t assumed);
-/// Whether such velocities break a condition.
+/// Whether these velocities break a condition.
 bool is_broken(Structure& structure, Board& board, const Track<Plane::velocity>& response, const Closing& condition);
 
-/// In what words a joint's guide is named: parallel to a segment where the file gives two points, else to the guide of
-/// the joint.
+/// How a sentence names a joint's guide: parallel to a segment if the file gives two points, else as the joint's guide.
 LineReason along_guide(const Mechanism& mechanism, JointIndex joint, bool perpendicular);
 
 }  // namespace kinegraph

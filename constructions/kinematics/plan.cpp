@@ -13,10 +13,10 @@ namespace kinegraph {
 namespace planning {
 namespace {
 
-/// Trials within trials: three unknowns at once are 27 drawings, and no mechanism met so far needs more.
+/// Limit on nested trials: three unknowns need 27 drawings, and no known mechanism needs more.
 constexpr int deepest_nesting = 3;
 
-/// The rules in their order, and the last one: one unknown is assumed.
+/// Applies the rules in order; if none applies, assumes one unknown.
 class Planner {
 public:
     Planner(Structure& structure, Board& board, const std::vector<bool>& drivers, const std::vector<bool>& determined)
@@ -50,7 +50,7 @@ private:
         } while (advance_by_auxiliaries());
     }
 
-    /// Auxiliary points are drawn only where they lead to a point or a body of the mechanism.
+    /// Auxiliary points are drawn only if they lead to a point or a body of the mechanism.
     bool advance_by_auxiliaries() {
         const KnownMotion::State before = known_.state();
         const std::size_t reached = gains();
@@ -73,7 +73,7 @@ private:
         return count;
     }
 
-    /// Leaves out what leads to nothing: auxiliary points and places seen on a body that no later step uses.
+    /// Removes steps without effect: auxiliary points and places seen on a body that no later step uses.
     void prune() {
         Quantities wanted;
         for (const NodeIndex node : indices_of(structure_.nodes())) {
@@ -90,7 +90,7 @@ private:
         return true;
     }
 
-    /// The last rule, with as few unknowns at once as will do.
+    /// Assumes as few unknowns together as possible.
     bool assume_something() {
         for (int depth = 1; depth <= deepest_nesting; ++depth) {
             if (assume_something(depth)) return true;
@@ -98,7 +98,7 @@ private:
         return false;
     }
 
-    /// Of all unknowns whose trial closes, the one that needs the shortest drawing.
+    /// Of all unknowns whose trial closes, takes the one with the shortest drawing.
     bool assume_something(int depth) {
         const KnownMotion::State before = known_.state();
         std::optional<Step> best;
@@ -133,7 +133,7 @@ private:
         return true;
     }
 
-    /// Unknowns that a trial may take: a node whose line is known, then the ω of a body.
+    /// Candidates for a trial: a node with a known line, then the ω of a body.
     std::vector<Step> guesses() {
         std::vector<Step> found;
         loci_.look_at_carried_places_alone(true);
@@ -141,7 +141,7 @@ private:
         for (const NodeIndex node : nodes) {
             const std::vector<Locus> loci = loci_.loci_of(node);
             if (loci.empty()) continue;
-            // A line that a point at rest gives is the easiest to see.
+            // A line from a point at rest is the easiest to understand.
             const auto at_rest = [&](const Locus& locus) {
                 return locus.base != none && structure_.node(locus.base).bodies.front() == frame;
             };
@@ -162,7 +162,7 @@ private:
         return found;
     }
 
-    /// Looks for a condition that the assumption moves; finds what must be drawn from it to the condition.
+    /// Finds a condition that the assumption changes, and the steps from the assumption to it.
     bool close(std::size_t assumed) {
         std::optional<Closing> closing = conditions_.moved_condition(assumed);
         for (const JointIndex joint : indices_of(mechanism_.joints))

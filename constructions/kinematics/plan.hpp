@@ -1,10 +1,9 @@
-// The planner: in which order the motion of a mechanism can be drawn, and by which rule each body is reached. It sees
-// structure and directions only (predicates of a board of its own, its scratch paper), so that one plan serves
-// velocities, accelerations and every speed of the drivers, and nothing of its search is in the solution's record. It
-// computes no number of its own.
+// The planner: in which order the motion of a mechanism can be drawn, and by which rule each body is reached. It uses
+// structure and directions only (predicates of a scratch board). So one plan serves velocities, accelerations and all
+// speeds of the drivers, and its search leaves nothing in the solution's record.
 //
-// Where no rule reaches, one unknown is assumed (Step::assume) and drawn for two trial values; since everything is
-// linear the closing condition gives the true value. Which condition the assumption moves is asked of the drawing
+// If no rule applies, one unknown is assumed (Step::assume) and drawn for two trial values. The problem is linear, so
+// the closing condition gives the true value. Which condition depends on the assumption is tested on the drawing
 // itself, with all drivers at rest. Several unknowns are nested.
 #pragma once
 
@@ -18,8 +17,8 @@
 
 namespace kinegraph {
 
-/// What must hold at the end of a trial: the tip of `locus->node` lies on the locus, or ω of `body` is that of `other`
-/// (held by a joint, or set by a driver between them).
+/// Condition at the end of a trial: the tip of `locus->node` lies on the locus, or ω of `body` equals that of `other`
+/// (coupled by a joint, or by a driver between them).
 struct Closing {
     std::optional<Locus> locus;
     BodyIndex body = none, other = none;
@@ -30,16 +29,16 @@ struct Closing {
 
 struct Step {
     enum class Kind {
-        spin_by_joint,    ///< ω of `body` equals that of `other`: a sleeve or weld holds them
+        spin_by_joint,    ///< ω of `body` equals that of `other`: a sleeve or weld couples them
         spin_by_driver,   ///< ω of `body` from that of `other` and the driver between them
         slide_by_driver,  ///< `node` from `base` and a driven slide
         image,            ///< `node` from `base` and ω of `body`
-        roll,             ///< `node` of `body` from `base` of `other`, in contact with it where they roll on each other
+        roll,             ///< `node` of `body` from `base` of `other`, its partner in a rolling contact
         meet,             ///< `node` where two loci meet
         spin_from_pair,   ///< ω of `body` from `base` and `node`
         auxiliary,        ///< Assur's point `node` of `body`: where the perpendiculars to the loci of two nodes meet
         spin_from_parallels,  ///< ω of `body` from two parallel loci (auxiliary point at infinity)
-        assume  ///< the last rule: the place of `node` on the line `first`, or (node none) ω of `body`, by two trials
+        assume  ///< trial values, if no other rule applies: `node` on the line `first`, or (node none) ω of `body`
     };
     Kind kind = Kind::image;
     BodyIndex body = none, other = none;
@@ -52,7 +51,7 @@ struct Step {
     Closing closing;          ///< assume
 };
 
-/// Two loci that should have met but are parallel: a dead point of the group.
+/// Two loci that should meet but are parallel: a dead point of the group.
 struct DeadPoint {
     NodeIndex node = none;
     Locus first, second;
@@ -60,19 +59,19 @@ struct DeadPoint {
 
 struct Plan {
     std::vector<Step> steps;
-    std::vector<bool> nodes;   ///< by NodeIndex: reached
-    std::vector<bool> bodies;  ///< by BodyIndex: motion wholly known
-    std::vector<bool> spins;   ///< by BodyIndex: ω known
+    std::vector<bool> nodes;   ///< by NodeIndex: whether known
+    std::vector<bool> bodies;  ///< by BodyIndex: whether the whole motion is known
+    std::vector<bool> spins;   ///< by BodyIndex: whether ω is known
     std::vector<DeadPoint> dead_points;
 };
 
-/// Whether a locus is what a guide, slot or slider of the observer's body lets through at the point: a direction of its
-/// velocity as seen from there.
+/// Whether a locus is the direction that a guide, slot or slider on the observer's body allows to the point: a
+/// direction of its velocity relative to that body.
 bool is_seen_from(const Structure& structure, BodyIndex observer, PointIndex point, const Locus& locus);
 
-/// `drivers` tells which drivers to use (one that fixes nothing new is left out); `determined` which bodies' motion
-/// follows from them by the rank, so that trials are made for those alone. The frame's nodes are known at the start.
-/// Adds to the structure the nodes that the plan needs.
+/// `drivers`: which drivers to use (redundant ones are left out). `determined`: bodies whose motion is determined by
+/// the rank; trials are made for those only. The frame's nodes are known at the start. Adds to the structure the nodes
+/// that the plan needs.
 Plan plan_motion(Structure& structure, Board& scratch, const std::vector<bool>& drivers,
                  const std::vector<bool>& determined);
 

@@ -1,5 +1,5 @@
-// The pen of the polygons of motion: enters their poles, vectors, images and construction lines on the board, with the
-// symbols that velocities and accelerations have. Knows no recipe.
+// Draws the polygons of motion: enters their poles, vectors, images and construction lines on the board, with the
+// symbols of velocities or accelerations.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ template <Plane plane>
 Quantity spin_quantity(BodyIndex body) {
     return {.kind = is_velocity<plane> ? Quantity::Kind::omega : Quantity::Kind::alpha, .body = body};
 }
-/// What a vector of motion is a value of.
+/// The quantity that a vector of a polygon represents.
 template <Plane plane>
 Quantity motion_quantity(const Seen& seen, DrawnVector::Role role) {
     using Role = DrawnVector::Role;
@@ -65,7 +65,7 @@ constexpr Sentence either(Sentence velocity, Sentence acceleration) {
     return is_velocity<plane> ? velocity : acceleration;
 }
 
-/// Opens a sentence of the plane's section; returns its index.
+/// Begins a sentence in the section of this plane; returns its index.
 template <Plane plane>
 StatementIndex state(Board& board, Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
     Statement statement;
@@ -103,7 +103,7 @@ public:
         drawn.quantity = motion_quantity<plane>(seen, role);
         board_.draw(std::move(drawn));
     }
-    /// A construction line through these point elements.
+    /// A construction line through these points (element indices).
     void line(LineOn<plane> line, LineReason reason, std::vector<ElementIndex> points) const {
         DrawnLine drawn;
         drawn.line = line.element;
@@ -113,7 +113,7 @@ public:
         drawn.trial = trial_;
         board_.draw(std::move(drawn));
     }
-    /// How far a trial's tip is from the line through a place, along the perpendicular.
+    /// The distance of a trial's tip from the line through a place, along the perpendicular.
     void miss(PointOn<plane> through, LineOn<plane> line, PointOn<plane> tip) const {
         const auto foot = board_.meet(line, board_.through(tip, board_.perpendicular(board_.direction(line))));
         if (!foot) return;

@@ -12,7 +12,7 @@
 namespace kinegraph {
 namespace {
 
-/// The node of a point that moves with the body the question is about: any of its nodes but one of the observer's own.
+/// The node of a point on the moving body: any of its nodes except the observer's own.
 NodeIndex node_of_point(const Structure& structure, PointIndex point, BodyIndex observer) {
     NodeIndex best = none;
     for (const NodeIndex node : indices_of(structure.nodes())) {
@@ -63,7 +63,7 @@ private:
         return PolygonPen<plane>::begin(board_, std::move(polygon));
     }
 
-    /// "tr", or "tr,2" where another asks for the same point: whose transport it is must be told then.
+    /// "tr", or "tr,2" with the observer's name if another query is about the same point.
     std::string term_of(const char* term) const {
         const auto& queries = structure_.mechanism().find.relative_motion;
         const PointIndex point = structure_.node(point_).point;
@@ -87,11 +87,11 @@ private:
     CarriedPlace carried(NodeIndex node, BodyIndex body) {
         return {diagram_.place(node).element, body, structure_.node(node).point};
     }
-    /// At a hinge the observer's place is of several bodies, of which its own tells how it turns.
+    /// At a hinge the place is on several bodies; the observer's rotation is that of its own body.
     CarriedPlace transport() { return translating_ ? carried(transport_) : carried(transport_, observer_); }
     Seen seen_as(DrawnVector::Role role) {
         if (role == DrawnVector::Role::absolute) return {carried(point_), {}, none};
-        // An observer that translates turns no more than the frame does.
+        // An observer that translates does not turn, like the frame.
         if (role == DrawnVector::Role::coriolis && translating_)
             return {carried(point_), carried(transport_, frame), none};
         if (role == DrawnVector::Role::transport) return {transport(), {}, none};
@@ -128,7 +128,7 @@ private:
         return board_.vector(from, to);
     }
 
-    /// a_P = a_tr + a_cor + a_rel, a_cor = 2 ω ∧ v_rel: zero for an observer that only translates.
+    /// a_P = a_tr + a_cor + a_rel, a_cor = 2 ω ∧ v_rel, which is zero for a translating observer.
     void accelerations(VectorOn<Plane::velocity> relative, RelativeMotion& result) {
         say(Sentence::relative_transport_acceleration, Sentence::relative_translating_acceleration, Symbol::Letter::a,
             "Coriolis");
@@ -150,7 +150,7 @@ private:
         if (!translating_ && observer_ != frame) result.apart = apart(relative, seen);
     }
 
-    /// A place of the observer's body whose motion is drawn, at rest where there is one: the origin of the moving axes.
+    /// Origin of the moving axes: a place on the observer's body with known motion, at rest if possible.
     NodeIndex origin() const {
         NodeIndex best = none;
         for (const NodeIndex node : structure_.nodes_of(observer_)) {
@@ -162,7 +162,7 @@ private:
         }
         return best;
     }
-    /// a_tr = a_O′ + α ∧ O′P − ω² O′P, and what the observer sees in axes of his own. Nothing where α is not known.
+    /// a_tr = a_O′ + α ∧ O′P − ω² O′P, and the components in the observer's axes. None if α is not known.
     std::optional<RelativeMotion::Apart> apart(VectorOn<Plane::velocity> velocity,
                                                VectorOn<Plane::acceleration> acceleration) {
         const NodeIndex from = origin();
@@ -194,7 +194,7 @@ private:
                                                         : NoCoriolis::there_is;
         return result;
     }
-    /// A vector as the sum of one along a direction and one square to it.
+    /// Resolves a vector along a direction and perpendicular to it.
     template <Plane plane>
     void parted(VectorOn<plane> whole, DirectionHandle axis, Recorded<Vector>& along, Recorded<Vector>& across) {
         const auto pole = board_.pole<plane>();
@@ -220,7 +220,7 @@ void add_nodes_of_interest(Structure& structure) {
     const Mechanism& mechanism = structure.mechanism();
     for (const Joint& joint : mechanism.joints) {
         if (!joint.pair().slides() && !joint.pair().rolls()) continue;
-        // The plain name is for the slider's point, or for the body that moves.
+        // The name without star belongs to the slider's point, or to the moving body.
         const bool guide_first = joint.bodies.front() == frame && !joint.pair().is_sleeve();
         for (const BodyIndex body : joint.bodies) {
             if (!guide_first || body != frame) structure.on(joint.point, body, true);

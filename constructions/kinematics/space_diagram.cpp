@@ -20,7 +20,7 @@ LineOn<Plane::drawing> SpaceDiagram::perpendicular_at(const Locus& locus) {
     return board_.through(place(locus.holds()), board_.perpendicular(direction(locus)));
 }
 
-/// From the lower node to the higher: one direction for both ends of a link.
+/// From the lower node to the higher, so that a link has the same direction from both ends.
 DirectionHandle SpaceDiagram::across_join(NodeIndex a, NodeIndex b) {
     const auto [low, high] = std::minmax(a, b);
     return board_.perpendicular(board_.direction(join(low, high)));

@@ -1,5 +1,5 @@
-// The space diagram: the mechanism as it stands on one board. Gives the places of nodes and the directions of loci as
-// strokes of that board, so that a plan made on scratch paper can be drawn on another. Knows no velocity.
+// The space diagram: the mechanism in one position on one board. Gives the places of nodes and the directions of loci
+// as operations of that board, so that a plan made on a scratch board can be drawn on another.
 #pragma once
 
 #include "constructions/kinematics/structure.hpp"
@@ -11,14 +11,12 @@ class SpaceDiagram {
 public:
     SpaceDiagram(const Structure& structure, Board& board) : structure_(structure), board_(board) {}
 
-    /// An auxiliary point is constructed where the perpendiculars to its two loci meet, drawn through their nodes
-    /// (Assur).
+    /// An auxiliary point is constructed where the perpendiculars to its two loci, through their nodes, meet (Assur).
     PointOn<Plane::drawing> place(NodeIndex node);
     VectorOn<Plane::drawing> join(NodeIndex from, NodeIndex to) { return board_.vector(place(from), place(to)); }
-    /// The line through a node along which the tip of its velocity lies on a locus, turned a quarter: an absolute
-    /// centre of the body, or Assur's point, is on it.
+    /// The line through a node ⟂ to its locus of velocity. An absolute centre of the body, or Assur's point, is on it.
     LineOn<Plane::drawing> perpendicular_at(const Locus& locus);
-    /// Along which a locus runs.
+    /// The direction of a locus.
     DirectionHandle direction(const Locus& locus);
 
 private:

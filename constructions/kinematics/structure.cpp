@@ -5,7 +5,7 @@
 namespace kinegraph {
 namespace {
 
-/// Profiles that are given, of the joint's first or second body.
+/// Shape of the given profile of the joint's first or second body.
 bool is_straight(const Joint& joint, std::size_t side) {
     return std::holds_alternative<LineProfile>(joint.profiles.at(joint.bodies[side]));
 }
@@ -14,13 +14,13 @@ PointIndex centre_of(const Joint& joint, std::size_t side) {
     return circle == nullptr ? joint.point : circle->centre;
 }
 
-/// The body whose point at a joint goes by the plain name: the slider, not the guide; of two that touch the one that
-/// moves.
+/// The body whose point at a joint has the name without star: the slider, not the guide; of two touching bodies the
+/// moving one.
 BodyIndex plainly_named(const Joint& joint) {
     return joint.pair().touches() && joint.bodies.front() == frame ? joint.bodies.back() : joint.bodies.front();
 }
 
-/// For each point, the groups of bodies that carry it as one: joined by the revolutes and welds at it.
+/// For each point, the groups of bodies that revolutes and welds join there.
 class Carriers {
 public:
     explicit Carriers(const Mechanism& mechanism) : groups_(mechanism.points.size()) {
@@ -31,7 +31,8 @@ public:
                 for (const BodyIndex body : joint.bodies) unite(joint.point, joint.bodies.front(), body);
             }
         }
-        // The pin of a slot is its body's; the point of a sleeve is the slider's where nothing else carries it.
+        // The pin of a slot belongs to its body. The point of a sleeve belongs to the slider if no other body carries
+        // it.
         for (const Joint& joint : mechanism.joints) {
             if (joint.pair().is_slot() || (joint.pair().is_sleeve() && groups_[at_index(joint.point)].empty())) {
                 add(joint.point, joint.bodies.front());
@@ -82,7 +83,7 @@ Structure::Structure(const Mechanism& mechanism, Board& scratch)
     const Carriers carriers(mechanism);
     for (const PointIndex point : indices_of(mechanism.points)) {
         auto groups = carriers.groups(point);
-        // The slider's point goes by the plain name, the guide's by the name with a star.
+        // The slider's point has the plain name, the guide's the name with a star.
         const auto is_slider = [&](const std::vector<BodyIndex>& group) {
             return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
                 return (joint.pair().has_guide() || joint.pair().touches()) && joint.point == point &&
@@ -124,8 +125,8 @@ void Structure::add_passage(Passage::Kind kind, JointIndex joint, BodyIndex slid
     passages_[at_index(guide)].push_back({kind, joint, slider, guides_place, place, true});
 }
 
-/// A contact moves to second order as its equivalent linkage does: two circles as a link between their centres, a
-/// circle on a straight line as its centre in a slot parallel to the line; a tip is a circle without radius.
+/// To second order a contact moves like its equivalent linkage: two circles as a link between their centres, a circle
+/// on a straight line as its centre in a slot parallel to the line. A tip is a circle of zero radius.
 void Structure::add_passages(JointIndex index) {
     using Kind = Passage::Kind;
     const Joint& joint = mechanism_.joints[at_index(index)];

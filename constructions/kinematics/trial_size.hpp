@@ -1,13 +1,13 @@
-// The size of a trial: free to choose, so of the order of what is drawn already. On paper a trial in another order of
-// size could not be read off, and in doubles it would drown in rounding.
+// The size of a trial value is free, so it is of the order of what is drawn already. On paper a much larger or smaller
+// trial could not be read off, and in doubles it would be lost in rounding.
 #pragma once
 
 #include "engine/board/board.hpp"
 
 namespace kinegraph {
 
-/// The power of ten for which `times(power)`, a vector proportional to it, is as long as `longest` or less than ten
-/// times shorter. Both are not zero.
+/// The power of ten for which the length of `times(power)`, which is proportional to it, is between `longest` / 10 and
+/// `longest`. Both must not be zero.
 template <Plane plane, class Times>
 Exact power_of_ten_reaching(Board& board, VectorOn<plane> longest, Times times) {
     Exact power = 1;

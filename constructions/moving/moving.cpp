@@ -1,4 +1,3 @@
-// Moving: see moving.hpp.
 #include "constructions/moving/moving.hpp"
 
 #include <algorithm>
@@ -21,18 +20,17 @@
 namespace kinegraph {
 namespace {
 
-/// Over the way, every five degrees of a turn, where what is special likes to be; and how near a limit the last one
-/// stands, as a share of the way.
+/// Samples along the travel, every five degrees of a full turn, since special positions are often at such angles; and
+/// the distance of the last sample from a limit, as a fraction of the travel.
 constexpr int samples_of_way = 72;
 constexpr double short_of_limit = 1e-6;
-/// Positions that are special (a body at rest, two lines parallel) serve nowhere else; few stretches are more than an
-/// instant.
+/// Limit: plans of special positions (a body at rest, two parallel lines) are not valid elsewhere, and few plans are
+/// needed for the other positions.
 constexpr std::size_t most_plans = 12;
 
 // --- plans
-// --------------------------------------------------------------------------------------------------------------------
 
-/// What is drawn, under names that any plan of the mechanism has, and what the columns read.
+/// The drawn elements, under names that are the same in all plans of the mechanism, and the values of the columns.
 class Planned {
 public:
     Planned(const Solution& solution, const std::vector<Column>& columns) : solution_(solution), columns_(columns) {}
@@ -121,7 +119,6 @@ private:
 };
 
 // --- courses
-// ------------------------------------------------------------------------------------------------------------------
 
 class Courses {
 public:
@@ -190,7 +187,8 @@ private:
         moving_.points = positions.point_rules();
         moving_.joints = positions.joint_rules();
     }
-    /// Evenly; near a limit, where bodies move with the root of the distance, each time half as far.
+    /// Evenly spaced; near a limit, where positions vary as the root of the distance, each interval is half the last
+    /// one.
     static std::vector<double> ways_of(const MovingCourse& course) {
         std::vector<double> shares;
         for (int i = 0; i <= samples_of_way; ++i) shares.push_back(static_cast<double>(i) / samples_of_way);
@@ -230,7 +228,7 @@ private:
         course.samples.push_back(std::move(sample));
     }
 
-    /// Of those there are the one whose guards hold here, else a new one.
+    /// Uses the first existing plan whose guards hold here, else makes a new one.
     void find_plan(MovingCourse::Sample& sample, Positions& positions, int driver, const std::optional<Rates>& rates) {
         if (sample.coordinate == 0 && !rates) {
             sample.plan = 0;
@@ -260,7 +258,7 @@ private:
     static bool replays(const MovingPlan& plan, const Mechanism& mechanism, const Pose& pose) {
         return !Replay(plan.program, givens_of(plan.program, mechanism, pose), pose.size.to_double()).run();
     }
-    /// What the position alone gives is left out.
+    /// Omits values that depend on the position only.
     std::vector<std::optional<double>> values_of(const Solution& solution) const {
         const std::vector<FoundValue> entries = found_values(solution);
         std::vector<std::optional<double>> values;

@@ -1,5 +1,4 @@
-// Moving: the programs of a mechanism's stretches, planned where they are needed, and its positions, for whoever
-// replays them.
+// Plans a mechanism piece by piece along the travel of its drivers, and records the programs for replay.
 #pragma once
 
 #include "constructions/moving/moving_parameters.hpp"
@@ -8,10 +7,9 @@
 
 namespace kinegraph {
 
-/// Of a solution in its drawn position, for each of its drivers. Nothing where nothing moves it: no driver, no joints,
-/// or a mechanism whose motion is not determined. A plan is made where none of those before holds, `most_plans` at
-/// most; beyond that a position has none. `rereading`: of the file that was solved as it is drawn; without it no
-/// parameter can be changed.
+/// From a solution in its drawn position, for each of its drivers. None if nothing moves it: no driver, no joints, or
+/// motion not determined. A new plan is made where no earlier one is valid, up to `most_plans`; positions beyond that
+/// have no plan. Without `rereading`, which reads the file of the solution again, no parameter can be changed.
 std::optional<Moving> moving_of(const Solution& solution, const Rereading& rereading = {});
 
 }  // namespace kinegraph

@@ -1,4 +1,3 @@
-// See moving_held.hpp.
 #include "constructions/moving/moving_held.hpp"
 
 #include <string>

@@ -1,5 +1,4 @@
-// What marks of figures go with elsewhere than where they were drawn: of a solution the elements, under the names of
-// engine/solution/held.hpp.
+// Binds marks of figures to the elements of a solution that place them, by the names of engine/solution/held.hpp.
 #pragma once
 
 #include <vector>
@@ -9,8 +8,8 @@
 
 namespace kinegraph {
 
-/// Of forces, under all loads and under those of one body alone, of curvature and of powers; what vanishes has no
-/// element.
+/// Elements of forces (under all loads and under those of one body alone), of curvature and of powers. A quantity that
+/// vanishes has no element.
 std::vector<MovingPlan::Held> held_by(const Solution& solution);
 
 }  // namespace kinegraph

@@ -1,6 +1,6 @@
-// Lengths and parameters: see moving_parameters.hpp. A file read with another value draws another position of another
-// mechanism. Its numbers are made comparable by turning every body's back to where the body stood: so a bar's length is
-// one number, and the driver's coordinate means the same.
+// A file read with another value draws another position of another mechanism. To compare the numbers, each body's
+// coordinates are turned back to the orientation that it had first. So the length of a bar is one number, and the
+// driver's coordinate has the same meaning.
 #include "constructions/moving/moving_parameters.hpp"
 
 #include <algorithm>
@@ -23,13 +23,12 @@ namespace {
 
 using Spot = VectorOf<double>;
 
-/// Parameters beyond these are left out: each costs some readings of the file, and so does each pair.
+/// Further parameters are left out: each parameter, and each pair, costs several readings of the file.
 constexpr std::size_t most_parameters = 8;
-/// How exactly a polynomial must hold, as a share of the number or of 1 (lengths are counted in the drawing's size).
+/// Required accuracy of a polynomial, relative to the number or to 1 (lengths are in units of the drawing's size).
 constexpr double exactly_enough = 1e-11;
 
 // --- lengths
-// ------------------------------------------------------------------------------------------------------------------
 
 std::string name_of_length(const Mechanism& mechanism, PointIndex from, PointIndex to) {
     const std::string& a = mechanism.point(from).name;
@@ -37,7 +36,7 @@ std::string name_of_length(const Mechanism& mechanism, PointIndex from, PointInd
     return a + (a.size() > 3 || b.size() > 3 ? "–" : "") + b;
 }
 
-/// "45 mm" as its number and its unit; nothing of a formula.
+/// "45 mm" as its number and unit; none for a formula.
 std::optional<WrittenParameter> written(const std::string& name, std::string_view text) {
     WrittenParameter parameter{name, 0, {}};
     const char* const end = text.data() + text.size();
@@ -50,7 +49,7 @@ std::optional<WrittenParameter> written(const std::string& name, std::string_vie
     return parameter;
 }
 
-/// The places where hinges hold a body; nothing where anything else does.
+/// The hinges of a body; none if it has any other joint.
 std::optional<std::vector<PointIndex>> hinges_of(const Mechanism& mechanism, const Pose& pose, BodyIndex body) {
     std::vector<PointIndex> hinges;
     for (const Joint& joint : mechanism.joints) {
@@ -62,7 +61,7 @@ std::optional<std::vector<PointIndex>> hinges_of(const Mechanism& mechanism, con
     return hinges;
 }
 
-/// Its load is so much a metre: another length would be another load.
+/// A distributed load is per unit length, so another length would be another load.
 bool has_distributed_load(const Mechanism& mechanism, BodyIndex body) {
     return std::any_of(mechanism.loads.begin(), mechanism.loads.end(), [&](const Load& load) {
         const auto* distributed = std::get_if<DistributedLoad>(&load);
@@ -71,18 +70,17 @@ bool has_distributed_load(const Mechanism& mechanism, BodyIndex body) {
 }
 
 // --- numbers
-// ------------------------------------------------------------------------------------------------------------------
 
 Spot turned_by(const Spot& a, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
 
-/// All numbers of a mechanism that may follow from a parameter, with their names; and those that must not.
+/// All numbers of a mechanism that may depend on a parameter, with their names; and those that must not.
 struct Numbers {
     std::vector<MovingEffect> names;
     std::vector<double> values, fixed;
-    std::vector<double> lengths;  ///< by setting of Moving, for those that are lengths; else 0
+    std::vector<double> lengths;  ///< by setting of Moving, for lengths; else 0
 
     void add(MovingEffect::List list, int plan, std::size_t item, int part, double value) {
         names.push_back({list, plan, static_cast<int>(item), part, {}});
@@ -102,7 +100,7 @@ public:
     NumbersReader(const Moving& moving, const Mechanism& mechanism, const Pose& pose)
         : moving_(moving), mechanism_(mechanism), pose_(pose), drawn_(directions(mechanism, pose)) {}
 
-    /// Nothing where the file is not drawn with these values, or is another mechanism.
+    /// None if the file cannot be drawn with these values, or describes another mechanism.
     std::optional<Numbers> read(const Mechanism& mechanism, const Pose& pose) {
         if (mechanism.bodies.size() != mechanism_.bodies.size() ||
             mechanism.points.size() != mechanism_.points.size() ||
@@ -127,7 +125,7 @@ public:
     }
 
 private:
-    /// Of a body with two places: from its first point to the next.
+    /// For a body with two places: from its first point to the next.
     static std::vector<std::optional<double>> directions(const Mechanism& mechanism, const Pose& pose) {
         std::vector<std::optional<double>> all(mechanism.bodies.size());
         for (std::size_t b = 1; b < all.size(); ++b) {
@@ -139,8 +137,8 @@ private:
         }
         return all;
     }
-    /// How far each body is drawn turned against where it was drawn first. A body without two places has its guide's
-    /// direction, or goes with the one that does not turn against it.
+    /// Rotation of each body relative to its first orientation. For a body without two places: from the direction of
+    /// its guide, or that of a body without relative rotation.
     void measure_turns(const Mechanism& mechanism, const Pose& pose, const Positions& positions) {
         const auto now = directions(mechanism, pose);
         std::vector<bool> known(now.size(), false);
@@ -168,7 +166,7 @@ private:
         }
     }
     double turn(BodyIndex body) const { return body == none ? 0 : turns_[at_index(body)]; }
-    /// A place or length of a body, as it was drawn first and in the first unit.
+    /// A place or length of a body, in the first orientation and unit.
     Spot of(BodyIndex body, const Spot& local) const { return turned_by(share_ * local, -turn(body)); }
     static Spot as_long_as(const Spot& first, const Spot& now) {
         const double size = std::hypot(now.x, now.y);
@@ -187,8 +185,8 @@ private:
             return true;
         }
         if (row.kind == Kind::on_line) {
-            // Along the line the place of Q is any, and so is P's on a body that does not turn against it; a driver's
-            // zero stays where it was drawn first.
+            // The place of Q along the line is arbitrary, and so is P's on a body without relative rotation; a driver's
+            // zero stays at its first place.
             along = turned_by(along, -turn(row.j));
             offset += dot(along, q - first.q) - share_ * row.lever * against;
             q = first.q;
@@ -215,7 +213,7 @@ private:
                    ((row.i == i && row.j == j) || (row.i == j && row.j == i));
         });
     }
-    /// Of one that moves freely it is the start of Newton's method alone.
+    /// For a freely moving body it is only the initial value of Newton's method.
     void read_bodies(const std::vector<Closure::Body>& bodies) {
         for (std::size_t b = 0; b < bodies.size(); ++b)
             if (bodies[b].x < 0) numbers_.add(List::body, b, 0, share_ * to_double(bodies[b].reference));
@@ -230,7 +228,7 @@ private:
             const Positions::JointRule &joint = joints[k], &first = moving_.joints[k];
             const bool slides = first.turns_with != none && !first.touches;
             for (std::size_t side = 0; side < 2; ++side) {
-                // What slid is counted from where it was drawn first.
+                // Sliding is measured from the first position.
                 if (slides && (side == 1 || turn_together(first.bodies[0], first.bodies[1]))) continue;
                 numbers_.add(List::local, k, static_cast<int>(2 * side), of(joint.bodies[side], joint.locals[side]));
                 numbers_.add(List::reach, -1, k, static_cast<int>(side), share_ * joint.reaches[side]);
@@ -241,7 +239,7 @@ private:
             for (const double each : {joint.pressure.x, joint.pressure.y}) numbers_.fixed.push_back(each);
         }
     }
-    /// What is the same in every position; of what is not, what its rule counts with.
+    /// Givens that are the same in every position; for others the constants of their rule.
     bool read_givens(const Mechanism& mechanism, const Pose& pose) {
         const MovingRules rules(mechanism, pose);
         for (std::size_t p = 0; p < moving_.plans.size(); ++p) {
@@ -287,7 +285,7 @@ private:
             numbers_.lengths.push_back(std::hypot(apart.x, apart.y) / moving_.unit);
         }
     }
-    /// They are in the samples of a way, and stay.
+    /// They are stored in the samples of a travel, and must not change.
     void read_laws(const Mechanism& mechanism) {
         for (const Driver& driver : mechanism.drivers) {
             const Law* law = law_of(driver);
@@ -304,11 +302,11 @@ private:
     const Pose& pose_;
     std::vector<std::optional<double>> drawn_;  ///< directions, by body
     std::vector<double> turns_;                 ///< by body, rad
-    double share_ = 1;                          ///< unit here over that of `moving_`
+    double share_ = 1;                          ///< this unit divided by that of `moving_`
     Numbers numbers_;
 };
 
-/// To twelve digits: beyond them stands the noise of sines, which are not the same on every machine.
+/// Rounded to twelve digits: further digits contain rounding errors of sines, which differ between machines.
 double to_twelve_digits(double value) {
     std::array<char, 32> digits{};
     const auto end =
@@ -319,9 +317,8 @@ double to_twelve_digits(double value) {
 }
 
 // --- polynomials
-// --------------------------------------------------------------------------------------------------------------
 
-/// One or two by one or two.
+/// A matrix of size one or two.
 struct Small {
     std::size_t rows = 1, columns = 1;
     std::array<double, 4> of{};
@@ -347,7 +344,7 @@ Small inverse(const Small& a) {
     return {2, 2, {a.at(1, 1) / det, -a.at(0, 1) / det, -a.at(1, 0) / det, a.at(0, 0) / det}};
 }
 
-/// number = base + Σ slopes · Δ + Σ products · Δ Δ, the Δ as MovingEffect has them.
+/// number = base + Σ slopes · Δ + Σ products · Δ Δ, with Δ as in MovingEffect.
 class Fit {
 public:
     Fit(Moving& moving, const Mechanism& mechanism, const Pose& pose, const Rereading& rereading)
@@ -380,18 +377,18 @@ private:
         double step = 0;
         double radians = 0;
 
-        std::size_t count() const { return radians == 0 ? 1 : 2; }  // of Δ
-        /// Δ with so much more in the file.
+        std::size_t count() const { return radians == 0 ? 1 : 2; }  // number of Δ
+        /// Δ if the value in the file is increased by `more`.
         std::array<double, 2> deltas(double more) const {
             if (radians == 0) return {more, 0};
             const double now = (parameter.number + more) * radians, then = parameter.number * radians;
             return {std::cos(now) - std::cos(then), std::sin(now) - std::sin(then)};
         }
-        double largest() const {  // Δ of a step
+        double largest() const {  // largest Δ of a step
             const auto all = deltas(step);
             return std::max(std::abs(all[0]), std::abs(all[1]));
         }
-        /// Values at which it is read, as many as it has Δ; and these, a row each.
+        /// Values at which the file is read, as many as Δ; and the Δ at these, one row each.
         std::array<double, 2> steps() const { return {step, -step}; }
         Small at_steps() const {
             Small all{count(), count()};
@@ -400,10 +397,10 @@ private:
             return all;
         }
     };
-    using Differences = std::vector<std::pair<std::size_t, double>>;  // taken parameter, how much more
-    using Delta = std::size_t;                                        // 2 · taken parameter, + 1 of a sine
+    using Differences = std::vector<std::pair<std::size_t, double>>;  // index of the parameter, increase
+    using Delta = std::size_t;                                        // 2 · index of the parameter, + 1 for the sine
 
-    /// Nothing where it makes another mechanism.
+    /// None if these values give another mechanism.
     std::optional<Numbers> numbers(const std::vector<Taken>& all, const Differences& differences) {
         std::vector<Setting> set;
         for (const auto& [index, by] : differences) {
@@ -426,8 +423,8 @@ private:
         const KnownUnit* unit = parameter.unit.empty() ? nullptr : unit_spelt(parameter.unit);
         return unit != nullptr && unit->kind == QuantityKind::angle ? unit->si.to_double() : 0;
     }
-    /// Takes it where everything that follows from it does so by its Δ, also beside those that were taken before; else
-    /// why not.
+    /// Adds the parameter if all dependent numbers are polynomials in its Δ, also together with earlier parameters;
+    /// else returns the reason.
     std::optional<Moving::Fixed::Why> try_parameter(const WrittenParameter& parameter) {
         const double radians = radians_of(parameter), whole = radians == 0 ? std::abs(parameter.number) : 2.5 / radians;
         for (const double share : {0.125, 0.015625}) {
@@ -492,7 +489,7 @@ private:
                 slopes_[2 * own + a].push_back(without_noise(by.at(a, 0), taken.largest(), i));
         }
     }
-    /// What both do beyond what each does alone.
+    /// Fits the products of both parameters' Δ, beyond their separate effects.
     bool fit_together(const std::vector<Taken>& all, std::size_t other, std::size_t own) {
         const Taken &first = all[other], &second = all[own];
         std::vector<Small> beyond(base_.values.size(), Small{first.count(), second.count()});
@@ -518,7 +515,7 @@ private:
     double without_noise(double slope, double by, std::size_t i) const {
         return std::abs(slope * by) < 1e-13 * std::max(std::abs(base_.values[i]), 1.0) ? 0 : to_twelve_digits(slope);
     }
-    /// By what was found.
+    /// Evaluates the fitted polynomials.
     std::vector<double> values(const std::vector<Taken>& all, const Differences& differences) const {
         std::map<Delta, double> deltas;
         for (const auto& [index, more] : differences)
@@ -535,7 +532,7 @@ private:
         }
         return found;
     }
-    /// At values that it was not made of: each way, and all that were taken together.
+    /// Tests at values not used for the fit: in each direction, and together with all other parameters.
     bool holds(const std::vector<Taken>& all, std::size_t own) {
         Differences together;
         for (std::size_t i = 0; i <= own; ++i) together.emplace_back(i, (i % 2 == 0 ? 0.7 : -0.6) * all[i].step);
@@ -552,7 +549,7 @@ private:
         return true;
     }
 
-    /// A length that follows from a parameter is changed by that.
+    /// A length that depends on a parameter cannot be changed directly.
     void drop_lengths() {
         std::vector<MovingSetting> kept;
         for (std::size_t i = 0; i < moving_.settings.size(); ++i) {

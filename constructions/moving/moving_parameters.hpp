@@ -1,5 +1,5 @@
-// Lengths and parameters of a file, for whoever moves the mechanism with other values of them: which may be changed,
-// and how the numbers of the closure and of the plans follow from them. Knows no page.
+// Lengths and parameters of a file that the live page can change, and how the numbers of the closure and of the plans
+// depend on them.
 #pragma once
 
 #include <functional>
@@ -13,33 +13,33 @@
 
 namespace kinegraph {
 
-/// A parameter with a value of its own, as the file (or who overrides it) writes it: 45 and "mm"; a bare number has no
-/// unit.
+/// A parameter with a value of its own, as written in the file (or in an override): 45 and "mm"; the unit of a bare
+/// number is empty.
 struct WrittenParameter {
     std::string name;
     double number = 0;
     std::string unit;
 };
 
-/// The file read once more, with other values of its parameters.
+/// A function that reads the file again with other values of its parameters.
 struct Rereading {
     std::vector<WrittenParameter> parameters;
     std::function<Result<Mechanism>(std::span<const Setting>)> read;
 };
 
-/// Of a file's text; `set` overrides its parameters.
+/// For the text of a file; `set` overrides its parameters.
 Rereading rereading_of(std::string text, std::string source, std::vector<Setting> set);
 
-/// Bodies that two hinges alone hold, all they bear on the line of these: their lengths. And how far apart the frame's
-/// hinges are, where it has two and nothing else.
+/// Lengths of bodies that have only two hinges, with all their points on the line of these; and the distance of the
+/// frame's hinges, if it has two and nothing else.
 std::vector<MovingSetting> lengths_of(const Mechanism& mechanism, const Pose& pose);
 
-/// Adds to `moving` the parameters by which its numbers go as polynomials of the second degree (of angles as sums and
-/// products of their cosines and sines), with their effects, and takes away the lengths that hang on them. They are
-/// found by reading the file with other values and hold exactly, or to 1e-11 at values they were not made of; a
-/// parameter of which that is not so, or which changes a law, is zero or changes nothing at all (where the crank is
-/// drawn), is told among the fixed ones. `mechanism` and `pose` are those that `moving` was made of; the closure and
-/// the plans are there.
+/// Adds to `moving` the parameters on which its numbers depend as polynomials of degree two (for angles: in sums and
+/// products of their cosines and sines), with their effects, and removes the lengths that depend on them. The
+/// coefficients are fitted by reading the file with other values. They must be exact, or accurate to 1e-11 at other
+/// test values. Listed as fixed: a parameter for which this fails, which changes a law, which is zero, or which has no
+/// effect (such as the drawn crank angle). `mechanism` and `pose` are those from which `moving` was made; its closure
+/// and plans must exist.
 void add_parameters(Moving& moving, const Mechanism& mechanism, const Pose& pose, const Rereading& rereading);
 
 }  // namespace kinegraph

@@ -1,4 +1,3 @@
-// Moving rules: see moving_rules.hpp.
 #include "constructions/moving/moving_rules.hpp"
 
 #include <cmath>

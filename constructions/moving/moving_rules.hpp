@@ -1,5 +1,5 @@
-// Moving rules: which givens of a program hang on the position, by which rule, and which may be changed by hand: rates
-// of drivers and sizes of loads. Knows no program as a whole.
+// Rules by which the givens of a program depend on the position; and the givens that the user may change: rates of
+// drivers and sizes of loads.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@
 
 namespace kinegraph {
 
-/// The body that turns, the joint that slides, the point that is driven.
+/// Name of the body that turns, the joint that slides, or the point that is driven.
 std::string name_of_course(const Mechanism& mechanism, const Driver& driver);
 
 class MovingRules {
 public:
-    /// Both are kept by reference.
+    /// Keeps references to both.
     MovingRules(const Mechanism& mechanism, const Pose& pose);
 
-    /// Rates of drivers without a law and sizes of loads, but for those that are zero.
+    /// Rates of drivers without a law and sizes of loads, except those that are zero.
     const std::vector<MovingSetting>& settings() const { return settings_; }
-    /// The rule of the given with this index; nothing of what is the same in every position.
+    /// The rule of a given with this index; none if it is the same in every position.
     std::optional<MovingGiven> of(const Given& given, int index) const;
 
 private:

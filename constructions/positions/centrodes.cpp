@@ -14,7 +14,7 @@ using Kind = Quantity::Kind;
 
 double size_of(const Spot& v) { return std::hypot(v.x, v.y); }
 
-/// The driver that moves, at unit rate: the centrodes do not hang on it. The others rest.
+/// The moving driver has unit rate, since the centrodes do not depend on it; the others rest.
 Mechanism at_unit_rate(Mechanism mechanism, int driver) {
     for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
         const Exact rate = static_cast<int>(i) == driver ? 1 : 0;
@@ -35,7 +35,7 @@ Mechanism at_unit_rate(Mechanism mechanism, int driver) {
     return mechanism;
 }
 
-/// Where a row has the motion of a body: its ω, and place and velocity of one of its points.
+/// Columns of a row that give the motion of a body: its ω, and place and velocity of one of its points.
 struct BodyColumns {
     bool rests = false;
     std::size_t omega = 0, x = 0, y = 0, vx = 0, vy = 0;
@@ -62,7 +62,7 @@ std::optional<BodyColumns> columns_of(const std::vector<Column>& columns, const 
         const auto of_same_point = std::count_if(columns.begin(), columns.end(), [&](const Column& other) {
             return other.kind == Column::Kind::place_x && other.quantity.point == q.point;
         });
-        // A pin's column goes by the first of the bodies that share it.
+        // The column of a pin is named after the first of its bodies.
         const bool carried = std::find(points.begin(), points.end(), q.point) != points.end();
         if (q.body != body && (!carried || of_same_point > 1)) continue;
         const auto vx = index_of(Column::Kind::result, q.along(Quantity::Component::x)),
@@ -77,11 +77,11 @@ std::optional<BodyColumns> columns_of(const std::vector<Column>& columns, const 
     return std::nullopt;
 }
 
-/// One position: the pole in homogeneous form, P = A + z∧(v_2 − v_1)(A)/ω, and its images on both bodies where it is
+/// One position: the pole in homogeneous form, P = A + z∧(v_2 − v_1)(A)/ω, and its images on both bodies if it is
 /// finite.
 struct Sample {
     double s = 0, omega = 0;
-    bool known = false, finite = false;  ///< finite: no farther than Centrodes::cut_at
+    bool known = false, finite = false;  ///< finite: within Centrodes::cut_at
     Spot fixed, moving;
 };
 
@@ -107,11 +107,11 @@ public:
         for (int i = 0; i <= steps; ++i) {
             const double s = low + (high - low) * inner(i, steps);
             coarse.push_back(at(s));
-            // A change point has no row, and next to it doubles lose digits.
+            // A change point has no row, and doubles lose digits next to it.
             constexpr double beside = 1e-4;
             if (!coarse.back().known) coarse.back() = at(s + (i == steps ? -beside : beside) * (high - low));
         }
-        // The places at which the two do not turn against each other part the rest.
+        // The travel is split at places without relative rotation.
         for (std::size_t i = 0; i + 1 < coarse.size(); ++i) walk(coarse[i], coarse[i + 1]);
         finish_branch(false);
         return std::move(found_);
@@ -144,7 +144,7 @@ private:
         };
         const Spot relative = velocity(*second_) - velocity(*first_);
         const Spot aside = quarter_turn(relative);
-        // What is left of two equal rates by rounding is none.
+        // A difference of two equal rates within rounding is zero.
         constexpr double rounding = 1e-10;
         if (std::abs(sample.omega) * size_ <= rounding * size_of(relative)) sample.omega = 0;
         sample.finite =
@@ -156,7 +156,7 @@ private:
         return sample;
     }
 
-    /// From one sample to the next, both already looked at; what lies between is looked at as finely as needed.
+    /// From one sample to the next; refines between them as needed.
     void walk(const Sample& a, const Sample& b) {
         if (!a.known || !b.known) {
             finish_branch(false);
@@ -176,15 +176,15 @@ private:
             refine(a, b, 0);
             return;
         }
-        // It goes beyond what is looked at, or comes back, without a turn of the sense.
+        // Leaves or enters the drawn range without a change of the sense of rotation.
         if (a.finite) leave(a, b.s);
         if (a.finite) finish_branch(true);
         if (a.finite && b.omega == 0) found_.infinities.push_back(b.s);
         if (b.finite) enter(a.s, b);
     }
-    /// Where all of the motion stops and turns round (a rocker at the end of its stroke) the pole stays where it is.
+    /// If all motion stops and reverses (a rocker at the end of its stroke) the pole is continuous.
     bool pass_standstill(const Sample& a, double zero, const Sample& b) {
-        constexpr double beside = 1e-4, near = 0.01;  // of the step; of the drawing's size
+        constexpr double beside = 1e-4, near = 0.01;  // relative to the step; relative to the drawing's size
         const Sample left = at(zero - beside * (b.s - a.s)), right = at(zero + beside * (b.s - a.s));
         if (!a.finite || !b.finite || !left.finite || !right.finite) return false;
         if (size_of(right.fixed - left.fixed) > near * size_) return false;
@@ -203,7 +203,7 @@ private:
         }
         return (low + high) / 2;
     }
-    /// The last finite sample on the way from a to where it is cut; `end` is not finite.
+    /// The last finite sample from `inside` towards `end`, which is not finite.
     Sample edge(Sample inside, double end) {
         double outside = end;
         for (int i = 0; i < 40; ++i) {
@@ -227,10 +227,10 @@ private:
         if (first.s < b.s) refine(first, b, 0);
     }
 
-    /// Halves until a chord is short, and the middle lies on it, on both bodies.
+    /// Bisects until a chord is short and the middle is on it, on both bodies.
     void refine(const Sample& a, const Sample& b, int depth) {
         constexpr int deepest = 24;
-        constexpr double flat = 1e-4, longest = 0.04;  // shares of the drawing's size, or of the distance from it
+        constexpr double flat = 1e-4, longest = 0.04;  // relative to the drawing's size, or to the distance from it
         const Sample middle = at((a.s + b.s) / 2);
         if (!middle.finite || depth == deepest) return add(b);
         const auto is_smooth = [&](const Spot& from, const Spot& by, const Spot& to) {

@@ -1,6 +1,6 @@
-// Centrodes: the paths of the pole of one body's motion against another's, on the one and on the other, traced by
-// replaying the velocities along the travel of a driver, in steps as fine as their curvature asks. The moving one rolls
-// on the fixed one, which it touches in the pole (Euler, Chasles). Knows no file and no figure.
+// Centrodes: the paths of the instant centre of one body's motion relative to another's, on both bodies. Traced by
+// replaying the velocities along the travel of a driver, in steps adapted to the curvature. The moving centrode rolls
+// on the fixed one, which it touches in the instant centre (Euler, Chasles).
 #pragma once
 
 #include <optional>
@@ -15,23 +15,22 @@ namespace kinegraph {
 
 struct Centrodes {
     using Spot = VectorOf<double>;
-    /// A piece without gaps; the three lists go together.
+    /// A piece without gaps; the three lists have the same length.
     struct Branch {
         std::vector<double> coordinates;  ///< of the driver, ascending
-        std::vector<Spot> fixed, moving;  ///< m: on the first body and on the second, each as drawn
+        std::vector<Spot> fixed, moving;  ///< m; on the first body and on the second, each as drawn
         bool comes_from_infinity = false, goes_to_infinity = false;
     };
     BodyIndex first = frame, second = none;
     std::vector<Branch> branches;
-    std::vector<double>
-        infinities;  ///< coordinates at which the pole is at infinity (the two do not turn against each other)
+    std::vector<double> infinities;  ///< coordinates with the pole at infinity (no relative rotation)
 
-    /// Beyond this many sizes of the drawing a branch is cut, where it goes to infinity.
+    /// A branch that goes to infinity is cut at this multiple of the size of the drawing.
     static constexpr double cut_at = 25;
 };
 
-/// Of `second` against `first` over the travel of a driver (index), the other drivers at rest. Without branches: the
-/// two never turn against each other, or their velocities are not determined. Errors: those of Positions::of.
+/// Of `second` relative to `first` over the travel of a driver (index), with the other drivers at rest. No branches:
+/// the two never turn relative to each other, or their velocities are not determined. Errors: those of Positions::of.
 Result<Centrodes> trace_centrodes(const Mechanism& mechanism, const Pose& pose, int driver, const Travel& travel,
                                   BodyIndex first, BodyIndex second);
 

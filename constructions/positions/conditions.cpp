@@ -1,4 +1,3 @@
-// Conditions: see conditions.hpp.
 #include "constructions/positions/conditions.hpp"
 
 #include <algorithm>
@@ -11,7 +10,7 @@
 namespace kinegraph {
 namespace {
 
-/// The sides of a comparison as doubles, in SI.
+/// The two sides of a comparison as doubles, in SI.
 class Sides {
 public:
     Sides(const Condition& condition, const Solution& solution, const std::vector<NamedResult>& results)
@@ -28,7 +27,7 @@ public:
         if (kin == nullptr) return fails(missing_result(solution_, results_, other_name(), condition_.where));
         const QuantityKind kind = kin->column.unit;
         const Unit unit = unit_of(kind, solution_.mechanism.units);
-        const KnownUnit bare_unit{kind, unit.symbol, unit.si};  // what is read refers to it
+        const KnownUnit bare_unit{kind, unit.symbol, unit.si};  // the parsed side refers to it
         const auto read = as_quantity(*side.measured, kind, bare_unit);
         if (!read)
             return fails({ErrorCode::bad_input,

@@ -1,5 +1,4 @@
-// Conditions of an exercise, held against the results of a solution. Knows no paper: whether a polygon can be read is
-// asked of whoever draws it.
+// Conditions of an exercise, evaluated on the results of a solution. The caller decides whether a polygon is readable.
 #pragma once
 
 #include <optional>
@@ -12,21 +11,21 @@
 
 namespace kinegraph {
 
-/// Whether a comparison holds of these results. Equal is what differs by less than 1e-9 of the larger. Errors: a result
-/// that the solution has not got (bad input, or no unique answer), or that is of another kind than what it is compared
-/// with.
+/// Whether a comparison holds. Values that differ by less than 1e-9 of the larger are equal. Errors: a result that does
+/// not exist (bad input, or no unique answer), or of another kind than the one it is compared with.
 Result<bool> holds(const Condition& condition, const Solution& solution, const std::vector<NamedResult>& results);
 
-/// What an exercise asks for, compares or wants to be readable, and its solution has not got, each at its place:
-/// missing_result, or a polygon that is not drawn. `results`: results_for.
+/// Results and polygons used by an exercise that the solution does not have, each at its place: missing_result, or a
+/// polygon that is not drawn. `results`: from results_for.
 Errors missing_in(const Solution& solution, const std::vector<NamedResult>& results);
-/// The same of a file that may have no exercise; nothing where not all is found, which the solution tells itself.
+/// The same for a file that may have no exercise. Empty if results are unsolved; the solution then gives the
+/// reasons.
 Errors missing_in(const Solution& solution);
 
-/// Of a condition on a polygon: that it is not drawn; nothing where it is, or where not all is found.
+/// The error if a condition uses a polygon that is not drawn; none if it is drawn or results are unsolved.
 std::optional<Error> missing_polygon(const Solution& solution, const Condition& condition);
 
-/// Whether the first driver makes a whole turn in both senses: from its drawn position no limit stops it.
+/// Whether the first driver makes a whole turn in both senses without reaching a limit.
 bool crank_turns_fully(const Mechanism& mechanism, const Pose& pose);
 
 }  // namespace kinegraph

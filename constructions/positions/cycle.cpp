@@ -24,7 +24,7 @@ namespace {
 using Spot = VectorOf<double>;
 using Kind = Quantity::Kind;
 
-/// What is found at each position: the file's `find` without what has no column.
+/// The results to find at each position: the file's `find` without those that have no column.
 Find found_in_rows(const Mechanism& mechanism) {
     const Find& asked = mechanism.find;
     Find find;
@@ -38,7 +38,7 @@ Find found_in_rows(const Mechanism& mechanism) {
     return find;
 }
 
-/// A position planned: its record in doubles, what of its givens moves, and which element each column reads.
+/// A planned position: its record in doubles, the givens that change, and the element for each column.
 struct PlannedPosition {
     struct Source {
         bool known = false;
@@ -52,7 +52,6 @@ struct PlannedPosition {
 }  // namespace
 
 // --- rows
-// ---------------------------------------------------------------------------------------------------------------------
 
 class Cycle::Rows {
 public:
@@ -75,7 +74,7 @@ public:
 
     std::vector<Unsolved> begin(const Travel& travel, bool checked) {
         is_checked_ = checked;
-        // Anywhere but where something is likely to be special.
+        // Irrational fractions of the travel, to avoid special positions.
         for (const double share : {0.381966, 0.618034, 0.236068, 0.854102}) {
             if (!go_to(travel.at(share))) continue;
             Solution solution = planned_here();
@@ -99,8 +98,8 @@ public:
         PlannedPosition* plan = replayed();
         if (plan != nullptr && !fill(*plan)) return std::nullopt;
         if (plan == nullptr || !efforts_.replay(places_, positions_, values_)) {
-            // Its own verdicts may drown in doubles where something is nearly special (a body nearly at rest): its
-            // values are exact.
+            // Guards evaluated in doubles may fail in a nearly special position (a body nearly at rest), but its exact
+            // values are valid.
             const Solution solution = planned_here();
             keep(solution);
             if (!fill_from(solution)) return std::nullopt;
@@ -114,10 +113,10 @@ public:
         return values_;
     }
 
-    /// Near a limit the places go with the root of the distance from it: two places, one four times as far as the
-    /// other, tell where they lead (Richardson's extrapolation).
+    /// Near a limit positions vary as the root of the distance from it. Two positions, one four times as far as the
+    /// other, give the limit by Richardson's extrapolation.
     std::vector<std::optional<double>> at_limit(double limit, double inward) {
-        constexpr double near = 1e-8;  // of the way; the limit itself is known to 1e-9
+        constexpr double near = 1e-8;  // relative to the travel; the limit is computed to 1e-9
         const auto places = [&](double share) {
             std::vector<std::optional<double>> values(columns_.size());
             if (!positions_.move_to(limit + share * inward)) return values;
@@ -142,7 +141,7 @@ public:
     int plans() const { return planned_; }
 
 private:
-    /// The driver's rate where it is a clock: it does not change, and those that go along have theirs in proportion.
+    /// The driver's rate if it can serve as a clock: it is constant, and other moving drivers have proportional rates.
     /// Else zero.
     double rate_along(const Course& course) const {
         const auto rates = [&](int driver) { return rates_of(mechanism_.drivers[at_index(driver)]); };
@@ -153,7 +152,7 @@ private:
         }
         return own.second.is_zero() ? own.first.to_double() : 0;
     }
-    /// False: it cannot be reached, or has no one answer.
+    /// False if the position cannot be reached or is not unique.
     bool go_to(double at) {
         double coordinate = at;
         if (law_ != nullptr) {
@@ -165,14 +164,14 @@ private:
         positions_.read(places_);
         return true;
     }
-    /// Gives a mechanism that has been moved here the rates of the law.
+    /// Sets the rates of the law in a mechanism moved to this position.
     void put_rates(Mechanism& moved) const {
         if (law_ == nullptr) return;
         Driver& driver = moved.drivers[at_index(driver_)];
         driver = with_rates(std::move(driver), {Exact::from_double(state_.first), Exact::from_double(state_.second)});
     }
 
-    /// Of each body: the direction from its first point to its second, as drawn.
+    /// For each body: the direction from its first point to its second, as drawn.
     void find_directions() {
         for (const Body& body : mechanism_.bodies) {
             double angle = 0;
@@ -188,7 +187,6 @@ private:
     }
 
     // --- by record
-    // ------------------------------------------------------------------------------------------------------------
     Solution planned_here() {
         ++planned_;
         Moved moved = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
@@ -220,14 +218,14 @@ private:
             plan.sources[i] = {true,
                                found->element == none ? ElementIndex() : record.element[at_index(found->element)]};
         }
-        // Verdicts of special positions (a right angle, a body at rest) serve nowhere else; the oldest go.
+        // Records of special positions (a right angle, a body at rest) are valid nowhere else; the oldest are dropped.
         constexpr std::size_t most = 24;
         if (kept_.size() == most) kept_.pop_back();
         kept_.push_front(std::move(plan));
         return kept_.front();
     }
 
-    /// The plan whose guards hold here, replayed; the one that served last is tried first.
+    /// Replays plans until the guards of one hold; the last one used is tried first.
     PlannedPosition* replayed() {
         for (auto plan = kept_.begin(); plan != kept_.end(); ++plan) {
             if (replays(*plan)) continue;
@@ -236,7 +234,7 @@ private:
         }
         return nullptr;
     }
-    /// The guard that flipped, if one did.
+    /// The guard that failed, if any.
     std::optional<int> replays(PlannedPosition& plan) {
         for (const auto& [index, given] : plan.moving) plan.replay.give(index, value_here(given));
         return plan.replay.run();
@@ -269,7 +267,7 @@ private:
             return std::nullopt;
         });
     }
-    /// `found(i)` gives the vector or scalar that column i is a part of. False: not all of them are found and finite.
+    /// `found(i)` is the vector or scalar for column i. False if one is missing or not finite.
     template <class Found>
     bool fill_each(Found found) {
         for (std::size_t i = 0; i < columns_.size() - efforts_.size(); ++i) {
@@ -281,7 +279,7 @@ private:
         }
         return true;
     }
-    /// What the position itself gives.
+    /// Values that depend on the position only.
     std::optional<double> place_value(const Column& column) const {
         const Quantity& q = column.quantity;
         switch (column.kind) {
@@ -304,8 +302,8 @@ private:
     const Mechanism& mechanism_;
     const Pose& pose_;
     int driver_;
-    const Law* law_;                         ///< null: the rates are the file's
-    std::pair<double, double> drawn_{0, 0};  ///< of the law: its time and its way in the drawn position
+    const Law* law_;                         ///< null: the rates are those of the file
+    std::pair<double, double> drawn_{0, 0};  ///< time and coordinate of the law in the drawn position
     LawState state_;                         ///< of the law, here
     double time_ = 0;                        ///< since the drawn position, by the law
     bool turns_ = true;
@@ -344,8 +342,7 @@ std::vector<std::optional<double>> Cycle::at_limit(double limit, double inward) 
 Cycle::Difference Cycle::difference() const { return rows_->difference(); }
 int Cycle::plans() const { return rows_->plans(); }
 
-// --- how far
-// ------------------------------------------------------------------------------------------------------------------
+// --- travel
 
 namespace {
 
@@ -365,7 +362,7 @@ tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool tur
     const auto out_of_reach = [&](double wanted) {
         return tl::unexpected(TravelFault{wanted, tried.limit().value_or(tried.coordinate())});
     };
-    // What is not given: as far as it goes, a full turn at most where both ends are free.
+    // By default to the limits; a full turn at most if both ends are free.
     const double far = turns ? 64 * full_turn : 100 * positions.size();
     if (from) {
         if (!tried.move_to(*from)) return out_of_reach(*from);
@@ -400,7 +397,7 @@ tl::expected<Travel, TravelFault> travel_of_law(const Positions& positions, cons
     const double drawn = law.drawn.to_double(), way = law.at(drawn).s;
     Travel travel;
     travel.times = {from.value_or(0 - drawn), to.value_or(law.length() - drawn)};
-    // It goes no farther than at its ends and where one piece meets the next.
+    // The extremes are at the ends of the law, or where two pieces meet.
     const auto [first, last] = std::minmax({travel.times->first + drawn, travel.times->second + drawn});
     std::vector<double> turning_points{law.at(first).s - way, law.at(last).s - way};
     double end = 0;
@@ -420,20 +417,19 @@ tl::expected<Travel, TravelFault> travel_of_law(const Positions& positions, cons
 }
 
 // --- transmission angle
-// -------------------------------------------------------------------------------------------------------
 
 namespace {
 
-/// A coupler, the follower that it pushes at the pin B, the pin A by which it is pushed itself, and the follower's
-/// hinge on the frame, or its guide there.
+/// A coupler, the pin B at which it drives the follower, the pin A at which it is driven, and the follower's hinge or
+/// guide on the frame.
 struct Chain {
     PointIndex a, b, hinge;
-    JointIndex pin, guide;  // pin: that at B
+    JointIndex pin, guide;  // pin: the joint at B
     BodyIndex coupler, follower;
 };
 
-/// From the driven body onwards: a coupler is pushed by the first pin at which the way reaches it, and pushes all
-/// followers at its other pins; from these the way goes on.
+/// Breadth-first from the driven body: a coupler is driven at the first pin reached, and drives all followers at its
+/// other pins; the search goes on from these.
 class Couplers {
 public:
     Couplers(const Mechanism& mechanism, int driver) : mechanism_(mechanism) {
@@ -443,7 +439,8 @@ public:
         if (const auto* slide = std::get_if<SlideDriver>(&given)) driven = mechanism.joint(slide->joint).bodies[0];
         if (const auto* point = std::get_if<PointDriver>(&given)) driven = point->body;
         reached_.push_back(driven);
-        for (std::size_t next = 0; next < reached_.size();) go_on_from(reached_[next++]);  // which finds more
+        // the call appends to the list
+        for (std::size_t next = 0; next < reached_.size();) go_on_from(reached_[next++]);
     }
     std::vector<Chain> all() && { return std::move(chains_); }
 
@@ -510,7 +507,7 @@ Transmission least_of(const Chain& chain, Positions positions, const Travel& tra
         const double coordinate = i == samples ? travel.to : travel.from + i * step;
         if (const double here = angle(coordinate); here < found.least) found.least = here, found.at = coordinate;
     }
-    // Between the neighbours of the least sample it has one minimum.
+    // Between the neighbours of the smallest sample there is one minimum.
     const double low_end = std::min(travel.from, travel.to), high_end = std::max(travel.from, travel.to);
     double low = std::max(found.at - std::abs(step), low_end), high = std::min(found.at + std::abs(step), high_end);
     for (int i = 0; i < 60; ++i) {

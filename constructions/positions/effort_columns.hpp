@@ -1,4 +1,4 @@
-// The last columns of a cycle's rows: efforts that virtual work gives, and reactions do not.
+// The last columns of a cycle: input forces and couples that only virtual work gives, not the reactions.
 #pragma once
 
 #include <vector>
@@ -10,24 +10,25 @@ namespace kinegraph {
 
 class EffortColumns {
 public:
-    /// Both are kept by reference.
+    /// Keeps references to both.
     EffortColumns(const Mechanism& mechanism, const GivensHere& givens)
         : mechanism_(mechanism), rows_(mechanism, givens) {}
 
-    /// Behind all others.
+    /// Adds the columns after all others.
     void add(const Solution& solution, std::vector<Column>& columns);
     std::size_t size() const { return by_work_.size(); }
     bool empty() const { return by_work_.empty(); }
 
-    /// The displacements of a position that was planned serve for those like it.
+    /// Keeps the displacements of a planned position for replay.
     void keep(const Displacements& found) { rows_.keep(found); }
-    /// The efforts of a position that was planned, from here on.
+    /// Takes the values of a planned position.
     void take(const Solution& planned) {
         here_ = planned.displacements ? EffortRows::of(*planned.displacements) : EffortRows::Efforts();
     }
-    /// Those of the position of `places`, with the accelerations of this row; false: no displacements kept hold there.
+    /// Computes the values at `places`, with the accelerations of this row; false if no kept displacements are valid
+    /// there.
     bool replay(const Places& places, const Positions& positions, const std::vector<double>& row);
-    /// False: the position leaves one of them open.
+    /// False if a value is not determined in this position.
     bool fill(std::vector<double>& row) const;
 
 private:
@@ -35,12 +36,12 @@ private:
 
     const Mechanism& mechanism_;
     EffortRows rows_;
-    std::vector<std::size_t> by_work_;  ///< efforts, by index in the mechanism
-    /// Where the acceleration of a mass stands in a row; beyond its end: it has none, as of a body at rest.
+    std::vector<std::size_t> by_work_;  ///< indices of input forces in the mechanism
+    /// Columns of a mass's acceleration; beyond the end of a row if it has none, as for a body at rest.
     struct MassColumns {
         std::size_t x = ~std::size_t(0), y = ~std::size_t(0), alpha = ~std::size_t(0);
     };
-    std::vector<MassColumns> mass_columns_;  ///< by Mechanism::masses, where their inertia does work
+    std::vector<MassColumns> mass_columns_;  ///< by Mechanism::masses, if inertia forces do work
     EffortRows::Efforts here_;
 };
 

@@ -43,7 +43,7 @@ EffortRows::Record EffortRows::record_of(const Solution& moved) const {
 }
 
 void EffortRows::keep(const Displacements& found) {
-    constexpr std::size_t most = 24;  // as of the records of the motion; the oldest go
+    constexpr std::size_t most = 24;  // as for the records of the motion; the oldest are dropped
     kept_.resize(std::max(kept_.size(), found.freedoms.size()));
     for (std::size_t i = 0; i < found.freedoms.size(); ++i) {
         if (kept_[i].size() == most) kept_[i].pop_back();
@@ -56,7 +56,7 @@ bool EffortRows::is_inertia(const Given& given) const {
            at_index(given.index) >= mechanism_.loads.size();
 }
 
-/// Behind the loads of the file each mass has two: −m a_G, then −J α.
+/// After the loads of the file each mass has two givens: −m a_G, then −J α.
 ValueOf<double> EffortRows::inertia(const Given& given, const std::vector<Acceleration>& masses) const {
     const std::size_t mass = (at_index(given.index) - mechanism_.loads.size()) / 2;
     const Mass& of = mechanism_.masses[mass];

@@ -1,5 +1,4 @@
-// Givens here: what the givens of a record are in another position of the mechanism, in doubles, for whoever replays
-// the record.
+// Values of a record's givens in another position of the mechanism, in doubles, for replay.
 #pragma once
 
 #include <vector>
@@ -11,21 +10,21 @@ namespace kinegraph {
 
 class GivensHere {
 public:
-    /// `pose` is the drawn one. The mechanism is kept by reference.
+    /// `pose` is the drawn one. Keeps a reference to the mechanism.
     GivensHere(const Mechanism& mechanism, const Pose& pose);
 
-    /// Whether a given hangs on the position. Rates do not: those of a law hang on the time.
+    /// Whether a given depends on the position. Rates do not: those of a law depend on time.
     bool hangs(const Given& given) const;
-    /// Its value, where it hangs on the position.
+    /// Its value, if it depends on the position.
     ValueOf<double> value(const Given& given, const Places& places, const Positions& positions) const;
-    /// Of a torsion spring: how far it is turned from where it is slack, rad.
+    /// Rotation of a torsion spring from its unloaded position, rad.
     static double turned(const TorsionLoad& torsion, const Positions& positions);
 
 private:
     ValueOf<double> value_of_load(const Given& given, const Places& places, const Positions& positions) const;
 
     const Mechanism& mechanism_;
-    std::vector<double> senses_;  ///< by joint: −1 where it pushes against its normal as drawn
+    std::vector<double> senses_;  ///< by joint: −1 if it pushes against its normal as drawn
 };
 
 }  // namespace kinegraph

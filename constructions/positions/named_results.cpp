@@ -1,4 +1,3 @@
-// Named results: see named_results.hpp.
 #include "constructions/positions/named_results.hpp"
 
 #include <algorithm>
@@ -24,7 +23,7 @@ bool has_several_carriers(const Solution& solution, const PointMotion& motion) {
            }) > 1;
 }
 
-/// How a point or a sliding joint is called in a solution.
+/// Name of a point or a sliding joint in a solution.
 std::string subject_of(const Quantity& q, const Solution& solution) {
     const Mechanism& m = solution.mechanism;
     const auto body = [&](BodyIndex index) { return m.body(index).name; };
@@ -87,7 +86,7 @@ private:
         if (q.component == Quantity::Component::whole) return found->scalar;
         return q.component == Quantity::Component::x ? found->vector.x : found->vector.y;
     }
-    /// Those that virtual work found, where reactions do not.
+    /// Adds those that virtual work gives, but reactions do not.
     void add_efforts() {
         const std::vector<EffortValue> efforts = efforts_found(solution_);
         for (std::size_t e = 0; e < efforts.size(); ++e) {
@@ -102,7 +101,7 @@ private:
         Column column = modulus_column(each.quantity, solution_.mechanism, subject_of(each.quantity, solution_));
         const auto is_taken = [&](const NamedResult& other) { return other.column.name == column.name; };
         if (std::any_of(results_.begin(), results_.end(), is_taken)) return;
-        // No hypot: its last digit is the library's.
+        // std::hypot is not used: its last digit depends on the library.
         results_.push_back({std::move(column), std::sqrt(dot(each.vector, each.vector))});
     }
 
@@ -111,7 +110,7 @@ private:
     std::vector<NamedResult> results_;
 };
 
-/// Of the whole travel of the first driver; nothing where there is none, or no coupler.
+/// Over the whole travel of the first driver; none if there is no travel or no coupler.
 std::optional<NamedResult> transmission_result(const Solution& solution) {
     const auto travel = own_travel(solution.mechanism, solution.pose);
     if (!travel) return std::nullopt;
@@ -191,7 +190,7 @@ std::vector<NamedResult> named_results(const Solution& solution) { return Readin
 
 std::optional<Exact> exact_value(const NamedResult& result, const Solution& solution) {
     const Pose& pose = solution.pose;
-    // What hangs on the compass is a fraction as long as its rounding; a short one cannot.
+    // A value computed from a rounded drawing is a fraction with as many bits as the rounding; a short one is exact.
     const auto certain = [&](const Exact& value) -> std::optional<Exact> {
         if (pose.exact || value.bits() < static_cast<std::size_t>(std::max(pose.bits, 1))) return value;
         return std::nullopt;

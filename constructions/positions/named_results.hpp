@@ -1,5 +1,4 @@
-// Named results: what a solution holds under the names that the rows of a sweep have, one by one. Computes no
-// mechanics.
+// Named results: the values of a solution under the names of the columns of a sweep.
 #pragma once
 
 #include <optional>
@@ -14,40 +13,40 @@
 
 namespace kinegraph {
 
-/// One value of a solution that a column can hold. Without an element it vanishes.
+/// One value of a solution that a column can contain. Without an element it is zero.
 struct FoundValue {
     Quantity quantity;
     ElementIndex element;
-    VectorOf<double> vector;  ///< of a component: the whole vector
+    VectorOf<double> vector;  ///< for a component: the whole vector
     double scalar = 0;
     Exact exact;  ///< the scalar, or the component
 };
-/// In the order of the columns of a sweep. Of action and reaction the one that the results name first, or both.
+/// In the order of the columns of a sweep. Of action and reaction, the one that comes first in the results, or both.
 std::vector<FoundValue> found_values(const Solution& solution, bool with_reactions = false);
-/// The columns that these give rise to, angles, places and slides with them.
+/// The columns for these values, and those of angles, places and slides.
 std::vector<Column> columns_found(const Solution& solution, bool with_reactions = false);
 
 struct NamedResult {
-    Column column;          ///< its name, and what it is of
+    Column column;          ///< its name and quantity
     double value = 0;       ///< SI
-    std::string unit = {};  ///< SI, of what has no kind: "N s", "J"
+    std::string unit = {};  ///< SI, if the quantity has no kind: "N s", "J"
 };
-/// The same exactly, SI; none of what took a root (a length, an angle) or hangs on what the compass left over.
+/// The exact value, SI; none if it involves a root (a length, an angle) or a rounded drawing.
 std::optional<Exact> exact_value(const NamedResult& result, const Solution& solution);
-/// All that a solution holds: the results of a sweep's row (without turn, time and slides, which are nothing in one
-/// position), the lengths of vectors ("v B"), and of a problem its values. Two of them never have one name.
+/// All values of a solution: the results of a sweep's row (without turn, time and slides, which have no meaning in one
+/// position), the lengths of vectors ("v B"), and the values of a problem. The names are unique.
 std::vector<NamedResult> named_results(const Solution& solution);
-/// The results that an exercise speaks of: all named ones, and the transmission angle where it speaks of it (that takes
-/// a whole cycle) and the mechanism has one.
+/// The results for an exercise: all named ones, and the transmission angle if the exercise uses it (it needs a whole
+/// cycle) and the mechanism has one.
 std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution);
-/// Null: none of that name.
+/// Null if there is none.
 const NamedResult* result_named(const std::vector<NamedResult>& results, const std::string& name);
-/// What the file asks for, in its order, of results_for; of the bars of a truss the force in them, tension positive.
+/// The results in the file's "ask", in its order, from results_for; for a bar of a truss its force, tension positive.
 /// Errors, each at its place: missing_result.
 Result<std::vector<NamedResult>> asked_of_results(const Solution& solution, const std::vector<NamedResult>& results);
 Result<std::vector<NamedResult>> asked_results(const Solution& solution);
-/// That there is no such result: none of that name, with the nearest (bad input), or none in this position (no unique
-/// answer).
+/// The error for a missing result: unknown name, with the nearest one (bad input), or no value in this position (no
+/// unique answer).
 Error missing_result(const Solution& solution, const std::vector<NamedResult>& results, const std::string& name,
                      const std::string& where);
 
@@ -57,7 +56,7 @@ struct ToldResult {
     std::string unit;
 };
 ToldResult told(const NamedResult& result, const Units& units);
-/// The unit in which a file tells quantities of a kind.
+/// The unit that a file uses for a kind of quantity.
 Unit unit_of(QuantityKind kind, const Units& units);
 
 }  // namespace kinegraph

@@ -1,4 +1,5 @@
-// The rows of a cycle beside the numeric check: its mechanism and its pose go along from position to position.
+// Compares the rows of a cycle with the numeric check. Moves the check's own mechanism and pose from position to
+// position.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ VectorOf<double> direction_of_sliding(const Places& places, JointIndex joint);
 
 class RowCheck {
 public:
-    /// A row with the position that it is found in.
+    /// A row and its position.
     struct Row {
         const std::vector<Column>& columns;
         const std::vector<double>& values;
@@ -28,15 +29,15 @@ public:
         bool has_forces = false;
     };
 
-    /// Of the mechanism as the file has it, which is kept by reference.
+    /// `drawn`: the mechanism as in the file; keeps a reference.
     explicit RowCheck(const Mechanism& drawn) : drawn_(drawn) {}
 
-    /// The mechanism and pose of one position; those of others are put in their place.
+    /// Sets the mechanism and pose; later positions modify them.
     void begin(const Mechanism& mechanism, const Pose& pose) {
         mechanism_ = mechanism;
         pose_ = pose;
     }
-    /// Which the driver's rates are put into before a row is compared.
+    /// To set the driver's rates before a row is compared.
     Mechanism& mechanism() { return mechanism_; }
     void compare(const Row& row);
 
@@ -44,7 +45,7 @@ public:
 
 private:
     void put_into_pose(const Row& row);
-    /// What the check says to a column; nothing where it leaves it open.
+    /// The check's value for a column; none if it does not determine it.
     std::optional<double> numeric(const Row& row, const Column& column, const NumericMotion& motion,
                                   const NumericForces* forces) const;
     std::optional<double> numeric_sliding(const Row& row, const Quantity& q, const NumericMotion& motion) const;

@@ -1,5 +1,4 @@
-// Variants: see variants.hpp. Cheap questions come first: what parameters decide, what the solution tells, what takes a
-// whole cycle, what takes a drawing.
+// Cheap tests come first: conditions on parameters, then those that need the solution, a whole cycle, a drawing.
 #include "constructions/positions/variants.hpp"
 
 #include <algorithm>
@@ -12,7 +11,7 @@ namespace {
 
 using Kind = Quantity::Kind;
 
-/// What is asked for where the file does not say it.
+/// Default choice of results if the file requests none.
 std::vector<NamedResult> suited(const std::vector<NamedResult>& results) {
     for (const Kind kind : {Kind::effort, Kind::omega}) {
         std::vector<NamedResult> chosen;
@@ -23,7 +22,7 @@ std::vector<NamedResult> suited(const std::vector<NamedResult>& results) {
     return results;
 }
 
-/// A fault that only these values have: where it is, without their numbers.
+/// A fault that occurs only with these values: its place, without the numbers.
 Words of_these_values(const Error& error) {
     return {"no mechanism with these values ({0})", "nessun meccanismo con questi valori ({0})",
             error.where.empty() ? std::string("/") : error.where};

@@ -1,5 +1,5 @@
-// Variants of an exercise: one draw after another from the values of its parameters, solved, and kept where its
-// conditions hold. Writes nothing and draws nothing: what only a drawing tells is asked of the caller.
+// Variants of an exercise: tries combinations of its parameter values, solves each, and keeps it if its conditions
+// hold. Conditions on the drawing are evaluated by a function of the caller.
 #pragma once
 
 #include <cstdint>
@@ -15,29 +15,29 @@
 
 namespace kinegraph {
 
-/// One exercise of many.
+/// One variant of an exercise.
 struct Variant {
     std::vector<Setting> values;  ///< of the parameters that vary, in the file's order
     Solution solution;
     std::vector<NamedResult>
-        results;  ///< that it asks for; where it asks for none, efforts, else angular velocities, else all
+        results;  ///< requested; by default input forces and couples, else angular velocities, else all
 };
 
-/// Whether every vector that is sought in a polygon is long enough on paper to be read.
+/// Whether every vector sought in a polygon is long enough on paper to be read.
 using IsReadable = std::function<bool(const Solution&, Condition::Polygon)>;
 
-/// The variants of a file, in the order that a seed gives them: the n-th is the n-th combination of the shuffled
-/// lattice whose conditions hold, whatever number is wanted, but for those that come to the mechanism of one before; so
-/// all differ, and each combination is looked at once.
+/// The variants of a file, in an order that depends on the seed only. The n-th variant is the n-th combination of the
+/// shuffled lattice that fulfils the conditions and differs from all earlier mechanisms. Each combination is tried
+/// once.
 class Variants {
 public:
-    /// `text` names `source` in messages; `set`: parameters in place of the file's. Errors: the file's faults; that it
-    /// varies nothing.
+    /// `source` is the name of `text` in messages; `set` overrides parameters of the file. Errors: the file's faults;
+    /// no parameter varies.
     static Result<Variants> of(std::string text, std::string source, std::vector<Setting> set, std::uint64_t seed);
 
-    /// The next one; nothing where there is none: all combinations have been looked at, `most_in_a_row` failed one
-    /// after the other, or `stops` says so, which is asked before each. Errors: of the file, which asks for or compares
-    /// what is not there.
+    /// The next variant; none if all combinations have been tried, `most_in_a_row` were rejected one after the other,
+    /// or `stops`, called before each, returns true. Errors: the file asks for or compares a result that does not
+    /// exist.
     Result<std::optional<Variant>> next(const IsReadable& is_readable, const std::function<bool()>& stops = {});
 
     std::uint64_t combinations() const { return size_; }
@@ -45,7 +45,7 @@ public:
     bool is_exhausted() const { return looked_at_ == size_; }
     const Mechanism& original() const { return original_; }
 
-    /// Why combinations were rejected, in the order in which each reason first came up.
+    /// Why combinations were rejected, in order of first occurrence.
     struct Rejection {
         Words why;
         std::uint64_t count = 0;
@@ -63,7 +63,7 @@ private:
           original_(std::move(original)),
           size_(size),
           order_(seed, size) {}
-    /// One combination: a variant, or nothing where it is rejected.
+    /// Tries one combination; none if it is rejected.
     Result<std::optional<Variant>> drawn(std::uint64_t number, const IsReadable& is_readable);
     void reject(Words why);
 
@@ -72,7 +72,7 @@ private:
     Mechanism original_;
     std::uint64_t size_, looked_at_ = 0;
     Shuffle order_;
-    std::unordered_set<std::string> drawn_;  ///< what the variants' files come to
+    std::unordered_set<std::string> drawn_;  ///< the canonical text of each variant's file
     std::vector<Rejection> rejections_;
 };
 

@@ -15,7 +15,7 @@ public:
     ContactAtJoint(const Solution& solution, const LoadedContact& given)
         : solution_(solution), given_(given), joint_(solution.mechanism.joint(given.joint)) {}
 
-    /// The contact, or why there is none.
+    /// The contact, or the reason why there is none.
     tl::expected<SolvedContact, Words> solved() const {
         const auto force = std::find_if(solution_.forces.begin(), solution_.forces.end(), [&](const JointForce& each) {
             return each.joint == given_.joint && joint_.connects(each.on) && each.force;
@@ -54,7 +54,7 @@ private:
     }
     const Vector& place() const { return solution_.pose.at(joint_.point); }
 
-    /// From the contact to the centre of a body's profile; nothing of a straight one.
+    /// From the contact to the centre of a body's profile; none for a straight one.
     std::optional<Vector> centre_of(std::size_t i) const {
         const auto* circle = std::get_if<CircleProfile>(&joint_.profiles.at(joint_.bodies[i]));
         if (circle == nullptr) return std::nullopt;
@@ -64,7 +64,7 @@ private:
         const auto own = centre_of(i), other = centre_of(1 - i);
         return own && other && dot(*own, *other).sign() > 0 && squared_length(*own) >= squared_length(*other);
     }
-    /// All but the force.
+    /// All data except the force.
     HertzProblem shape() const {
         HertzProblem problem;
         problem.bodies = given_.bodies;
@@ -103,7 +103,7 @@ private:
         bool pushes = false;
         double size = 0;
     };
-    /// By the force on the first body.
+    /// From the force on the first body.
     Load load_of(const Vector& force) const {
         if (joint_.pair().meshes()) return {true, length(force)};
         const double along = component(force, inwards());
@@ -118,7 +118,7 @@ private:
             if (of.component == Quantity::Component::y) y = row.numeric;
         }
         if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y)) return std::nullopt;
-        return load_of({Exact::from_double(*x), Exact::from_double(*y)}).size;  // its size has no sense
+        return load_of({Exact::from_double(*x), Exact::from_double(*y)}).size;  // the sign has no meaning here
     }
 
     const Solution& solution_;

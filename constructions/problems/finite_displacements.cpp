@@ -20,7 +20,7 @@ double angle_between(const Vector& from, const Vector& to) {
     return std::atan2(cross(from, to).to_double(), dot(from, to).to_double());
 }
 
-/// The board of all positions: bisectors, once each, serve poles and pivots.
+/// The board of all positions. Each bisector is drawn once and serves poles and pivots.
 class BoardOfPositions {
 public:
     BoardOfPositions(const PositionsProblem& problem, const Mechanism& mechanism, const Pose& pose)
@@ -88,8 +88,8 @@ private:
             on_one_bisector(displacement);
         }
     }
-    /// Both bisectors are one line. The joins of both points meet in the pole; where they coincide too, it is a half
-    /// turn about the common middle; where they are parallel, the body did not turn.
+    /// Both bisectors coincide. The joins of both points meet in the pole. If these coincide too, it is a half turn
+    /// about the common middle; if they are parallel, the body did not turn.
     void on_one_bisector(Displacement& displacement) {
         const std::size_t from = displacement.from, to = displacement.to;
         const Line before = board_.join(places_[from][0], places_[from][1]),
@@ -157,7 +157,7 @@ private:
     PositionsSolution found_;
 };
 
-// ----- as tables and results say it
+// ----- values for tables and results
 
 std::string both_of(const Displacement& displacement) {
     return std::to_string(displacement.from + 1) + std::to_string(displacement.to + 1);

@@ -14,7 +14,7 @@ using boost::math::ellint_1;
 using boost::math::ellint_2;
 using std::numbers::pi;
 
-/// The root of a function that changes its sign once between two ends: halving, as fine as doubles are.
+/// The root of a function with one change of sign between two ends, by bisection to the precision of doubles.
 template <class Function>
 double root_between(double low, double high, Function f) {
     const bool rises = f(high) > 0;
@@ -26,8 +26,8 @@ double root_between(double low, double high, Function f) {
     return 0.5 * (low + high);
 }
 
-/// K − E and (a/b)² E − K over e² of an ellipse b/a = k, without the cancellation that they have where it is nearly
-/// round: both tend to π/4.
+/// (K − E)/e² and ((a/b)² E − K)/e² for an ellipse with b/a = k. Avoids the cancellation near the circle, where both
+/// tend to π/4.
 struct Shape {
     double along = pi / 4, across = pi / 4;  ///< (K − E)/e², ((a/b)² E − K)/e²
     double complete = pi / 2;                ///< K
@@ -35,7 +35,7 @@ struct Shape {
 Shape shape_of(double k) {
     const double e2 = (1 - k) * (1 + k);
     Shape shape;
-    if (e2 < 1e-6) {  // to the first power, for what is left is below 1e-12
+    if (e2 < 1e-6) {  // to first order; the remainder is below 1e-12
         shape.along = pi / 4 * (1 + 3.0 / 8 * e2);
         shape.across = pi / 4 * (1 + 9.0 / 8 * e2);
         shape.complete = pi / 2 * (1 + e2 / 4);
@@ -89,7 +89,7 @@ private:
             found_.a = found_.b = std::cbrt(3 * load_ * found_.radius / (4 * found_.modulus));
             found_.approach = found_.a * found_.a / found_.radius;
         } else {
-            // Two saddles turned against each other by θ: Johnson 4.4, Euler's theorem on both surfaces.
+            // Two surfaces turned by θ against each other: Johnson 4.4, Euler's theorem on both surfaces.
             found_.curvature_sum += first.curvature(1) + second.curvature(1);
             const double sum = found_.curvature_sum.to_double(), twice = 2 * problem_.turn.to_double();
             const double difference = std::sqrt(std::max(
@@ -108,7 +108,7 @@ private:
             const Shape shape = shape_of(std::exp(logarithm));
             return shape.along / shape.across - ratio;
         };
-        constexpr double slenderest = -14;  // ln(b/a): past the least ratio that the reader lets pass
+        constexpr double slenderest = -14;  // ln(b/a), below the smallest ratio that the reader accepts
         const double k = excess(0) <= 0 ? 1 : std::exp(root_between(slenderest, 0, excess));
         const Shape shape = shape_of(k);
         // A = p₀ b (K − E)/(E* e² a²) with p₀ = 3Q/2πab:  a³ = 3Q (K − E)/(2π E* A e²).
@@ -117,7 +117,7 @@ private:
         found_.approach = 3 * load_ * shape.complete / (2 * pi * found_.a * found_.modulus);
     }
 
-    /// Of both bodies; the closed form of a line, elsewhere where the shear's slope vanishes.
+    /// In both bodies; closed form for a line, else where the derivative of the shear vanishes.
     void find_greatest_shear() {
         for (std::size_t i = 0; i < 2; ++i) {
             const double nu = problem_.bodies[i].poisson.to_double();
@@ -134,7 +134,7 @@ private:
             found_.stresses.push_back(hertz_stress(found_, nu, 3 * found_.b * i / samples));
     }
     double depth_of_greatest_shear(double nu) const {
-        // (1 + ζ²)^{3/2} = ζ³ + 2ζ, squared ζ⁴ + ζ² = 1: ζ² is the golden section.
+        // (1 + ζ²)^{3/2} = ζ³ + 2ζ, squared ζ⁴ + ζ² = 1: ζ² = (√5 − 1)/2.
         if (problem_.line) return found_.b * std::sqrt((std::sqrt(5.0) - 1) / 2);
         const auto slope = [&](double z) {
             const double h = 1e-4 * found_.b;
@@ -152,7 +152,7 @@ HertzSolution::Stress stress_below_line(const HertzSolution& c, double nu, doubl
     const double root = std::hypot(c.b, z), p = c.greatest / c.b;
     HertzSolution::Stress s;
     s.along_z = -p * c.b * c.b / root;
-    // (b² + 2z²)/r − 2z without its cancellation far below: (r − z)²/r.
+    // (b² + 2z²)/r − 2z = (r − z)²/r, which avoids cancellation at large depths.
     s.along_y = -p * (root - z) * (root - z) / root;
     s.along_x = nu * (s.along_y + s.along_z);
     return s;
@@ -182,14 +182,14 @@ HertzSolution::Stress stress_below_ellipse(const HertzSolution& c, double nu, do
     return s;
 }
 
-/// What the theory asks and this contact strains.
+/// Assumptions of the theory that this contact violates.
 std::vector<Words> remarks_on(const HertzProblem& problem, const HertzSolution& found) {
     std::vector<Words> remarks;
     double least = 0;
     for (const HertzBody& body : problem.bodies)
         for (const Exact& radius : body.radii)
             if (!radius.is_zero() && (least == 0 || radius.to_double() < least)) least = radius.to_double();
-    constexpr double small = 0.1;  // of a radius: there the slope of the surfaces is a tenth
+    constexpr double small = 0.1;  // relative to a radius: there the slope of the surfaces is a tenth
     if (const double widest = std::max(found.a, found.b); widest > small * least)
         remarks.emplace_back(
             "The contact is not small beside the bodies (its half axis is more than a tenth of their smallest radius); "

@@ -27,7 +27,7 @@ public:
         found_.tangent = quarter_turn(found_.normal);
     }
 
-    /// What is wrong with the data, before anything is solved.
+    /// Errors in the data, before anything is solved.
     std::optional<Error> set_up() {
         for (std::size_t i = 0; i < 2; ++i) {
             const ImpactBody& given = problem_.bodies.at(i);
@@ -44,7 +44,7 @@ public:
         return std::nullopt;
     }
 
-    /// False: sliding jams.
+    /// False if sliding jams.
     bool run() {
         while (!done_)
             if (!next_phase()) return false;
@@ -75,7 +75,7 @@ private:
         if (given.inertia) body.inverse_inertia = Exact(1) / *given.inertia;
         return body;
     }
-    /// Towards the first body's centre, away from the second's; else as the file has it.
+    /// Towards the first body's centre, away from the second's; else as in the file.
     void orient_normal() {
         int sense = 0;
         if (!problem_.bodies[0].fixed) sense = dot(found_.bodies[0].centre - found_.at, found_.normal).sign();
@@ -84,8 +84,8 @@ private:
         if (sense < 0) found_.normal = -found_.normal;
     }
 
-    /// From the point about which the body's turning is counted to the point of impact, turned a quarter: its velocity
-    /// there is ω times it.
+    /// From the body's reference point (pivot or centre) to the point of impact, turned by a quarter. ω times it is the
+    /// velocity due to rotation.
     Vector lever(const ImpactSolution::Body& body) const {
         return quarter_turn(found_.at - (body.pivot ? *body.pivot : body.centre));
     }
@@ -130,7 +130,7 @@ private:
         found_.obliquity = std::atan2(std::abs(found_.slip.to_double()), std::abs(found_.approach.to_double()));
     }
 
-    // ----- phases: one straight piece of the path of impulses each
+    // ----- phases: straight pieces of the impulse path
 
     Exact normal_velocity() const { return found_.approach + found_.a * normal_ + found_.b * tangential_; }
     Exact slip() const { return found_.slip + found_.b * normal_ + found_.c * tangential_; }
@@ -143,7 +143,7 @@ private:
         if (phase.sense == 0) {
             const bool sticks = found_.c.is_zero() || abs(found_.b) <= found_.friction * found_.c;
             phase.kind = sticks ? ImpactSolution::Phase::Kind::sticks : ImpactSolution::Phase::Kind::slides;
-            // Slip that sets in anew goes where the normal impulse drives it, for friction does not hold it.
+            // If slip starts again, the normal impulse determines its sense, since friction cannot prevent it.
             phase.sense = sticks ? 0 : sense_of(found_.b);
             slope = sticks ? (found_.c.is_zero() ? Exact() : -(found_.b / found_.c))
                            : -(Exact(phase.sense) * found_.friction);
@@ -151,7 +151,7 @@ private:
             slope = -(Exact(phase.sense) * found_.friction);
         }
         const Exact normal_rate = found_.a + found_.b * slope, slip_rate = found_.b + found_.c * slope;
-        // Whatever comes first: the slip ends, the compression ends, the restitution ends.
+        // The phase ends at the first of: end of slip, end of compression, end of restitution.
         std::optional<Exact> step;
         const auto at_most = [&](const Exact& bound) {
             if (!step || bound < *step) step = bound;
@@ -203,7 +203,8 @@ private:
         if (!body.pivot) return;
         body.reaction = given.mass * (body.after - body.before) - impulse;
         const Vector arm = body.centre - *body.pivot;
-        // At J_O/(m d) from the pivot on the line to the centre: an impulse across it there leaves the pivot in peace.
+        // Centre of percussion, at J_O/(m d) from the pivot on the line to the centre: a perpendicular impulse there
+        // causes no reaction at the pivot.
         if (!arm.is_zero())
             body.percussion =
                 *body.pivot + (Exact(1) / (body.inverse_inertia * given.mass * squared_length(arm))) * arm;
@@ -218,7 +219,7 @@ private:
     const ImpactProblem& problem_;
     ImpactSolution found_;
     Exact normal_, tangential_;  ///< the impulse so far
-    std::optional<Exact> end_;   ///< of the normal impulse, once the compression is over
+    std::optional<Exact> end_;   ///< the final normal impulse, once the compression has ended
     bool done_ = false;
 };
 
@@ -230,7 +231,7 @@ std::vector<ProblemValue> values_of(const ImpactProblem& problem, const ImpactSo
                          std::optional<double> numeric, const char* unit = "") {
         values.push_back({std::move(name), std::move(symbol), kind, value.to_double(), numeric, false, unit, {}});
     };
-    // By their keys in the results file; readers are told of which body, and that it is after the impact.
+    // With their keys in the results file; the names for readers include the body, and "after the impact".
     const Words first = called(mechanism.body(problem.bodies[0].body));
     add({"impulse x", "impulso x"}, "J_x", dimensionless, found.impulse.x, check.impulse[0], "N s");
     values.back().spoken = Words("{0}: impulse received, along x", "{0}: impulso ricevuto, lungo x", first);

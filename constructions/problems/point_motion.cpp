@@ -15,7 +15,7 @@ namespace {
 
 using Form = PointProblem::Form;
 
-// ----- numbers with their noise
+// ----- numbers with error bounds
 
 Estimate operator+(const Estimate& a, const Estimate& b) {
     return {a.value + b.value,
@@ -41,7 +41,7 @@ Estimate root(const Estimate& a) {
     const double value = std::sqrt(a.value);
     return {value, (value > 0 ? a.noise / (2 * value) : 0) + 1e-16 * value};
 }
-/// What rounding may explain is zero.
+/// A value within its rounding error becomes zero.
 double cleaned(const Estimate& a) { return a.is_zero() ? 0 : a.value; }
 
 /// A law and its derivatives at an instant.
@@ -55,9 +55,9 @@ struct State {
 
 bool is_finite(const Pair& pair) { return std::isfinite(pair[0].value) && std::isfinite(pair[1].value); }
 
-// ----- the way along a curve
+// ----- path length along a curve
 
-/// Where a point is that has gone a way along y = f(x): walks from place to place, each from the last one.
+/// The point at a given path length along y = f(x). Each position is found from the last one.
 class Walk {
 public:
     Walk(const GraphPath& path, const Derived& of_path, const NamedConstants& constants)
@@ -74,9 +74,9 @@ public:
         }
         return found;
     }
-    /// NaN where it is not found.
+    /// NaN if it is not found.
     double x_at(double way) {
-        // The first way may be long; from sample to sample it is short.
+        // The first interval may be long; those between samples are short.
         const int steps = has_begun_ ? 4 : 400;
         has_begun_ = true;
         const double from = way_;
@@ -95,7 +95,7 @@ private:
         return std::sqrt(1 + slope * slope);
     }
     double length_between(double from, double to) const {
-        // Gauss, five places.
+        // Gauss quadrature with five nodes.
         constexpr std::array<double, 3> places{0, 0.53846931010568309, 0.90617984593866399};
         constexpr std::array<double, 3> weights{0.56888888888888889, 0.47862867049936647, 0.23692688505618909};
         const double middle = (from + to) / 2, half = (to - from) / 2;
@@ -126,7 +126,7 @@ private:
 
 // ----- the motion
 
-/// Faults of laws and paths that have no finite value somewhere.
+/// Faults of laws and paths that are not finite somewhere.
 struct MotionFaults {
     static Error path_ends(const GraphPath& graph, double time) {
         return {
@@ -166,7 +166,7 @@ private:
     }
 };
 
-/// Components of the acceleration and the centre of curvature, at the board.
+/// Components of the acceleration and the centre of curvature, constructed on the board.
 class PointConstruction {
 public:
     explicit PointConstruction(PointMotionSolution& found) : found_(found) {}
@@ -179,7 +179,7 @@ public:
     }
 
 private:
-    /// In the drawing a metre is a metre per second and a metre per second², so that ρ = v²/a_n comes out in metres.
+    /// One metre on the drawing is 1 m/s and 1 m/s², so that ρ = v²/a_n is in metres.
     void draw(Board& board) {
         using enum Plane;
         const ScalarHandle one = board.number(1);
@@ -203,7 +203,7 @@ private:
         KG_ASSERT(foot && tangent.element != normal.element, "tangent and normal meet in the point alone");
         elements.foot = foot->element;
         if (board.coincide(p, *foot)) return;
-        // The right angle at the tip of v, the altitude v: PC · a_n = v².
+        // The right angle is at the tip of v, and v is the altitude: PC · a_n = v².
         const PointOn<drawing> reversed = board.carry(p, board.negate(board.vector(p, *foot)));
         elements.reversed = reversed.element;
         const LineOn<drawing> leg = board.join(reversed, v);
@@ -236,7 +236,7 @@ class MotionOfPoint {
 public:
     explicit MotionOfPoint(const PointProblem& problem) : problem_(problem) {}
 
-    /// In symbols.
+    /// Symbolic derivatives.
     std::optional<Error> derive() {
         for (const StatedLaw& law : problem_.laws) {
             auto derived = derivatives(law);
@@ -251,7 +251,7 @@ public:
         return std::nullopt;
     }
 
-    /// The laws at the instant, and over the interval.
+    /// Evaluates the laws at the instant and over the interval.
     std::optional<Error> follow() {
         if (const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr)
             walk_.emplace(*graph, *found_.of_path, problem_.constants);
@@ -348,7 +348,7 @@ private:
         state.acceleration = {s2 * tangent[0] - towards * tangent[1], s2 * tangent[1] + towards * tangent[0]};
     }
 
-    /// Which law has no finite value there, or which derivative.
+    /// The law, or the derivative, that is not finite there.
     std::optional<Error> why_none(const State& state, double time, const std::string& where) const {
         if (is_finite(state.place) && is_finite(state.velocity) && is_finite(state.acceleration)) return std::nullopt;
         for (std::size_t order = 0; order < 3; ++order)
@@ -387,7 +387,7 @@ private:
         }
         return std::nullopt;
     }
-    /// A pole, or the end of a root, may lie where no sample does.
+    /// A pole, or the end of a root, may lie between samples.
     std::optional<Error> gap_between_samples() const {
         for (std::size_t order = 0; order < 3; ++order)
             for (std::size_t i = 0; i < problem_.laws.size(); ++i)
@@ -412,7 +412,7 @@ private:
         }
         return std::nullopt;
     }
-    /// By Gauss, five places: of speed, that has corners only where the point rests.
+    /// Gauss quadrature with five nodes; speed has corners only where the point is at rest.
     double way_between(double from, double to) {
         if (!(to > from)) return 0;
         constexpr std::array<double, 3> places{0, 0.53846931010568309, 0.90617984593866399};
@@ -445,8 +445,8 @@ private:
 
     // ----- at the instant
 
-    /// Doubles become exact. A component of the acceleration along or across the velocity that is no more than rounding
-    /// is taken off, so that the board need not judge it.
+    /// Converts doubles to exact numbers. Removes a component of the acceleration, along or across the velocity, that
+    /// is within rounding, so that predicates of the board need not decide it.
     void settle(const State& state) {
         const auto exact = [](const Pair& pair) {
             return Vector{Exact::from_double(cleaned(pair[0])), Exact::from_double(cleaned(pair[1]))};
@@ -496,7 +496,7 @@ private:
     PointMotionSolution found_;
 };
 
-// ----- as tables and results say it
+// ----- values for tables and results
 
 std::vector<ProblemValue> values_of(const PointProblem& problem, const PointMotionSolution& found,
                                     const PointCheck& check) {

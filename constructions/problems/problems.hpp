@@ -1,4 +1,4 @@
-// Problems stated in place of joints, each given to its own method.
+// Solves problems stated without joints, each by its own method.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace kinegraph {
 
-/// Errors: what no number of such a problem can be, with its place; bodies between which nothing happens.
+/// Errors: values impossible for the problem, with their place; bodies that do not interact.
 Result<ProblemSolution> solve_problem(const Problem& problem, const Mechanism& mechanism, const Pose& pose);
 
-/// Why these results are none, where one of them or its check is no number: data too far apart. `where`: the problem's
-/// place.
+/// The error if a result or its check is not a finite number because the data differ too much in size. `where`: the
+/// problem's place.
 std::optional<Errors> why_no_numbers(const std::vector<ProblemValue>& values, const std::string& where);
 
 }  // namespace kinegraph

@@ -74,7 +74,7 @@ private:
         found_.second = constant / outer;
         found_.torque = f * force_ * (inner + outer) / 2;
         found_.uniform_pressure = force_ / (pi * (outer - inner) * (outer + inner));
-        // (r₂³ − r₁³)/(r₂² − r₁²) without its cancellation.
+        // (r₂³ − r₁³)/(r₂² − r₁²) without cancellation.
         found_.uniform_torque =
             2.0 / 3 * f * force_ * (outer * outer + outer * inner + inner * inner) / (outer + inner);
     }
@@ -87,7 +87,7 @@ private:
         const double sines = std::cos(from) - std::cos(to);
         const double products = (std::sin(to) - std::sin(from)) * (std::sin(to) + std::sin(from)) / 2;
         const double normal = b * r * h * squares, rubbing = b * r * (r * sines - h * products);
-        // Where its moment is negative, friction works the other way round.
+        // If the moment of friction is negative, friction acts in the opposite sense.
         if (rubbing > 0) found_.locking_friction = normal / rubbing;
         const double moment = problem_.leading ? normal - f * rubbing : normal + f * rubbing;
         locks_ = !(moment > 0);
@@ -119,7 +119,7 @@ private:
             found_.pressures.push_back({place, pressure_at(place)});
         }
     }
-    /// Depth = wear × pressure × way.
+    /// Depth = wear coefficient × pressure × sliding distance.
     void wear_off() {
         const double turned = (*problem_.wear * *problem_.speed * *problem_.time).to_double();
         std::array<double, 2> levers{1, 1};
@@ -134,7 +134,7 @@ private:
     ReyeSolution found_;
 };
 
-/// Where the two ends of the contact are, for readers: as each kind's data has them.
+/// Names of the two ends of the contact, as in each kind's data.
 std::array<Words, 2> ends_of(Kind kind) {
     switch (kind) {
         case Kind::disc:
@@ -148,7 +148,7 @@ std::array<Words, 2> ends_of(Kind kind) {
     return {Words("at the end where x = 0", "all’estremo x = 0"), Words("at the other end", "all’altro estremo")};
 }
 
-/// By their keys in the results file; for readers with what each is of, since a question has nothing else to say it.
+/// With their keys in the results file; the names for readers are complete, since a question sheet has no other text.
 std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSolution& found, const ReyeCheck& check) {
     using enum QuantityKind;
     std::vector<ProblemValue> values;

@@ -11,7 +11,7 @@
 namespace kinegraph {
 namespace {
 
-/// The same drivers, all at rest but the one at `moving`, which has the rate one.
+/// The same drivers, all at rest except the one at `moving`, which has unit rate.
 std::vector<Driver> at_unit_rate(std::vector<Driver> drivers, std::size_t moving) {
     for (std::size_t i = 0; i < drivers.size(); ++i)
         std::visit(
@@ -30,7 +30,7 @@ std::vector<Driver> at_unit_rate(std::vector<Driver> drivers, std::size_t moving
     return drivers;
 }
 
-/// Coordinates that a mechanism may be displaced along, the handiest first.
+/// Coordinates along which a mechanism may be displaced, the most convenient first.
 std::vector<Driver> candidates(const Mechanism& mechanism) {
     std::vector<Driver> on_frame, slides_on_frame, turns, slides, points;
     for (const BodyIndex body : mechanism.moving_bodies()) {
@@ -83,7 +83,7 @@ public:
     }
 
 private:
-    /// The drivers that move it; what these leave free, chosen.
+    /// The drivers that move the mechanism; further coordinates if these leave freedoms.
     bool choose_coordinates() {
         const std::vector<int>& idle = solution_.mobility.idle_drivers;
         for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i)
@@ -109,7 +109,7 @@ private:
         return pose && mobility_of(tried, *pose).idle_drivers.empty();
     }
 
-    /// Forces of inertia as loads: the motion that they come from is not the displacement.
+    /// Adds inertia forces as loads, because the motion that causes them is not the displacement.
     void add_inertia() {
         loads_ = mechanism_.loads;
         if (!mechanism_.inertia_forces) return;
@@ -164,7 +164,8 @@ private:
         found_.freedoms.push_back(std::move(freedom));
     }
 
-    /// One equation for each freedom, linear in the efforts: eliminated by both ways of finding works.
+    /// One equation for each freedom, linear in the input forces and couples. Solved from the works of both
+    /// computations.
     void find_efforts() {
         const std::size_t count = mechanism_.efforts.size();
         WorkEquations drawn, by_ratios;
@@ -198,7 +199,7 @@ private:
         for (std::size_t e = 0; e < count; ++e) {
             Displacements::Effort effort;
             effort.given = static_cast<int>(e);
-            // Where no efforts balance the loads, none of them has a value.
+            // If no input forces balance the loads, none of them has a value.
             if (found.balanced) effort.value = found.efforts[e];
             if (found.balanced && others[e]) effort.ratio = others[e]->to_double();
             found_.efforts.push_back(std::move(effort));
@@ -220,7 +221,7 @@ private:
     Displacements found_;
 };
 
-/// The check of the forces has every reaction, and no displacement.
+/// The check of forces has all reactions, and no displacement.
 void hold_against_check(Solution& solution, const Displacements& found) {
     if (found.efforts.empty()) return;
     const NumericForces numeric =

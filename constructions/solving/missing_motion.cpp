@@ -13,7 +13,7 @@ namespace {
 
 BodyName named_body(const Mechanism& mechanism, BodyIndex body) { return {mechanism.body(body).name}; }
 
-/// Whether the drivers that fix nothing new ask what the motion is anyway.
+/// Whether the drivers that determine nothing new agree with the motion.
 class IdleDrivers {
 public:
     explicit IdleDrivers(const DrawnMotion& drawn)
@@ -172,7 +172,7 @@ private:
                     return {Sentence::dead_point_at, {PointName{structure_.node(dead.node).label}}};
             }
             Message lacks{Sentence::lacks_drivers, {Count{mobility.effective}, Count{mobility.driven}}};
-            // Drivers are no remedy where something was forgotten, which the remarks say.
+            // If there is a likely mistake, more drivers are not the remedy; the remarks give it.
             if (const int more = mobility.effective - mobility.driven; mistakes_.empty()) {
                 lacks.arguments.emplace_back(Count{more});
                 if (more > 1) lacks.arguments.emplace_back(Count{more});

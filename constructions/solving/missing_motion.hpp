@@ -1,5 +1,5 @@
-// What of a motion is not found, and why: drivers that ask for another motion than there is, bodies that nothing moves
-// in one way, accelerations and curvatures that want what the file does not give.
+// Reasons for missing results of a motion: drivers that impose an impossible motion, bodies whose motion is not
+// determined, accelerations and curvatures that need data not in the file.
 #pragma once
 
 #include <vector>
@@ -11,22 +11,21 @@
 
 namespace kinegraph {
 
-/// A motion that was drawn, and what it was drawn from.
+/// A motion that was drawn, with its inputs.
 struct DrawnMotion {
-    Solution& solution;  ///< which the reasons are added to
+    Solution& solution;  ///< to which the reasons are added
     const Structure& structure;
     Board& board;
     const Plan& plan;
     const Motion& motion;
-    bool accelerations;                    ///< whether they are wanted
-    const std::vector<Message>& mistakes;  ///< that the file most likely has
+    bool accelerations;                    ///< whether they were requested
+    const std::vector<Message>& mistakes;  ///< likely mistakes in the file
 };
 
-/// A driver that fixes nothing new must ask what the mechanism does anyway; if not, it drives against a dead point or a
-/// lock.
+/// A driver that determines nothing new must agree with the motion; otherwise it acts against a dead point or a lock.
 void explain_idle_drivers(const DrawnMotion& drawn);
 void explain_missing_motion(const DrawnMotion& drawn);
-/// Of bodies that move in a known way; what hides the motion of others is said already.
+/// For bodies with known motion; for the others the reason was already given.
 void explain_missing_curvature(const DrawnMotion& drawn);
 
 }  // namespace kinegraph

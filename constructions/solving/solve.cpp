@@ -29,11 +29,11 @@
 namespace kinegraph {
 namespace {
 
-/// What is to be found: what the file asks, else all that its data allow.
+/// What to find: what the file requests, else everything that its data allow.
 struct Wanted {
     bool centres = false, velocities = false, accelerations = false, forces = false;
     bool stated = false;
-    bool curvature = false;  ///< only where it is asked for
+    bool curvature = false;  ///< only on request
 };
 
 Wanted wanted_of(const Mechanism& mechanism) {
@@ -42,12 +42,12 @@ Wanted wanted_of(const Mechanism& mechanism) {
     const bool loaded =
         !mechanism.loads.empty() || (mechanism.gravity && !mechanism.masses.empty()) || mechanism.inertia_forces;
     if (!find.stated && mechanism.motion) return {true, true, !mechanism.motion->accelerations.empty(), loaded, false};
-    // Loads at rest ask for forces.
+    // Loads without drivers: find the forces.
     if (!find.stated) return {driven || !loaded, driven, driven, loaded, false};
     Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true, find.curvature};
-    // The equations' values stand beside the polygons'.
+    // The equations' values are compared with the polygons.
     if (find.curvature || (find.equations && driven)) wanted.velocities = wanted.accelerations = true;
-    // Inertia is a load as the motion has it.
+    // Inertia forces depend on the motion.
     if ((find.virtual_work || find.forces) && driven && mechanism.inertia_forces)
         wanted.velocities = wanted.accelerations = true;
     if (!find.relative_motion.empty()) {
@@ -73,7 +73,7 @@ bool is_moving(const Mechanism& mechanism) {
     return false;
 }
 
-/// Draws everything on one board and collects what it found.
+/// Draws everything on one board and collects the results.
 class Solver {
 public:
     Solver(Solution& solution, FinerPose finer, Arithmetic arithmetic, bool displaces = false)
@@ -114,7 +114,7 @@ public:
     }
 
 private:
-    /// Centres of a mechanism follow from its joints alone; without velocities there is nothing to hold them against.
+    /// Centres follow from the joints alone; without velocities the check has nothing to compare.
     bool is_checked() const {
         return wanted_.velocities || wanted_.accelerations || wanted_.forces || (mechanism_.motion && wanted_.centres);
     }
@@ -139,7 +139,7 @@ private:
         if (wanted_.centres) collect_centres(centres);
     }
 
-    /// The record cut to what is drawn and found; then its values are the solution's.
+    /// Reduces the record to what is drawn and found; its values become the solution's.
     void finish_record() {
         Protocol& protocol = solution_.protocol = std::move(board_).finish();
         std::vector<ElementIndex> wanted;
@@ -154,7 +154,7 @@ private:
             *settled = static_cast<int>(std::count_if(record.element.begin(), record.element.begin() + *settled,
                                                       [](ElementIndex kept) { return kept != none; }));
         const auto keep = [&](std::vector<Value>& all) {
-            // Kept elements keep their order.
+            // The kept elements stay in order.
             std::vector<Value> values;
             values.reserve(record.program.strokes.size());
             for (std::size_t i = 0; i < record.element.size(); ++i)
@@ -175,7 +175,7 @@ private:
         if (arithmetic_ == Arithmetic::told) add_workings(solution_);
     }
 
-    /// Observers through which the motion was asked to be found, and was not.
+    /// Requested observers that the motion was not found through.
     void remark_observers() {
         for (const RelativeMotionQuery& query : mechanism_.find.relative_motion) {
             if (!query.solves) continue;
@@ -191,7 +191,7 @@ private:
         }
     }
 
-    /// By how much the projections of two velocities on the join of their points differ, in the file's unit.
+    /// The difference of the projections of two velocities on the join of their points, in the file's unit.
     void say_projections() {
         if (!solution_.act_of_motion || !solution_.act_of_motion->differing) return;
         const auto& differing = *solution_.act_of_motion->differing;
@@ -211,7 +211,7 @@ private:
         }
     }
 
-    /// One body's act of motion; of other bodies the file says nothing.
+    /// The instantaneous motion of one body; the file says nothing about other bodies.
     void draw_act() {
         ActOfMotionResult act = draw_act_of_motion(
             structure_, board_, {wanted_.centres, wanted_.velocities || wanted_.accelerations, wanted_.accelerations});
@@ -259,7 +259,8 @@ private:
         for (Message& remark : remarks_on_gravity(mechanism_)) solution_.remarks.push_back(std::move(remark));
     }
 
-    /// What is not determined for want of drivers or efforts most likely wants what was forgotten: that is said first.
+    /// If results are missing for lack of drivers or input forces, a likely mistake is the probable cause, so it comes
+    /// first.
     void lead_with_oversights() {
         const bool wanting =
             std::any_of(solution_.unsolved.begin(), solution_.unsolved.end(), [](const Unsolved& missing) {
@@ -275,7 +276,7 @@ private:
     void draw_motion_of_bodies() {
         std::vector<bool> use(mechanism_.drivers.size(), true);
         for (const int idle : solution_.mobility.idle_drivers) use[at_index(idle)] = false;
-        // Against a dead point or a lock nothing is tried: what is not reached then has no motion to be found.
+        // No trials at a dead point or a lock: the missing motion is then not determined.
         const bool tries = !mechanism_.drivers.empty() && solution_.mobility.idle_drivers.empty();
         plan_ = plan_motion(structure_, scratch_, use, tries ? solution_.mobility.determined : std::vector<bool>());
         motion_ = draw_motion(structure_, board_, plan_, wanted_.accelerations);
@@ -331,7 +332,7 @@ private:
         solution_.superposition = std::move(forces.superposition);
         for (Unsolved& missing : forces.unsolved) solution_.unsolved.push_back(std::move(missing));
         for (Message& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
-        // What an effort that is not known gives would be missing.
+        // An unknown input force would be missing in the sum.
         const bool all_efforts = std::all_of(solution_.efforts.begin(), solution_.efforts.end(),
                                              [](const EffortValue& each) { return each.value.has_value(); });
         if (wanted_.velocities && is_moving(mechanism_) && all_efforts)
@@ -357,13 +358,13 @@ private:
     std::unique_ptr<Pose> finer_;
     std::vector<Message> oversights_;
     Board board_;
-    Board scratch_;  ///< the planner's
+    Board scratch_;  ///< for the planner
     Structure structure_;
     Plan plan_;
     Motion motion_;
 };
 
-/// What is asked for beside the constructions, which know nothing of it.
+/// The closure equations on request; the constructions do not use them.
 void add_equations(Solution& solution, const FinerPose& finer) {
     if (!solution.mechanism.find.equations) return;
     Equations equations = equations_of(solution.mechanism, solution.pose);
@@ -371,14 +372,14 @@ void add_equations(Solution& solution, const FinerPose& finer) {
     solution.equations = std::make_shared<const Equations>(std::move(equations));
 }
 
-/// Of a pose that was drawn from the file.
+/// For a pose that was drawn from the file.
 Pose drawn_finer(const Solution& solution) {
     auto finer = draw_pose(solution.mechanism, 2 * solution.pose.bits);
     KG_ASSERT(finer.has_value(), "what was drawn once can be drawn finer");
     return *std::move(finer);
 }
 
-/// Draws a mechanism whose pose and mobility are known.
+/// Draws a mechanism with known pose and mobility.
 void draw(Solution& solution, Arithmetic arithmetic, bool displaces = false) {
     Solver(
         solution, [&solution] { return drawn_finer(solution); }, arithmetic, displaces)

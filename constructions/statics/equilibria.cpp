@@ -65,7 +65,6 @@ void Equilibria::write_end(const Column& column, std::size_t index, MemberIndex 
 }
 
 // --- elimination
-// -------------------------------------------------------------------------------------------------------------
 
 Equilibria::Cell Equilibria::times(const Cell& factor, const Cell& what) {
     if (!factor || !what) return {};
@@ -98,7 +97,7 @@ void Equilibria::subtract(Row& row, const Row& other, ScalarHandle factor) {
     row.power = minus_times(row.power, factor, other.power);
 }
 
-/// The largest, so that on rounded data none is taken that is little more than noise.
+/// The largest, so that a value near the rounding error of the data is not chosen.
 std::optional<std::size_t> Equilibria::pivot_row(std::size_t column) {
     const auto as_force = [&](ScalarHandle value) {
         return board_.scale<Plane::force>(value, board_.own_direction({1, 0}));
@@ -136,8 +135,7 @@ void Equilibria::eliminate() {
     }
 }
 
-// --- what all equilibria have alike
-// ------------------------------------------------------------------------------------------
+// --- common values of all equilibria
 
 Equilibria::Motion Equilibria::motion_of(const Row& row) const {
     Motion motion;
@@ -210,7 +208,7 @@ Equilibria::Component Equilibria::along_unit(std::size_t column) {
     return found;
 }
 
-/// Of a force of which two components change: the direction across all changes, where they have one line.
+/// For a force with two variable components: the direction perpendicular to all changes, if these are parallel.
 std::optional<Equilibria::Component> Equilibria::component(std::size_t first, std::size_t second) {
     const std::vector<Cell> x = change_of(first), y = change_of(second);
     if (vanishes(x)) return along_unit(first);
@@ -221,7 +219,7 @@ std::optional<Equilibria::Component> Equilibria::component(std::size_t first, st
         const Cell one = times(x[f], y[some]), turned = minus_times(one, y[f], x[some]);
         if (turned && !board_.is_zero(*turned)) return std::nullopt;
     }
-    // c = (−y, x) of the change; the combination c_0 row + c_1 row has c · F alone.
+    // c = (−y, x) of the change; in the combination c_0 row + c_1 row only c · F is left.
     const Cell c_0 = y[some] ? Cell(board_.opposite(*y[some])) : Cell(), c_1 = x[some];
     const auto along = [&](const Cell& c, std::size_t column) {
         return board_.scale<Plane::force>(c ? *c : board_.number(0), board_.direction(*columns_[column].unit));
@@ -267,12 +265,11 @@ Equilibria::Alike Equilibria::of(int bond) {
 }
 
 // --- motions
-// -----------------------------------------------------------------------------------------------------------------
 
 std::optional<PlaceOnDrawing> Equilibria::centre(const Motion::Twist& twist) {
     if (!twist.turn) return std::nullopt;
     if (!twist.x && !twist.y) return origin_;
-    // x, y of the shift and the turn ω: 0 = s + ω z ∧ r where r = z ∧ s / ω.
+    // From the translation s = (x, y) and the rotation ω: 0 = s + ω z ∧ r, so r = z ∧ s / ω.
     const auto part = [&](const Cell& cell, const Vector& axis) {
         return board_.scale<drawing>(cell ? *cell : board_.number(0), board_.own_direction(axis));
     };
@@ -288,7 +285,7 @@ bool Equilibria::moves_as_one(const Motion& motion) {
     };
     const Motion::Twist* first = nullptr;
     for (const auto& [member, twist] : motion.members) {
-        if (model_.is_pin(member)) continue;  // it goes along with what it holds
+        if (model_.is_pin(member)) continue;  // a pin moves with its bodies
         if (first == nullptr)
             first = &twist;
         else if (!same(first->x, twist.x) || !same(first->y, twist.y) || !same(first->turn, twist.turn))

@@ -1,12 +1,11 @@
-// Equilibria: what all equilibria of bodies that hang together have alike, where equilibrium does not determine
-// everything. The equations are eliminated on the board, so every verdict is recorded and what is found is exact. It
-// knows bonds and wrenches, no sentence.
+// What all equilibria of a group of connected bodies have in common, if equilibrium does not determine all forces. The
+// equations are eliminated on the board, so every decision is recorded and results are exact.
 //
-// An equation, or any combination of them, is a virtual motion of the bodies (principle of virtual work): what stands
-// in it under an unknown is the power of that unknown, and beside the unknowns stands the power of all that is known.
-// After elimination (Gauss, Jordan) an unknown, or a component of a force, that stands alone in a combination is the
-// same in every equilibrium, and that combination is the motion by which virtual work gives it. Where none stands and a
-// power is left over, there is no equilibrium.
+// Each equation, and each linear combination of them, is a virtual motion of the bodies (principle of virtual work).
+// The coefficient of an unknown is its power in that motion; the right-hand side is the power of the known forces.
+// After Gauss–Jordan elimination, an unknown (or a component of a force) that is alone in a combination has the same
+// value in every equilibrium, and that combination is the virtual motion that gives it. If a combination has no unknown
+// but non-zero power, there is no equilibrium.
 #pragma once
 
 #include <array>
@@ -21,60 +20,59 @@ namespace kinegraph::statics {
 
 class Equilibria {
 public:
-    /// Nothing: it vanishes.
+    /// None: the value is zero.
     using Cell = std::optional<ScalarHandle>;
-    /// What the known forces on a member leave: components along x and y, and the moment about the origin of motions.
+    /// Resultant of the known forces on a member: components along x and y, and the moment about the origin of motions.
     using Gap = std::array<ScalarHandle, 3>;
-    /// How the members move, and the power of what is known in it.
+    /// A virtual motion of the members, and the power of the known forces in it.
     struct Motion {
-        /// Each place moves by (x, y) + turn · z ∧ (place − origin).
+        /// A place moves by (x, y) + turn · z ∧ (place − origin).
         struct Twist {
             Cell x, y, turn;
         };
-        std::map<MemberIndex, Twist> members;  ///< that move
+        std::map<MemberIndex, Twist> members;  ///< only those that move
         Cell power;
     };
-    /// Of a bond's force on its first member that every equilibrium has alike.
+    /// A component of a bond's force on its first member that is the same in every equilibrium.
     struct Component {
-        Force force;  ///< nothing of it where `vanishes`
+        Force force;  ///< not set if `vanishes`
         bool vanishes = false;
-        DirectionHandle direction;  ///< along which it is counted
-        Motion motion;              ///< in which it alone of the unknowns does work
+        DirectionHandle direction;  ///< direction of the component
+        Motion motion;              ///< in which no other unknown does work
     };
     struct Couple {
         Cell couple;  ///< on the first member
         Motion motion;
     };
     struct Alike {
-        std::vector<Component>
-            components;            ///< of a hinge or clamp both, of x and y, one, or none; of a line or guide its force
-        bool whole_force = false;  ///< they are the force
+        std::vector<Component> components;  ///< hinge or clamp: both of x and y, one, or none; line or guide: its force
+        bool whole_force = false;           ///< the components are the whole force
         std::optional<Couple> couple;
         bool all = false;  ///< the reaction is determined
     };
 
-    /// Of members that hang together by bonds that `run` does not know. `origin`: about which `gap` takes its moments.
+    /// For members connected by bonds that are unknown in `run`. `origin`: moments of `gap` are about it.
     Equilibria(const ForceModel& model, Board& board, const Run& run, Group group, PlaceOnDrawing origin,
                const std::function<Gap(MemberIndex)>& gap);
 
-    /// Whether what is known allows an equilibrium at all.
+    /// Whether the known forces allow an equilibrium.
     bool exist() const { return exist_; }
-    /// The motions that every constraint and effort allow.
+    /// The motions that all constraints and input forces allow.
     const std::vector<Motion>& free_motions() const { return free_; }
     Alike of(int bond);
 
-    /// The place about which a member turns; nothing: it translates.
+    /// The place about which a member turns; none if it translates.
     std::optional<PlaceOnDrawing> centre(const Motion::Twist& twist);
-    /// Whether all that move, move as one body.
+    /// Whether all moving members move as one rigid body.
     bool moves_as_one(const Motion& motion);
 
-    /// More equations are not eliminated: nobody redoes that by hand.
+    /// Limit on the elimination: larger systems cannot be followed by hand.
     static constexpr std::size_t most_members = 24;
 
 private:
     struct Column {
         int bond;
-        std::optional<Force> unit;  ///< on the first member; nothing: a couple
+        std::optional<Force> unit;  ///< on the first member; none for a couple
     };
     struct Row {
         std::vector<Cell> work;    ///< by column
@@ -93,13 +91,13 @@ private:
     void divide(Row& row, ScalarHandle by);
     void subtract(Row& row, const Row& other, ScalarHandle factor);
     Motion motion_of(const Row& row) const;
-    /// The same force found by as few moving members as may be: free motions do no work, so any of them may be taken
-    /// away.
+    /// The motion for the same force with as few moving members as possible: free motions do no work, so they may be
+    /// subtracted.
     Motion simplest(Row row);
     std::size_t moving(const Row& row) const;
-    /// The row in which a column is the pivot; none: the column is free.
+    /// The row in which a column is the pivot; null if the column is free.
     const Row* row_of(std::size_t column) const;
-    /// By free column: how the unknown of a column changes with it.
+    /// By free column: derivative of a column's unknown.
     std::vector<Cell> change_of(std::size_t column);
     static bool vanishes(const std::vector<Cell>& cells);
     /// c_0 · row of the first + c_1 · row of the second.
@@ -119,7 +117,7 @@ private:
     bool exist_ = true;
 };
 
-/// Members other than the frame that hang together by bonds that are not known, each group once.
+/// Connected components of the members other than the frame, over unknown bonds.
 std::vector<Group> groups_in_question(const ForceModel& model, const Run& run);
 
 }  // namespace kinegraph::statics

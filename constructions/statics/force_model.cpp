@@ -85,7 +85,7 @@ void ForceModel::add_joint(JointIndex index) {
         one.second = second;
         one.symbol = force_symbol(second, first);
         one.reverse = force_symbol(first, second);
-        // Two bodies that touch at several joints: F_12 at A is not F_12 at B.
+        // Two bodies that touch at several joints: F_12 at A differs from F_12 at B.
         int common = 0;
         for (const Joint& other : mechanism_.joints)
             common += !other.has_own_node() && !joint.has_own_node() &&
@@ -94,7 +94,7 @@ void ForceModel::add_joint(JointIndex index) {
         bonds_.push_back(one);
     };
     if (!joint.has_own_node()) return add(member_of(joint.bodies[0]), member_of(joint.bodies[1]));
-    if (joint.pair().is_hinge()) {  // a multiple or a loaded hinge: a pin of its own, without weight
+    if (joint.pair().is_hinge()) {  // a multiple or a loaded hinge has its own pin, without weight
         pins_.push_back(joint.point);
         const MemberIndex pin(members_++);
         pin_of_.emplace(index, pin);
@@ -147,7 +147,7 @@ bool ForceModel::pulls(std::size_t b, const Run& run) {
     const Joint& joint = mechanism_.joints[at(index)];
     const Force& force = *run.reactions[b].force;
     if (!is_of_teeth(b)) return joint.pushes && board_.along_sign(board_.push(index), force) < 0;
-    // How large the force is across the tangent, seen along the normal.
+    // The sign of the component across the tangent, along the normal.
     const int radial = board_.sign(board_.moment(board_.tangent(index), force));
     return material_side(index) * radial < 0;
 }
@@ -162,7 +162,7 @@ std::vector<JointIndex> ForceModel::pulling_teeth(const Run& run) {
 void ForceModel::turn_flanks(const std::vector<JointIndex>& teeth) {
     for (const JointIndex joint : teeth)
         if (!mirrored_gears_.insert(joint).second) mirrored_gears_.erase(joint);
-    // The lines of all of them: what was drawn of them since may be wiped off.
+    // Computes the lines of all teeth again: earlier board elements may have been rewound.
     for (std::size_t b = 0; b < joint_bonds_; ++b) {
         if (!is_of_teeth(b)) continue;
         const JointIndex joint = bonds_[b].joint;

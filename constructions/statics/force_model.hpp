@@ -1,6 +1,6 @@
-// The model of the forces: what bodies may exert on each other (bonds), what loads them
-// (constructions/forces/loads_of_members), and the reduction of forces to a resultant. It says what is unknown, not how
-// it is found.
+// The model of the forces: the interactions of bodies (bonds), their loads
+// (constructions/statics/forces/loads_of_members), and the reduction of forces to a resultant. Defines the unknowns,
+// not the method of solution.
 #pragma once
 
 #include <array>
@@ -25,55 +25,55 @@ public:
 
     /// Why the loads could not be read (an inertia force without an acceleration, a spring without length).
     const std::vector<Unsolved>& missing() const { return loads_.missing; }
-    /// All but the frame.
+    /// All except the frame.
     Indices<MemberIndex> moving_members() const { return indices(at(members_), member_of(frame).next()); }
     const std::vector<Bond>& bonds() const { return bonds_; }
     /// Indices of a member's bonds.
     const std::vector<int>& bonds_of(MemberIndex member) const { return bonds_of_[at(member)]; }
-    /// How many bonds joints and efforts make; the components of hinges come after them.
+    /// Number of bonds of joints and input forces; components of hinges come after them.
     std::size_t joint_bonds() const { return joint_bonds_; }
     const std::vector<Load>& loads() const { return loads_.loads; }
-    /// Inertia forces moved aside so that they carry their couples, and by what.
+    /// Inertia forces offset so that they include their couples, and their arms.
     const std::vector<Added>& moved() const { return loads_.moved; }
     const std::vector<Lever>& shifts() const { return loads_.shifts; }
     /// The point of a pin member.
     PointIndex pin_point(MemberIndex member) const { return pins_[at(member) - mechanism_.bodies.size()]; }
 
-    /// Adds the components, along x and y, of a hinge's force, for a trial.
+    /// Adds the x and y components of a hinge's force as bonds, for a trial.
     void add_components(int hinge);
     void drop_components();
 
     std::string member_name(MemberIndex member) const;
     bool is_pin(MemberIndex member) const { return at(member) >= mechanism_.bodies.size(); }
-    /// None: it is a pin.
+    /// None if it is a pin.
     BodyIndex body_of(MemberIndex member) const { return is_pin(member) ? none : BodyIndex(member.number()); }
-    /// What a bond transmits, as it acts on its first member or on the other.
+    /// What a bond transmits, as it acts on its first or second member.
     Quantity quantity_at(std::size_t bond, bool on_first) const;
     /// F_32: of 3 on 2.
     Symbol force_symbol(MemberIndex of, MemberIndex on) const;
-    /// One-sided pairs are assumed to push: teeth into the gear's own material, a contact in the sense that the file
-    /// gives. Whether the reaction found at a bond says that it would have to pull.
+    /// Whether the reaction found at a one-sided bond would have to pull. Such pairs are assumed to push: teeth into
+    /// the gear's own material, a contact in the sense that the file gives.
     bool pulls(std::size_t bond, const Run& run);
-    /// Teeth that would pull. (Contacts may pull, too, but have no other flank: they lift off.)
+    /// Teeth that would pull. (Contacts may pull too, but have no other flank: they lift off.)
     std::vector<JointIndex> pulling_teeth(const Run& run);
-    /// They push on their other flank from then on: along the line of action mirrored at the common tangent. All is to
-    /// be found anew.
+    /// Makes these teeth push on their other flank: along the line of action mirrored at the common tangent. All forces
+    /// must then be computed again.
     void turn_flanks(const std::vector<JointIndex>& teeth);
     Action action(PlaceOnDrawing place, DirectionHandle direction);
     LineOn<drawing> line_of(const Wrench& wrench);
     /// Moment of a wrench about a place.
     ScalarHandle moment(const Wrench& wrench, PlaceOnDrawing about);
     Wrench with_couple(Wrench wrench, ScalarHandle couple);
-    /// The sum of two: through the meet of their lines; of parallel ones by moments; a couple where equal and opposite.
+    /// The sum of two: through the intersection of their lines; of parallel ones by moments; a couple if equal and
+    /// opposite.
     Wrench sum(const Wrench& a, const Wrench& b);
     Wrench wrench_of(const Load& load);
     Wrench wrench_of(const Bond& bond, const Reaction& reaction, MemberIndex member);
     /// Loads and known reactions of a member (or of several taken together), reduced.
     Wrench known_on(const Group& group, const std::vector<Load>& loads, const Run& run);
-    /// A spring between two members of a group, which the group does not feel.
+    /// Whether a load is a spring between two members of the group, which has no effect on the group.
     bool is_inner(const Load& load, const Group& group) const;
-    /// What the loads and the known reactions leave on a member: components along x and y, and the moment about a
-    /// place.
+    /// Sum of the loads and known reactions on a member: components along x and y, and the moment about a place.
     std::array<ScalarHandle, 3> gap(MemberIndex member, const std::vector<Load>& loads, const Run& run,
                                     PlaceOnDrawing about);
     /// Bonds between a group and the rest.
@@ -84,8 +84,8 @@ private:
     bool is_of_teeth(std::size_t bond) const;
     void add_joint(JointIndex index);
     void add_effort(int index);
-    /// On which side of the common tangent's normal the material of bodies[0] lies: the sign of 1/x_0 − 1/x_1, x the
-    /// centres' places along it (0 for a rack); 0 where the file gives only a tangent.
+    /// Side of the common tangent on which the material of bodies[0] lies: the sign of 1/x_0 − 1/x_1, with x the
+    /// centres' coordinates along the normal (0 for a rack); 0 if the file gives only a tangent.
     int material_side(JointIndex index);
 
     Board& board_;

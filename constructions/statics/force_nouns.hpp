@@ -1,5 +1,5 @@
-// The nouns of the forces: bodies and pins as members, what bodies may exert on each other (bonds), what is known of
-// that in one run, loads, wrenches, and what was done on the way. Values alone.
+// Types of the force computation: bodies and pins as members, interactions of bodies (bonds), what is known of them in
+// one run, loads, wrenches, and intermediate constructions. Data only.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace kinegraph::statics {
 constexpr Plane drawing = Plane::drawing;
 inline std::size_t at(auto index) { return at_index(index); }
 
-/// A body of the mechanism, or one of those that come after them: the pins of multiple hinges.
+/// A body of the mechanism, or a pin of a multiple hinge. Pins come after the bodies.
 using MemberIndex = ListIndex<struct Member>;
 using Group = std::vector<MemberIndex>;
 constexpr MemberIndex member_of(BodyIndex body) { return MemberIndex(body.number()); }
@@ -22,22 +22,22 @@ constexpr MemberIndex member_of(BodyIndex body) { return MemberIndex(body.number
 using PlaceOnDrawing = PointOn<Plane::drawing>;
 using Force = VectorOn<Plane::force>;
 
-/// A line of action as the board has it: a place on it and its direction.
+/// A line of action on the board: a place on it and its direction.
 struct Action {
     PlaceOnDrawing place;
     DirectionHandle direction;
     LineOn<drawing> line;
 };
 
-/// What two bodies may exert on each other.
+/// The interaction of two bodies.
 struct Bond {
     enum class Kind { pin, guide, line, couple, clamp } kind = Kind::pin;
-    MemberIndex first, second;  ///< the force counts on `first`
+    MemberIndex first, second;  ///< positive force acts on `first`
     JointIndex joint = none;
     int effort = -1;
     PlaceOnDrawing place;
     DirectionHandle direction;  ///< line: along it; guide: normal to it
-    int part_of = -1;           ///< ≥ 0: a component, along x or y, of the force of this bond (a hinge)
+    int part_of = -1;           ///< ≥ 0: this bond is the x or y component of that bond's force (a hinge)
     Symbol symbol;              ///< of the force on `first`
     Symbol reverse;             ///< of the force on `second`
 };
@@ -47,26 +47,26 @@ inline bool is_on_frame(const Bond& bond) { return bond.first == member_of(frame
 /// What is known of a bond in one run.
 struct Reaction {
     bool known = false;
-    std::optional<Force> force;             ///< on the bond's first member; nothing: vanishes
-    std::optional<ScalarHandle> couple;     ///< about the bond's place; nothing: vanishes
-    std::optional<Action> action;           ///< its line, before or after the magnitude is known
-    bool only_couple = false;               ///< a guide whose force was shown to vanish
+    std::optional<Force> force;             ///< on the bond's first member; none: zero
+    std::optional<ScalarHandle> couple;     ///< about the bond's place; none: zero
+    std::optional<Action> action;           ///< its line, which may be known before the magnitude
+    bool only_couple = false;               ///< a guide whose force is known to vanish
     bool deduced = false;                   ///< the line was found, not given
-    StatementIndex line_statement = none;   ///< the first that says or needs its line
-    StatementIndex force_statement = none;  ///< by which it is known
-    /// Of what is not known, what every equilibrium has alike: all of the force, its component along one direction, the
-    /// couple.
+    StatementIndex line_statement = none;   ///< the first that finds or uses its line
+    StatementIndex force_statement = none;  ///< the one that finds it
+    /// For an unknown reaction, the part that every equilibrium shares: the whole force, its component along one
+    /// direction, the couple.
     enum class Alike { nothing, component, force } alike = Alike::nothing;
     bool couple_alike = false;
-    std::optional<DirectionHandle> along;  ///< of the component; `force` holds it
+    std::optional<DirectionHandle> along;  ///< of the component, which is in `force`
     std::string axis, across;              ///< superscripts of the component, and of the one that stays open
 };
 
-/// All that acts on a body, reduced: nothing, a couple, or a force along a line.
+/// All forces on a body, reduced: zero, a couple, or a force along a line.
 struct Wrench {
     std::optional<Force> force;
     PlaceOnDrawing place;
-    std::optional<ScalarHandle> couple;  ///< only where there is no force
+    std::optional<ScalarHandle> couple;  ///< only if there is no force
 
     bool vanishes() const { return !force && !couple; }
 };
@@ -82,50 +82,50 @@ struct Load {
     int given = -1;  ///< as AppliedForce::given
 };
 
-/// What was done at one member, for its free-body diagram.
+/// A member that was solved, for its free-body diagram.
 struct Resolved {
     MemberIndex member;
 };
 
-/// The motion by which a force was found that every equilibrium has alike.
+/// The virtual motion that gave a force which every equilibrium shares.
 struct Released {
     struct Turning {
         MemberIndex member;
-        std::optional<ScalarHandle> omega;     ///< nothing: it translates
-        std::optional<PlaceOnDrawing> centre;  ///< nothing: it translates
+        std::optional<ScalarHandle> omega;     ///< none if it translates
+        std::optional<PlaceOnDrawing> centre;  ///< none if it translates
         std::string name;                      ///< of the centre
     };
-    std::vector<Turning> members;  ///< that move
+    std::vector<Turning> members;  ///< those that move
     int bond = -1;
     Symbol sought;
-    std::optional<DirectionHandle> along;  ///< of a force that is sought; nothing: of a couple
-    std::optional<Force> force;            ///< found; nothing: it vanishes
+    std::optional<DirectionHandle> along;  ///< of the force sought; none for a couple
+    std::optional<Force> force;            ///< the result; none if it vanishes
     std::optional<ScalarHandle> couple;
     StatementIndex statement = none;
 };
 
-/// What was added up on the way: it acts on nothing, but its line and its size lead on.
+/// An intermediate sum: not a load, but its line and magnitude are used in the construction.
 struct Added {
-    Group group;  ///< on which what is added acts
+    Group group;  ///< on which the terms act
     Symbol symbol;
     Force force;
     PlaceOnDrawing place;
-    std::vector<int> bonds;  ///< whose forces are among what is added, with all loads
+    std::vector<int> bonds;  ///< whose forces are terms; all loads are terms too
     StatementIndex statement = none;
 };
-/// The arm of a couple of two forces, about a place on the line of the one.
+/// The arm of a couple of two forces, about a place on the line of one of them.
 struct Lever {
     MemberIndex member;
     PlaceOnDrawing about;
-    Force force;  ///< the other
+    Force force;  ///< the other force
     PlaceOnDrawing place;
     StatementIndex statement = none;
-    bool is_shift = false;  ///< by which a force with a couple is moved aside
+    bool is_shift = false;  ///< the offset of a force that includes a couple
 };
 /// Members that were balanced as one.
 struct Balanced {
     Group group;
-    std::vector<int> sought;  ///< bonds
+    std::vector<int> sought;  ///< unknown bonds
     StatementIndex statement = none;
 };
 /// Pole, rays and strings of a funicular polygon.
@@ -149,13 +149,12 @@ struct Run {
     std::vector<Lever> levers;
     std::vector<Balanced> balanced;
     std::vector<Strings> strings;
-    std::vector<PartRun> parts;    ///< whose sum it is; empty: it is none
-    StatementIndex summed = none;  ///< by which they are added
-    Group redundant;  ///< members of which equilibrium leaves something open, though there is an equilibrium
+    std::vector<PartRun> parts;    ///< the terms, if this run is a sum; else empty
+    StatementIndex summed = none;  ///< the sentence that adds them
+    Group redundant;  ///< members with reactions that equilibrium leaves open, though there is an equilibrium
     bool complete = false;
-    std::size_t beyond_members =
-        0;                  ///< > 0: so many members at most are taken together, and redundant constraints hold more
-    bool in_parts = false;  ///< a sum of parts found apart, or of trials
+    std::size_t beyond_members = 0;  ///< > 0: limit on the size of an indeterminate group, which was exceeded
+    bool in_parts = false;           ///< a sum of separately found parts, or of trials
 };
 
 /// The loads of one member alone.
@@ -163,12 +162,12 @@ struct PartRun {
     MemberIndex loaded;
     std::vector<Load> loads;
     Run run;
-    StatementIndex first = none, end = none;  ///< its sentences
+    StatementIndex first = none, end = none;  ///< range of its sentences
 };
-/// Of what the loads of one member cause: F_12^(3).
+/// Symbol of an effect of one member's loads: F_12^(3).
 Symbol marked(Symbol symbol, const std::string& mark);
 
-/// True where a member belongs to a group of them.
+/// Whether a member is in a group.
 bool in(const Group& group, MemberIndex member);
 
 }  // namespace kinegraph::statics

@@ -16,7 +16,7 @@ namespace kinegraph {
 namespace statics {
 namespace {
 
-/// Bars by which a truss hangs on the frame, alone at an unloaded hinge; and rollers, on which two forces only act.
+/// Bars that connect a truss to the frame, alone at an unloaded hinge; and rollers, with two forces only.
 Group hung_bars(const ForceModel& model, Board& board, const TrussStructure& truss) {
     Group hung;
     for (const TrussStructure::Pin& pin : truss.pins) {
@@ -31,7 +31,7 @@ Group hung_bars(const ForceModel& model, Board& board, const TrussStructure& tru
     return hung;
 }
 
-/// All that is given on a truss as one force, and where the lines of the reactions meet it.
+/// The resultant of the given forces on a truss, and where the lines of the reactions meet it.
 std::optional<Truss::Whole> whole_of(ForceModel& model, const NamedMeets& meets, const Run& run) {
     Group all;
     for (const MemberIndex member : model.moving_members()) all.push_back(member);
@@ -53,12 +53,12 @@ std::optional<Truss::Whole> whole_of(ForceModel& model, const NamedMeets& meets,
     return whole;
 }
 
-/// Equilibrium does not determine everything.
+/// Whether equilibrium does not determine all forces.
 bool is_redundant(const Mechanism& mechanism, const Mobility& mobility) {
     return mobility.repeated() > 0 || static_cast<int>(mechanism.efforts.size()) > mobility.effective;
 }
 
-/// The whole first, then pin by pin; where that does not lead to the end, body by body.
+/// The truss as one free body first, then pin by pin; if this does not give all forces, body by body.
 ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
                         const TrussStructure& truss) {
     const Board::Mark before = board.mark();
@@ -111,7 +111,7 @@ ForceResults draw_forces(Structure& structure, Board& board, const Motion& motio
     for (const statics::Loose& each : loose)
         if (!each.balanced) adrift.insert(each.group.begin(), each.group.end());
     if (const auto truss = truss_of(mechanism)) return statics::draw_truss(model, board, mechanism, mobility, *truss);
-    // On which flank teeth push is known once their forces are; what was found on the others is wiped off again.
+    // The forces show on which flank teeth push. If a flank was wrong, the drawing is rewound and repeated.
     const Board::Mark before = board.mark();
     for (std::size_t round = 0;; ++round) {
         statics::Runs runs(model, board, mechanism, adrift, statics::is_redundant(mechanism, mobility));

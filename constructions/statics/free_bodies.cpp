@@ -12,7 +12,7 @@
 namespace kinegraph::statics {
 
 void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose) {
-    // On rounded data a line passes a place that is as near as their precision, amplified a little, makes it.
+    // With rounded data a line passes through a place if the distance is within their precision, slightly amplified.
     constexpr double amplified = 64;
     const auto passes = [&](const AppliedForce& applied, const Vector& place) {
         if (applied.force.is_zero()) return true;

@@ -1,6 +1,5 @@
-// Free bodies: what a finished run says of each body cut free, its closed force polygon, and the polygons laid side by
-// side on their common forces (Cremona), so that the external forces close. Says why, where something is not
-// determined.
+// Free bodies: for each body of a finished run its forces and closed force polygon, and the polygons joined at their
+// common forces (Cremona), so that the external forces close. Gives the reason if forces are not determined.
 #pragma once
 
 #include <map>
@@ -14,20 +13,21 @@
 
 namespace kinegraph::statics {
 
-/// Points of concurrency by the member on which they were used, with the letters they got.
+/// A point of concurrency used for a member, with its letter.
 struct NamedMeet {
     std::string name;
     PlaceOnDrawing place;
-    StatementIndex statement = none;  ///< that names it first
-    StatementIndex used = none;       ///< that needs it on the member
+    StatementIndex statement = none;  ///< the first that names it
+    StatementIndex used = none;       ///< the one that uses it for the member
 };
 using NamedMeets = std::map<MemberIndex, std::vector<NamedMeet>>;
 
-/// `one_by_one`: with each body cut free, and their polygons; else the forces at joints alone.
+/// `one_by_one`: includes each free body and its polygon; else the joint forces only.
 ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
                       const Run& run, const NamedMeets& meets, const std::vector<Loose>& loose, bool one_by_one = true);
 
-/// The line of a load is first needed where it leads to a point of concurrency. Asked once the values are read.
+/// Notes the first sentence that uses the line of a load: where it leads to a point of concurrency. Call it after the
+/// values are evaluated.
 void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose);
 
 }  // namespace kinegraph::statics

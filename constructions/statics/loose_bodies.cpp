@@ -8,7 +8,7 @@
 namespace kinegraph::statics {
 namespace {
 
-/// How the body of a group may move, where it may in one way alone.
+/// The motion of the group's body, if it has exactly one freedom.
 void find_freedom(const ForceModel& model, Board& board, Equilibria& all, Loose& loose) {
     if (all.free_motions().size() != 1) return;
     for (const auto& [member, twist] : all.free_motions().front().members) {

@@ -1,6 +1,5 @@
-// Loose bodies: those of which it is asked whether what is given on them is in equilibrium, for no effort holds them
-// and nothing drives. Either nothing holds them at all, or a body hangs on the frame by joints that leave it free to
-// move.
+// Unsupported bodies: those without unknown loads and without drivers, so the question is whether the given forces
+// balance. Either nothing supports them, or joints to the frame leave a body free to move.
 #pragma once
 
 #include <optional>
@@ -13,13 +12,13 @@ namespace kinegraph::statics {
 struct Loose {
     Group group;
     bool balanced = false;
-    /// Of a body on the frame that is not balanced and has one freedom: the place about which it turns, or along which
-    /// it goes.
+    /// For a body on the frame that is not balanced and has one freedom: the place about which it turns, or the
+    /// direction in which it slides.
     std::optional<PlaceOnDrawing> centre;
     std::optional<DirectionHandle> along;
 };
 
-/// Those that nothing holds; of those on the frame the bodies that are out of balance.
+/// Bodies without support; of those on the frame only the bodies that are not in equilibrium.
 std::vector<Loose> loose_bodies(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility);
 
 }  // namespace kinegraph::statics

@@ -19,8 +19,7 @@ TrussDrawing::TrussDrawing(ForceModel& model, Board& board, const Mechanism& mec
     known_.take_supports(whole);
 }
 
-// --- resolving
-// ----------------------------------------------------------------------------------------------------------------
+// --- solving
 
 bool TrussDrawing::resolve() {
     settle_idle_bars(known_);
@@ -41,10 +40,9 @@ bool TrussDrawing::resolve() {
 
 void TrussDrawing::open_plan() { opening_ = known_.say(Sentence::truss_plan, {std::string()}, "Bow"); }
 
-// --- what was found
-// ----------------------------------------------------------------------------------------------------------
+// --- results
 
-/// The force at each joint of a pin, from those with one unknown on: they hold its bodies together as a tree.
+/// The force at each joint of a pin, starting at those with one unknown: the joints connect its bodies as a tree.
 bool TrussDrawing::settle_joints(int pin, Run& run) {
     const ElementIndex here = known_.place(pin).element;
     std::vector<int> bonds;

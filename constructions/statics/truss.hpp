@@ -1,6 +1,6 @@
-// Trusses drawn: bars that carry nothing by rule, the cuts of the file, pin after pin, and a cut where no pin leads on;
-// then the forces at the joints, and the plan. Owns the order of these; each rule has a file of its own in
-// constructions/truss/. Which forces the frame exerts it is told, or finds at the pins.
+// Solves and draws a truss: zero-force bars, the cuts requested by the file, pin after pin, then a cut if no pin can be
+// solved; then the forces at the joints, and the plan. Decides the order of these; each rule has its own file in
+// constructions/statics/truss/. The reactions are given, or found at the pins.
 #pragma once
 
 #include <vector>
@@ -16,20 +16,20 @@ namespace kinegraph::statics {
 
 class TrussDrawing {
 public:
-    /// `whole`: with the reactions that the truss cut free whole gave.
+    /// `whole`: contains the reactions found for the truss as one free body.
     TrussDrawing(ForceModel& model, Board& board, const Mechanism& mechanism, const TrussStructure& truss,
                  const Run& whole);
     TrussDrawing(const TrussDrawing&) = delete;
     TrussDrawing& operator=(const TrussDrawing&) = delete;
 
-    /// All bars; false where pins and cuts do not lead to the end, or what is given is not in equilibrium.
+    /// Finds all bars; false if pins and cuts do not give all of them, or the given forces are not in equilibrium.
     bool resolve();
-    /// The bars of a run that was resolved in another way: a bar pulls with what acts on its end at the other side of
-    /// the pull, the joints' forces there and its loads.
+    /// Takes the bars from a run that was solved by other rules: the pull of a bar is opposite to the sum of the forces
+    /// and loads on its other end.
     void read_off(const Run& run);
     /// The forces at the joints.
     Run run(Run from);
-    /// What was found; what a cut of the file's did not find.
+    /// The result; includes cuts requested by the file that could not be made.
     Truss finish();
     const std::vector<Unsolved>& unsolved() const { return cuts_.unsolved(); }
     bool has_plan() const { return plan_.exists(); }

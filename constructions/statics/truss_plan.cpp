@@ -30,7 +30,7 @@ bool TrussPlan::hangs_together() const {
     return reached.size() == truss_.pins.size();
 }
 
-/// Whether two bars have more in common than a pin of both.
+/// Whether two bars meet other than at a common pin.
 bool TrussPlan::cross(int bar, int other) {
     const int a = truss_.bars[at(bar)].pins[0], b = truss_.bars[at(bar)].pins[1];
     const int c = truss_.bars[at(other)].pins[0], d = truss_.bars[at(other)].pins[1];
@@ -45,7 +45,7 @@ bool TrussPlan::cross(int bar, int other) {
         }
     const int sides[] = {side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b)};
     if (sides[0] == 0 &&
-        sides[1] == 0) {  // on one line: apart where both ends of one lie beyond the same end of the other
+        sides[1] == 0) {  // collinear: separate if both ends of one bar are beyond the same end of the other
         const auto beyond = [&](int from, int to) {
             const auto along = board_.vector(place(from), place(to));
             return board_.choose_along(along, board_.vector(place(to), place(c))) > 0 &&
@@ -64,7 +64,7 @@ bool TrussPlan::any_cross() {
     return false;
 }
 
-/// Which of two rays is met first, turning from a third; `sense` 1: counter-clockwise, −1: clockwise.
+/// Which of two rays comes first when turning from a third; `sense` 1: counter-clockwise, −1: clockwise.
 bool TrussPlan::comes_first(Ray from, Ray a, Ray b, int sense) {
     const auto half = [&](Ray v) {
         const int turned = sense * board_.choose_turn(from, v);
@@ -84,7 +84,7 @@ void TrussPlan::order_round_pins() {
     }
 }
 
-/// The leftmost, of several the lowest: beyond it lies the outside.
+/// The leftmost pin; of several the lowest. It is on the border.
 int TrussPlan::extreme_pin() {
     const Ray right = board_.scale<drawing>(board_.number(1), board_.own_direction({1, 0})),
               up = board_.scale<drawing>(board_.number(1), board_.own_direction({0, 1}));
@@ -97,7 +97,7 @@ int TrussPlan::extreme_pin() {
     return best;
 }
 
-/// Every half bar goes on, with its face on the left, to the next clockwise from where it came.
+/// Each half bar has its face on the left and continues with the next half bar clockwise from its reverse.
 void TrussPlan::walk_faces() {
     const auto next = [&](HalfBar half) {
         const auto& round = round_[at(head(half))];
@@ -117,7 +117,7 @@ void TrussPlan::walk_faces() {
         if (face_[at(half)] < 0) walk(half, faces_++);
 }
 
-/// A force stands outside: its arrow ends at the pin, or begins there where its tail would lie among the bars.
+/// A force is drawn outside: its arrow ends at the pin, or starts there if its tail would be between the bars.
 TrussPlan::Ray TrussPlan::ray_of(const OuterForce& force, std::size_t corner) {
     const Ray arriving = ray(border_[corner] ^ 1), leaving = ray(border_[(corner + 1) % border_.size()]);
     const Ray ahead = board_.scale<drawing>(board_.number(1), board_.direction(force.force)),
@@ -128,7 +128,7 @@ TrussPlan::Ray TrussPlan::ray_of(const OuterForce& force, std::size_t corner) {
     return !is_outside(behind) && is_outside(ahead) ? ahead : behind;
 }
 
-/// As they are met clockwise round the truss.
+/// Clockwise around the truss.
 std::vector<OuterForce> TrussPlan::in_order(std::vector<OuterForce> outer) {
     std::vector<OuterForce> ordered;
     std::vector<bool> passed(truss_.pins.size(), false);
@@ -167,7 +167,7 @@ void TrussPlan::name_spaces(Truss& truss, const std::vector<OuterForce>& outer) 
         }
     std::size_t now = 0, met = 0;
     std::vector<bool> passed(truss_.pins.size(), false);
-    std::vector<int> closing;  // the border of the first space before the walk began
+    std::vector<int> closing;  // the start of the first space's border, used to close it at the end
     const auto borders = [&](int pin) { (now == 0 && met > 0 ? closing : truss.spaces[now].pins).push_back(pin); };
     borders(tail(border_.front()));
     for (const HalfBar half : border_) {

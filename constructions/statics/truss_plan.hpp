@@ -1,6 +1,6 @@
-// The plan of a truss: its spaces by Bow's notation, and their corners in the force plane (Cremona, Le figure
-// reciproche nella statica grafica, 1872; Maxwell 1864). Owns which regions bars and lines of forces part, and where
-// their corners lie; finds no force.
+// The plan of a truss: its spaces in Bow's notation, and their corners in the force plane (Cremona, Le figure
+// reciproche nella statica grafica, 1872; Maxwell 1864). Finds the regions between bars and lines of forces, and the
+// corners. All forces are inputs.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace kinegraph::statics {
 
-/// A force on the truss from outside, as the board has it.
+/// An external force on the truss, as stored on the board.
 struct OuterForce {
     Truss::External told;
     Force force;
@@ -20,19 +20,19 @@ struct OuterForce {
 
 class TrussPlan {
 public:
-    /// `loaded`: pins on which something acts from outside.
+    /// `loaded`: pins with external forces.
     TrussPlan(Board& board, const TrussStructure& truss, const std::vector<int>& loaded);
 
-    /// Whether there is one: bars that hang together and cross nowhere, forces from outside on their border.
+    /// Whether there is a plan: the bars are connected and do not cross, and external forces act on the border.
     bool exists() const { return exists_; }
-    /// The spaces, and the polygon of the forces with each bar once; `pulls`: of each bar on the first of its pins.
-    /// `opening`: the statement of the forces from outside that are given.
+    /// Draws the spaces, and the polygon of the forces with each bar once. `pulls`: of each bar on the first of its
+    /// pins. `opening`: the statement with the given external forces.
     void draw(Truss& truss, std::vector<OuterForce> outer, const std::vector<std::optional<Force>>& pulls,
               StatementIndex opening);
 
 private:
     using Ray = VectorOn<Plane::drawing>;
-    /// Bar 2·b + 0 from its first pin, 2·b + 1 from its second.
+    /// Bar b from its first pin: 2·b; from its second: 2·b + 1.
     using HalfBar = int;
 
     PlaceOnDrawing place(int pin) { return board_.place(truss_.pins[at(pin)].point); }
@@ -55,8 +55,8 @@ private:
     Board& board_;
     const TrussStructure& truss_;
     std::vector<std::vector<HalfBar>> round_;  ///< by pin: its bars counter-clockwise from −x
-    std::vector<HalfBar> border_;              ///< clockwise round the truss
-    std::vector<int> face_;                    ///< by half bar: on its left; 0: outside
+    std::vector<HalfBar> border_;              ///< clockwise around the truss
+    std::vector<int> face_;                    ///< by half bar: face on its left; 0: outside
     int faces_ = 1;
     bool exists_ = false;
 };

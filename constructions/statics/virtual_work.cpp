@@ -10,7 +10,7 @@
 namespace kinegraph {
 namespace {
 
-/// A place of a body with its velocity: about it the body turns as seen from there.
+/// A place of a body with known velocity, used as base for the body's rotation.
 std::optional<NodeIndex> base_of(const Structure& structure, const Track<Plane::velocity>& velocities, BodyIndex body) {
     if (velocities.polygon < 0 || !velocities.turns(body)) return std::nullopt;
     const auto& nodes = structure.nodes_of(body);
@@ -19,7 +19,7 @@ std::optional<NodeIndex> base_of(const Structure& structure, const Track<Plane::
     return *base;
 }
 
-/// A pin moves with any of the bodies that it holds together.
+/// A pin moves with any of its bodies.
 BodyIndex carrier_of(const Mechanism& mechanism, const FreeBody& free) {
     if (free.body != none) return free.body;
     const auto joint = std::find_if(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& each) {
@@ -29,7 +29,7 @@ BodyIndex carrier_of(const Mechanism& mechanism, const FreeBody& free) {
     return *std::max_element(joint->bodies.begin(), joint->bodies.end());
 }
 
-/// Draws the powers of forces and couples and adds them up.
+/// Draws the powers of forces and couples and adds them.
 class Powers {
 public:
     Powers(const Structure& structure, Board& board, const Track<Plane::velocity>& velocities)
@@ -87,7 +87,7 @@ std::optional<VirtualWork> virtual_work(const Structure& structure, Board& board
 
 namespace {
 
-/// Works of what is given, and of one unit of what is not.
+/// Works of the given loads, and of one unit of each unknown.
 class Works {
 public:
     Works(Structure& structure, Board& board, const Motion& motion)
@@ -116,7 +116,7 @@ public:
     }
 
 private:
-    /// A pin moves with any of the bodies that it holds together.
+    /// A pin moves with any of its bodies.
     BodyIndex carrier_of(statics::MemberIndex member) const {
         if (!model_.is_pin(member)) return model_.body_of(member);
         FreeBody pin;
@@ -124,7 +124,7 @@ private:
         return kinegraph::carrier_of(mechanism_, pin);
     }
     bool is_known(BodyIndex body) const { return body == frame || base_of(structure_, velocities_, body).has_value(); }
-    /// Nothing: of the frame.
+    /// None for the frame.
     std::optional<VectorOn<Plane::velocity>> velocity(BodyIndex body, PointOn<Plane::drawing> at) {
         if (body == frame) return std::nullopt;
         const NodeIndex base = *base_of(structure_, velocities_, body);

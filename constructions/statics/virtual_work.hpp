@@ -1,4 +1,4 @@
-// Virtual work: the second way to the efforts, which needs no reaction.
+// Virtual work: an independent way to the input forces and couples, without reactions.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,14 @@
 
 namespace kinegraph {
 
-/// The powers (W) of all that acts from outside on the free bodies, in the motion of the velocity polygon. Ideal pairs
-/// do no work, so they cancel: d'Alembert's principle where forces of inertia are among them. Nothing where no such
-/// force acts or the motion of a body that carries one is not known.
+/// The powers (W) of all external forces on the free bodies, in the motion of the velocity polygon. Ideal pairs do no
+/// work, so their powers cancel; with inertia forces this is d'Alembert's principle. None if there is no such force, or
+/// the motion of a body with one is not known.
 std::optional<VirtualWork> virtual_work(const Structure& structure, Board& board,
                                         const Track<Plane::velocity>& velocities, const std::vector<FreeBody>& bodies);
 
-/// The same of loads, weights and springs alone, without reactions, and beside them the power of one unit of each
-/// effort: what virtual displacements need, the velocities being displacements. Nothing where the motion of a body that
-/// carries one is not known.
+/// The powers of loads, weights and springs, without reactions, and the power of one unit of each input force or
+/// couple. Velocities serve as virtual displacements. None if the motion of a loaded body is not known.
 std::optional<VirtualWork> works_of_displacement(Structure& structure, Board& board, const Motion& motion);
 
 }  // namespace kinegraph

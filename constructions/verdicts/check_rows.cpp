@@ -90,14 +90,14 @@ private:
         add({.kind = Kind::sliding_coriolis, .joint = sliding.joint}, *sliding.coriolis, coriolis);
     }
 
-    /// A finite centre against the place where the numeric relative velocity vanishes: P = X + z ∧ v_rel / ω_rel.
+    /// Compares a finite centre with the place where the numeric relative velocity vanishes: P = X + z ∧ v_rel / ω_rel.
     void compare_centre(const InstantCentre& centre) {
         if (!centre.at || centre.at->at_infinity() || centre.everywhere) return;
         const auto& first = numeric_.bodies[at_index(centre.first)];
         const auto& second = numeric_.bodies[at_index(centre.second)];
         if (!first.velocity_known || !second.velocity_known) return;
         const double omega = second.omega - first.omega;
-        // Below this the two bodies hardly turn against each other, and the quotient says nothing about the place.
+        // Below this there is almost no relative rotation, and the quotient does not determine the place.
         constexpr double least_relative_spin = 1e-6;
         if (std::abs(omega) <= least_relative_spin * std::max(std::abs(first.omega), std::abs(second.omega)) ||
             omega == 0)
@@ -108,7 +108,7 @@ private:
         add(quantity_of(centre), place, found);
     }
 
-    /// P and what the accelerations say of it: J = P + a_P/ω², K by a = 0, ρ = v²/a_n.
+    /// P and its acceleration-based results: J = P + a_P/ω², K by a = 0, ρ = v²/a_n.
     void compare_curvature(const Curvature& found) {
         const auto& state = numeric_.bodies[at_index(found.body)];
         if (!state.velocity_known || !state.acceleration_known) return;
@@ -143,7 +143,7 @@ private:
             comparison_.bodies.push_back({state.velocity_known, speed(state) > Magnitudes::noise * fastest});
     }
 
-    /// Of velocities and accelerations; relative ones from the motions of their two places:
+    /// Magnitude of a velocity or acceleration; relative ones from the motions of their two places:
     ///   a = a_to + a_cor + a_n + a_t (or a_rel),  a_cor = 2ω_to ∧ v,  a_n = v²/r,  a_t ⟂ r  (Rivals, Coriolis).
     std::optional<double> modulus(const DrawnVector& vector) {
         using Role = DrawnVector::Role;
@@ -182,7 +182,7 @@ private:
         const auto& state = numeric_.bodies[at_index(carried.body)];
         return velocity ? state.velocity_known : state.acceleration_known;
     }
-    /// Many vectors are of few places.
+    /// Cached: many vectors refer to few places.
     const Pair& arm_of(const CarriedPlace& carried) {
         const auto [entry, is_new] = arms_.try_emplace({carried.body, carried.place});
         if (is_new) entry->second = numeric_.arm(carried.body, solution_.protocol.point(carried.place).place());
@@ -196,7 +196,7 @@ private:
     Comparison comparison_;
 };
 
-/// The worst of one kind where the construction and the check differ.
+/// The largest difference of one kind between the construction and the check.
 struct Gap {
     Argument name;
     double graphical = 0, difference = 0;
@@ -204,7 +204,7 @@ struct Gap {
     int others = 0;
 };
 
-/// In SI.
+/// The SI unit.
 std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
     using Kind = Quantity::Kind;
     switch (quantity.kind) {
@@ -229,18 +229,18 @@ std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
     }
 }
 
-/// Gaps between two numbers that should be one, kind by kind.
+/// Differences between two numbers that should be equal, by kind.
 class Gaps {
 public:
-    /// `moduli` as of the magnitudes.
+    /// `moduli` as for the magnitudes.
     Gaps(const Solution& solution, const std::vector<std::optional<double>>& moduli)
         : solution_(solution), magnitudes_(solution, moduli) {}
 
-    /// `name` gives what the quantity is called.
+    /// `name` returns the name of the quantity.
     template <class Name>
     void hold(const Quantity& quantity, const Name& name, double graphical, double numeric) {
-        // A thousand times the share below which a number is the check's rounding: near a dead point it loses some
-        // digits. Where constraints repeat each other within rounded data the two may rely on different ones.
+        // A thousand times the relative rounding error of the check: near a dead point it loses some digits. If
+        // constraints are redundant within rounded data, the two computations may use different ones.
         constexpr double times_rounding = 256;
         const double allowed = std::max(1e3 * Magnitudes::noise, times_rounding * solution_.pose.rounding());
         const double difference = graphical - numeric;
@@ -248,7 +248,7 @@ public:
         const auto [at_kind, is_first] = worst_.try_emplace(quantity.kind);
         Gap& worst = at_kind->second;
         if (!is_first) ++worst.others;
-        // What is no number at all is worst.
+        // NaN is the worst.
         if (is_first || std::abs(difference) > std::abs(worst.difference) || std::isnan(difference))
             worst = {name(), graphical, difference, unit_of(quantity, solution_.mechanism), worst.others};
     }
@@ -269,7 +269,7 @@ private:
     std::map<Quantity::Kind, Gap> worst_;
 };
 
-/// Whether anything of a body moves by the construction.
+/// Whether the construction finds that the body moves.
 bool moves(const Solution& solution, BodyIndex body) {
     const auto& omega = solution.bodies[at_index(body)].omega;
     if (!omega) return false;
@@ -309,13 +309,13 @@ std::vector<Message> disagreements(const Solution& solution, const std::vector<C
                 vector.quantity, [&] { return Argument(vector.symbol); }, *moduli[v], *numeric);
     }
     std::vector<Message> messages = gaps.told();
-    // A driver that asks what cannot be is told as such; the check then has no motion at all.
+    // A driver that imposes an impossible motion has its own message; the check then finds no motion.
     if (!solution.mobility.idle_drivers.empty() || solution.mechanism.motion) return messages;
     const std::vector<bool>& determined = solution.mobility.determined;
     for (std::size_t b = 1; b < std::min(bodies.size(), determined.size()); ++b) {
         const BodyIndex body(b);
         const BodyName name{solution.mechanism.bodies[b].name};
-        // Of a body that is not determined a construction may still find how it turns.
+        // A construction may find the rotation of a body whose motion is not determined.
         if (determined[b] && moves(solution, body) && !bodies[b].determined)
             messages.push_back({Sentence::check_stands_still, {name}});
         if (bodies[b].determined && bodies[b].moves && !determined[b])

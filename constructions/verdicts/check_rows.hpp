@@ -1,5 +1,5 @@
-// The results held against the numeric check, row by row. Neither learns from the other: here they are only set side by
-// side, and where they differ that is said.
+// Compares the results with the numeric check, row by row, and reports differences. The two computations are
+// independent; neither uses the other.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace kinegraph {
 
-/// What the check says beside a solution.
+/// Values of the check for a solution.
 struct Comparison {
-    /// A row for each scalar that both the constructions (in the solution) and the check of motion and of forces
-    /// determine, SI units: ω and α by body, velocities and accelerations by point, slidings, finite instant centres,
-    /// joint forces, the virtual power, the efforts. What one of the two leaves open has no row.
+    /// A row for each scalar that both the constructions and the check of motion and of forces determine, in SI units:
+    /// ω and α by body, velocities and accelerations by point, slidings, finite instant centres, joint forces, the
+    /// virtual power, the input forces and couples. There is no row for a value that only one of the two determines.
     std::vector<CheckRow> rows;
     /// By Protocol::vectors, as Solution::numeric_moduli.
     std::vector<std::optional<double>> moduli;
@@ -23,22 +23,22 @@ struct Comparison {
         std::optional<double> force, couple;
     };
     std::vector<std::vector<Action>> actions;
-    /// Of bars of a truss, by Truss::bars: N, tension positive.
+    /// Bars of a truss, by Truss::bars: N, tension positive.
     std::vector<std::pair<std::size_t, double>> bars;
-    /// By BodyIndex: whether the check finds its motion determined, and not at rest.
+    /// By BodyIndex: whether the check finds the motion determined, and not zero.
     struct Moved {
         bool determined = false, moves = false;
     };
     std::vector<Moved> bodies;
 };
-/// The solution's protocol is finished.
+/// The solution's protocol must be finished.
 Comparison compare_with_check(const Solution& solution);
 
-/// Enters the numbers of the check in the solution.
+/// Stores the values of the check in the solution.
 void enter(Comparison comparison, Solution& solution);
 
-/// Where the solution and the numbers of the check entered in it differ by more than 1e-6 of the largest of their kind,
-/// the worst of each kind; and bodies that move by the one and by the other cannot be said to.
+/// Differences of more than 1e-6 of the largest value of the kind, the worst of each kind; and bodies that move by only
+/// one of the two computations.
 std::vector<Message> disagreements(const Solution& solution, const std::vector<Comparison::Moved>& bodies);
 
 }  // namespace kinegraph

@@ -48,7 +48,7 @@ private:
         add(quantity.along(Quantity::Component::y), graphical.y.to_double(), independent[1]);
     }
 
-    /// What the joints at a bar's first pin give it, with its loads there, seen along the bar.
+    /// The forces of the joints at a bar's first pin and its loads there, projected on the bar.
     void compare_bars(const Truss& truss, const NumericForces& numeric) {
         const std::vector<Vector>& places = solution_.pose.points;
         for (std::size_t b = 0; b < truss.bars.size(); ++b) {
@@ -76,7 +76,7 @@ private:
         }
     }
 
-    /// What a load gives a body at a point.
+    /// The load on a body at a point.
     Pair load_at(const Load& load, BodyIndex body, PointIndex point) const {
         if (const auto* force = std::get_if<ForceLoad>(&load)) {
             if (force->body != body || force->at != point) return {};
@@ -108,7 +108,7 @@ private:
         add({.kind = Kind::resultant_couple, .body = found.bodies.front()}, found.couple->to_double(), sum.couple);
     }
 
-    /// Where equilibrium determines something of it.
+    /// Null unless equilibrium determines part of it.
     static const NumericForces::Action* action_of(const NumericForces& numeric, JointIndex joint, BodyIndex on,
                                                   BodyIndex from) {
         for (const NumericForces::Action& action : numeric.actions)
@@ -128,7 +128,7 @@ private:
             add(quantity, found.couple->to_double(), action.couple);
     }
 
-    /// The numeric component, counted as the construction counts it.
+    /// The numeric component, with the sign of the construction.
     static double seen_along(const JointForce& found, const NumericForces::Action& action) {
         const Vector along = unit_of_component(found);
         const double same = along.x.to_double() * (*action.along)[0] + along.y.to_double() * (*action.along)[1];
@@ -143,7 +143,7 @@ private:
                     if (action->along) return {std::abs(action->component), action->couple};
                     return {magnitude(action->force), action->couple};
                 }
-                // What a body gives to the pin of a multiple hinge is told as what the pin gives to the body.
+                // The action of a body on the pin of a multiple hinge is listed as that of the pin on the body.
                 const auto* action =
                     body.body == none ? action_of(numeric, applied.joint, applied.from, none) : nullptr;
                 if (action == nullptr) return {};
@@ -175,7 +175,7 @@ private:
         return {};
     }
 
-    /// A couple between two bodies acts on the one and, reversed, on the other.
+    /// A couple between two bodies acts on one and, reversed, on the other.
     static Comparison::Action effort_on(const FreeBody& body, const Effort& effort, double value) {
         const auto* couple = std::get_if<CoupleEffort>(&effort);
         if (couple == nullptr) return {std::abs(value), {}};

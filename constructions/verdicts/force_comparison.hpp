@@ -1,4 +1,4 @@
-// The forces of a solution beside those of the numeric check.
+// Compares the forces of a solution with those of the numeric check.
 #pragma once
 
 #include "constructions/verdicts/check_rows.hpp"
@@ -6,7 +6,7 @@
 
 namespace kinegraph {
 
-/// Adds the rows, bars and actions to the comparison; `motion`: of the check.
+/// Adds the rows, bars and actions to the comparison; `motion` is that of the check.
 void compare_forces(const Solution& solution, const NumericMotion& motion, Comparison& comparison);
 
 }  // namespace kinegraph

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double nearly = 1e-3;
 
-/// A direction of the drawing as the file's own: of the join of two points, or of a joint's guide or normal; perhaps
+/// A direction of the drawing in terms of the file: the join of two points, or a joint's guide or normal; perhaps
 /// turned.
 struct NamedDirection {
     LineReason reason;
@@ -24,7 +24,7 @@ struct NamedDirection {
     bool is_turned = false;
 };
 
-/// Which coincidences were asked for and are missed by little.
+/// Coincidences that were tested and are nearly true.
 class NearMisses {
 public:
     explicit NearMisses(const Solution& solution)
@@ -89,7 +89,7 @@ private:
                               false};
     }
 
-    /// The same two lines may have been asked about as several elements.
+    /// Several elements of the record may be the same two lines.
     bool is_new(const LineReason& one, const LineReason& other) {
         const std::pair pair(one, other);
         const bool is_told = std::find(parallels_said_.begin(), parallels_said_.end(), pair) != parallels_said_.end();
@@ -117,7 +117,7 @@ private:
         messages_.push_back({Sentence::nearly_parallel,
                              {one->reason, other->reason, Amount{std::asin(sine) * 180 / std::numbers::pi, "°"}}});
     }
-    /// Most are: doubles tell, with much to spare for their rounding.
+    /// Most are; doubles decide with a wide margin for rounding.
     static bool are_clearly_apart(const Vector& d, const Vector& e) {
         const VectorOf<double> first{d.x.to_double(), d.y.to_double()}, second{e.x.to_double(), e.y.to_double()};
         return std::abs(cross(first, second)) >
@@ -133,8 +133,7 @@ private:
         if (reason.kind == Kind::parallel_to_guide) return reason.kind = Kind::perpendicular_to_guide, true;
         return false;
     }
-    /// Of three points on nearly one line: the one between the others, or else the one nearest to the line of the
-    /// others.
+    /// Of three nearly collinear points: the one between the others, else the one nearest to the line of the others.
     void tell_of_line(const NamedDirection& one, const NamedDirection& other) {
         std::set<PointIndex> three{one.from, one.to, other.from, other.to};
         if (three.size() != 3) return;
@@ -184,7 +183,7 @@ private:
     std::vector<Message> messages_;
 };
 
-/// What moving a given point does to the angular velocities, by replaying the record in doubles.
+/// Sensitivity of angular velocities to moving a given point, by replaying the record in doubles.
 class Sensitivity {
 public:
     explicit Sensitivity(const Solution& solution)
@@ -193,7 +192,7 @@ public:
           givens_(givens_of(program_, solution.mechanism, solution.pose)),
           replay_(program_, givens_, solution.pose.size.to_double()) {}
 
-    /// The worst of all bodies and points, where it is a hair.
+    /// The worst of all bodies and points, if it is ill-conditioned.
     std::optional<Message> worst() {
         if (replay_.run()) return std::nullopt;
         std::vector<BodyIndex> spins;
@@ -210,7 +209,7 @@ public:
             if (program_.givens[given].kind != Given::Kind::place) continue;
             for (const int axis : {0, 1}) {
                 auto moved = std::get<PointOf<double>>(to_double(givens_[given]));
-                // Far above the rounding of doubles, far below what a curve would bend.
+                // Far above the rounding error of doubles, and small enough to neglect curvature.
                 const double step = 1e-7 * size;
                 (axis == 0 ? moved.x : moved.y) += step;
                 replay_.give(static_cast<int>(given), moved);
@@ -234,7 +233,7 @@ private:
         BodyIndex body;
         PointIndex point;
     };
-    /// The precision that the file states, else one of the point's last digit as written, at most `most` (m).
+    /// The precision stated in the file, else one unit of the point's last written digit, at most `most` (m).
     double last_digit(PointIndex point, double most) const {
         const Pose& pose = solution_.pose;
         if (!pose.precision.is_zero()) return pose.precision.to_double();

@@ -27,7 +27,7 @@ LargestDifference::Found LargestDifference::found(std::span<const Column> column
     for (std::size_t i = 0; i < std::min(columns.size(), off_.size()); ++i) {
         const Off& off = off_[i];
         const Kind kind = columns[i].quantity.kind;
-        // What is of no kind is its own measure.
+        // A quantity without a kind is compared with its own largest value.
         const double unit = kind == Kind::unnamed ? off.largest : measure(kind, size);
         if (!off.held || unit == 0) continue;
         const double share = off.most / unit;

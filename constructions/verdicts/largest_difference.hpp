@@ -1,5 +1,4 @@
-// The largest difference of many rows of results from the numeric check, as a share of the largest of its kind. Knows
-// neither how rows are found nor how they are checked.
+// The largest difference of many rows of results from the numeric check, relative to the largest value of its kind.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +11,15 @@ namespace kinegraph {
 
 class LargestDifference {
 public:
-    /// A value and the check's, of a column, in the row at `coordinate`.
+    /// Adds a value and that of the check, of one column, in the row at `coordinate`.
     void hold(std::size_t column, const Column& of, double value, double numeric, double coordinate);
 
     struct Found {
         double share = 0;
-        int column = -1;  ///< none was held
+        int column = -1;  ///< none if there was no value
         double coordinate = 0;
     };
-    /// `size`: of the drawing, m. Kinds that one motion ties together share their measure across it: v = ωl.
+    /// `size`: of the drawing, m. Kinds of one motion share their scale across it: v = ωl.
     Found found(std::span<const Column> columns, double size) const;
 
 private:

@@ -11,8 +11,7 @@ namespace {
 
 std::size_t at(Plane plane) { return static_cast<std::size_t>(plane); }
 
-/// An element as a vector: of a finite point its place, of a point at infinity its direction, of a scalar its value in
-/// x.
+/// An element as a vector: a finite point as its place, a point at infinity as its direction, a scalar as (x, 0).
 Vector as_vector(const Value& value) {
     if (const auto* p = std::get_if<ProjectivePoint>(&value)) return p->at_infinity() ? Vector{p->x, p->y} : p->place();
     if (const auto* v = std::get_if<Vector>(&value)) return *v;
@@ -73,7 +72,7 @@ private:
             if (is_zero_within(value, shifted)) return true;
         }
         if (pose_.exact || !size.is_below(unit, pose_.bits / 2)) return false;
-        // As the board's predicates: what shrinks with the pose is zero, what stays is not.
+        // As the board's predicates: a value that shrinks with a finer pose is zero, one that stays is not.
         return magnitude_of(read(finer())).order <= size.order - pose_.bits / 2;
     }
     const std::vector<Value>& finer() const {
@@ -89,17 +88,17 @@ private:
     const Mechanism& mechanism_;
     const Pose& pose_;
     const FinerPose& draw_finer_;
-    mutable std::vector<Value> finer_;  // values on the finer pose, once asked
+    mutable std::vector<Value> finer_;  // values on the finer pose, evaluated on first use
     Largest<Exact> largest_;
 };
 
-/// A value of the equations, and what it is small beside.
+/// A value of the equations, and the scale to which it is compared.
 struct Reading {
     double* value;
     double unit;
 };
 
-/// The values of equations in an order of their own: the same for the same mechanism in any pose.
+/// The values of equations in a fixed order, the same for one mechanism in any pose.
 class Readings {
 public:
     Readings(Equations& equations, double size) : e_(equations), size_(size) {
@@ -131,7 +130,7 @@ public:
     }
 
 private:
-    /// An angle is small beside a radian, a length beside the drawing.
+    /// An angle is compared with a radian, a length with the drawing's size.
     double of(const Equations::Letter& letter) const { return letter.is_angle ? 1 : size_; }
     void add(double& value, double unit) { found_.push_back({&value, unit}); }
     void add(std::optional<double>& value, double unit) {
@@ -151,7 +150,7 @@ private:
                     add(e_.second_ratios[j][k][l],
                         of(e_.letter(e_.unknowns[j])) / (of(e_.letter(e_.free[k])) * of(e_.letter(e_.free[l]))));
     }
-    /// By row beside its largest entry, each in its column's unit.
+    /// Each entry is compared with the largest of its row, in the unit of its column.
     void add_matrix(std::vector<std::vector<double>>& rows, const std::vector<Equations::LetterIndex>& columns) {
         for (std::vector<double>& row : rows) {
             double largest = 0;
@@ -166,7 +165,7 @@ private:
     std::vector<Reading> found_;
 };
 
-/// The values of the same equations elsewhere; empty where other equations are written there.
+/// The values of the same equations in another pose; empty if that pose has other equations.
 std::vector<double> values_elsewhere(const Mechanism& mechanism, const Pose& pose, std::size_t count) {
     Equations there = equations_of(mechanism, pose);
     std::vector<double> values;

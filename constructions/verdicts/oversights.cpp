@@ -12,7 +12,7 @@
 namespace kinegraph {
 namespace {
 
-/// Bodies that hang together, as far as they have been joined.
+/// Connected components of bodies (union-find).
 class Groups {
 public:
     explicit Groups(std::size_t count) {
@@ -49,8 +49,7 @@ public:
     }
 
 private:
-    /// Points at one place, the place rounded to a billionth of the drawing: what is drawn twice there is meant to be
-    /// one.
+    /// Points at the same place, rounded to 1e-9 of the drawing: points drawn twice there are meant to be one.
     std::vector<std::vector<PointIndex>> places() const {
         const double step = pose_.size.to_double() * 1e-9;
         std::map<std::pair<double, double>, std::vector<PointIndex>> by_place;
@@ -85,7 +84,7 @@ private:
         }
     }
 
-    /// Two bodies want one pin, however many points they share.
+    /// Two bodies need one pin, however many points they share.
     void miss_pin(BodyIndex first, PointIndex at, BodyIndex second, PointIndex other) {
         if (!unjoined_.insert({first, second}).second) return;
         named_.insert({first, second});
@@ -152,7 +151,7 @@ private:
         return any(mechanism_.drivers, moves) || any(mechanism_.efforts, holds);
     }
 
-    /// At the first point of the body that no joint of it has; empty where all have one.
+    /// At the body's first point without a joint; empty if all have one.
     std::string hinge_with_frame(BodyIndex body) const {
         const auto& joints = joints_of_[at_index(body)];
         for (const PointIndex point : mechanism_.body(body).points)
@@ -180,10 +179,10 @@ private:
 
 std::vector<Message> oversights(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility) {
     const int efforts = static_cast<int>(mechanism.efforts.size());
-    // Of a mechanism that nothing drives, holds or loads the one freedom is what its centres are asked for.
+    // In a mechanism without drivers, input forces and loads one freedom is intended: its instant centres are wanted.
     const bool bare = mechanism.drivers.empty() && mechanism.efforts.empty() && mechanism.loads.empty();
     const int meant = std::max({mobility.driven, efforts, bare ? 1 : 0});
-    // Loads on bodies that nothing joins or drives ask for their resultant.
+    // For loads on bodies without joints or drivers the resultant is wanted.
     const bool adrift = mechanism.joints.empty() && mechanism.drivers.empty() && !mechanism.loads.empty();
     if (mechanism.motion || adrift || mobility.effective <= meant) return {};
     return Search(mechanism, pose).run();

@@ -1,5 +1,5 @@
-// What each statement works out, in the order in which it comes up: motion, then what a statement ends with, then sums
-// of forces.
+// Adds the worked arithmetic of each statement, in order of appearance: motion, then the final result of a statement,
+// then sums of forces.
 #include "constructions/verdicts/verdicts.hpp"
 
 #include <algorithm>
@@ -29,8 +29,7 @@ public:
     }
 
 private:
-    // --- what sentences leave out
-    // --------------------------------------------------------------------------------------------
+    // --- terms that sentences omit
 
     bool turns(const Argument& argument) const {
         const Symbol& symbol = std::get<Symbol>(argument);
@@ -40,7 +39,7 @@ private:
         const Quantity quantity{.kind = omega ? Quantity::Kind::omega : Quantity::Kind::alpha, .body = *body};
         return !telling_.magnitudes().is_noise(quantity, telling_.spin(*body, symbol.letter));
     }
-    /// No ω² where nothing turns, no α where it turns uniformly.
+    /// Removes ω² if nothing turns, and α if the rotation is uniform.
     void leave_out_what_vanishes(Message& message) const {
         auto& arguments = message.arguments;
         if (message.sentence == Sentence::crank_acceleration && !turns(arguments[5])) arguments.pop_back();
@@ -55,7 +54,7 @@ private:
             arguments.pop_back();
     }
 
-    /// A triangle is of three forces.
+    /// A polygon of three forces is called a triangle.
     void name_polygons() {
         for (Statement& statement : protocol_.statements) {
             Sentence& sentence = statement.message.sentence;
@@ -65,14 +64,14 @@ private:
                 sentence = sentence == Sentence::triangle ? Sentence::polygon : Sentence::polygon_at;
         }
     }
-    /// As a sentence has them: under all loads, or under those of which it speaks.
+    /// The bodies for a sentence: under all loads, or under those that it is about.
     const std::vector<FreeBody>& bodies_at(StatementIndex statement) const {
         if (solution_.superposition)
             for (const Superposition::Part& part : solution_.superposition->parts)
                 if (!(statement < part.first) && statement < part.end) return part.bodies;
         return solution_.free_bodies;
     }
-    /// From outside on bodies taken together.
+    /// Number of external forces on bodies taken together.
     static int forces_on(const std::vector<BodyIndex>& bodies, const std::vector<FreeBody>& cut_free) {
         const auto among = [&](BodyIndex body) {
             return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
@@ -86,8 +85,7 @@ private:
         return count;
     }
 
-    // --- what a statement ends with
-    // ------------------------------------------------------------------------------------------
+    // --- final result of a statement
 
     void found(StatementIndex statement) {
         const Sentence sentence = telling_.message(statement).sentence;
@@ -108,7 +106,7 @@ private:
                 if (applied.force_statement == statement)
                     forces_.force_found(statement, body, applied, &bodies == &solution_.free_bodies);
     }
-    /// Over all of them, and what comes of them.
+    /// Sums over all forces, and results from them.
     void add_sums_of_forces() {
         for (const Resultant& resultant : solution_.resultants) forces_.left_over(resultant);
         if (solution_.truss)

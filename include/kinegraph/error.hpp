@@ -1,9 +1,9 @@
 /// \file
-/// Languages, texts and diagnostics: what the library says, and how a function fails.
+/// Languages, texts and diagnostics.
 ///
-/// A function that can fail for a reason of its caller's or of the user's file returns Expected<T>: the value, or
-/// every fault that was found, each with its place. A fault of the library itself throws an exception derived from
-/// std::logic_error; a program reports it and ends what it was doing. Memory that cannot be had throws std::bad_alloc.
+/// A function that can fail because of its caller or of the user's file returns Expected<T>: the value, or all faults
+/// found, each with its place. A fault of the library itself throws an exception derived from std::logic_error; a
+/// program should report it and stop the current work. Lack of memory throws std::bad_alloc.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace kinegraph {
 
-/// The languages of sentences, sheets and messages.
+/// Languages of sentences, sheets and messages.
 enum class Language {
     en,  ///< English
     it   ///< Italian
@@ -30,22 +30,22 @@ struct Text {
 
 /// One fault: what is wrong, where, and what to do.
 struct Diagnostic {
-    /// What kind of fault it is. The command line's exit statuses follow from it.
+    /// The kind of fault. The command line's exit statuses follow from it.
     enum class Kind {
         bad_input,         ///< the file or the arguments are wrong
-        cannot_meet,       ///< curves that should meet do not
+        cannot_meet,       ///< curves that should meet do not meet
         no_unique_answer,  ///< a dead point, a change point, or a mechanism that cannot move
-        output             ///< a library or a font that drawing needs is missing
+        output             ///< a library or a font needed for drawing is missing
     };
     Kind kind = Kind::bad_input;  ///< the kind of the fault
     std::string place;            ///< JSON pointer into the file ("/joints/2/bodies/1"); empty: the whole file
     Text text;                    ///< one line, without the file's name and without a full stop
 };
 
-/// All faults of a file at once, in the file's order; never empty where it is an error.
+/// All faults of a file, in the file's order. Never empty in a failed Expected.
 using Diagnostics = std::vector<Diagnostic>;
 
-/// A value, or the faults for which there is none.
+/// A value, or the faults that prevented it.
 template <class Value>
 using Expected = tl::expected<Value, Diagnostics>;
 

@@ -1,5 +1,5 @@
 /// \file
-/// All of Kinegraph's public face.
+/// The whole public interface of Kinegraph.
 ///
 /// \code
 /// const auto file = kinegraph::MechanismFile::open("four_bar.json");
@@ -9,7 +9,7 @@
 /// \endcode
 #pragma once
 
-/// Planar mechanisms solved by the textbook's constructions, exactly, and drawn to scale.
+/// Planar mechanisms, solved exactly by the textbook's constructions and drawn to scale.
 namespace kinegraph {}
 
 #include <kinegraph/error.hpp>

@@ -1,5 +1,5 @@
 /// \file
-/// The solution of a file: results by name, sentences, the comparison with the numeric check.
+/// The solution of a file: named results, sentences, the comparison with the numeric check.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 namespace kinegraph {
 
 /// \cond private
-/// A state that copies of a value share. The library makes and deletes it and counts its owners. (The standard's
-/// shared_ptr would make every program that includes this header a third larger to compile.)
+/// A reference-counted state that copies of a value share. The library creates, counts and deletes it. (std::shared_ptr
+/// would make every program that includes this header compile a third longer.)
 template <class State>
 class Shared {
 public:
@@ -37,18 +37,17 @@ private:
 };
 /// \endcond
 
-/// A result by its name ("omega 3", "vx B", "F A 3 on 2", "M"), as columns of a sweep and the file's "ask" call it
+/// A named result ("omega 3", "vx B", "F A 3 on 2", "M"). Columns of a sweep and "ask" in a file use the same names
 /// (docs/results.md).
 struct ResultValue {
-    std::string name;                  ///< its name
+    std::string name;                  ///< as in the results file
     double value = 0;                  ///< in SI units; angles in radians; couples and ω counter-clockwise positive
-    double in_file_unit = 0;           ///< the same in the unit that the file tells such quantities in
-    std::string unit;                  ///< that unit: "rad/s", "mm/s"; empty of a bare number
-    std::optional<ExactNumber> exact;  ///< in SI units; none where a root was taken (a length, an angle) or where the
-                                       ///< drawing itself is rounded
+    double in_file_unit = 0;           ///< the value in the unit that the file uses for this quantity
+    std::string unit;                  ///< that unit: "rad/s", "mm/s"; empty for a bare number
+    std::optional<ExactNumber> exact;  ///< in SI units; none for roots (lengths, angles) and rounded drawings
 };
 
-/// A result of the construction beside the same one from the numeric check.
+/// A result of the construction and the same result of the numeric check.
 struct CheckedValue {
     std::string name;       ///< "velocity B x", as in "checks" of the results file
     double graphical = 0;   ///< by the construction, SI
@@ -56,39 +55,39 @@ struct CheckedValue {
     double difference = 0;  ///< graphical − numeric, SI
 };
 
-/// A solved file. An immutable value: copies share it, and several threads may read one at the same time.
+/// A solved file. An immutable value: copies share their state, and several threads may read the same one.
 ///
-/// What a mechanism does not determine (a dead point, too few equations) is no error: it is listed by unsolved() with
-/// the reason, and everything else is there.
+/// A result that the mechanism does not determine (a dead point, too few equations) is not an error: unsolved() lists
+/// it with the reason, and all other results are available.
 class Solved {
 public:
-    /// A result that was sought and has no unique answer.
+    /// A result without a unique value.
     struct Missing {
         Text what;    ///< the result
-        Text reason;  ///< why there is none
+        Text reason;  ///< why it has no unique value
     };
 
-    /// All results in the order of the results file, lengths of vectors among them. Never NaN or infinite.
+    /// All results in the order of the results file, including lengths of vectors. Never NaN or infinite.
     std::vector<ResultValue> values() const;
-    /// The result of that name; none where the solution holds no such result.
+    /// The result with that name; none if it does not exist.
     std::optional<ResultValue> value(std::string_view name) const;
-    /// A vector by its name ("v B", "a B", "F A 3 on 2"): x and y in SI units, the results "vx B" and "vy B"; none
-    /// where there is no vector of that name.
+    /// A vector by its name ("v B", "a B", "F A 3 on 2"): x and y in SI units, the results "vx B" and "vy B"; none if
+    /// it does not exist.
     std::optional<std::array<double, 2>> vector(std::string_view name) const;
     /// The sentences of the worked solution, in order.
     std::vector<Text> statements() const;
-    /// What is not determined, with the reason.
+    /// Results that are not determined, with the reason.
     std::vector<Missing> unsolved() const;
-    /// What a reader should know besides: redundant constraints, points that were moved onto curves, bodies that part.
+    /// Remarks: redundant constraints, points that were moved onto curves, bodies that separate.
     std::vector<Text> remarks() const;
-    /// Each result beside the numeric check, which shares nothing with the construction but the file.
+    /// Each result and its value by the numeric check, which shares only the file with the construction.
     std::vector<CheckedValue> checks() const;
 
     /// The results file (docs/results.md): JSON, SI units, the same bytes on every machine. `exact` adds fractions.
     std::string json(bool exact = false) const;
     /// The table of results as plain text for a terminal, UTF-8.
     std::string table(Language language = Language::en) const;
-    /// The closure equations, where they were asked for and the mechanism has loops, as plain text.
+    /// The closure equations as plain text, if SolveOptions::equations was set and the mechanism has loops.
     /// Source of the method: vector loops in complex form (Raven 1958).
     Expected<std::string> equations(Language language = Language::en) const;
 

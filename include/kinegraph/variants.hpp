@@ -1,5 +1,5 @@
 /// \file
-/// Variants of an exercise: the same problem with other numbers, for each student one.
+/// Variants of an exercise: the same problem with different numbers, for example one for each student.
 #pragma once
 
 #include <cstdint>
@@ -15,42 +15,42 @@
 
 namespace kinegraph {
 
-/// One exercise of many.
+/// One variant of an exercise.
 struct ExerciseVariant {
-    std::vector<ParameterValue> values;  ///< of the parameters that vary, in the file's order
-    Solved solved;                       ///< its solution; draw() makes question and solution of it
-    std::vector<ResultValue> asked;      ///< what it asks for; where it asks for nothing, what a reader would ask for
-    std::string file;                    ///< the mechanism file of this variant alone
+    std::vector<ParameterValue> values;  ///< parameters that vary, in the file's order
+    Solved solved;                   ///< its solution; draw() makes both the question and the solution sheet from it
+    std::vector<ResultValue> asked;  ///< the results in "ask"; if the file has none, a default choice
+    std::string file;                ///< the mechanism file of this variant alone
 };
 
-/// The variants of a file with "vary", in the order that a seed gives them. The n-th variant is the same whatever
-/// number is wanted, no two are the same mechanism, and each fulfils the file's conditions ("require"). One thread at a
-/// time may use an object; several objects of one file and seed give the same variants.
+/// The variants of a file with "vary", in an order that depends on the seed only. The n-th variant does not depend on
+/// how many are requested. No two variants are the same mechanism, and each fulfils the file's conditions ("require").
+/// An object may be used by one thread at a time. Several objects with the same file and seed give the same variants.
 class ExerciseVariants {
 public:
-    /// Reads the file. `options` say on which paper a condition on readable polygons must hold. Fails with the faults
-    /// of the file, and where it varies nothing.
+    /// Reads the file. `options` give the paper on which a condition on readable polygons must hold. Fails with the
+    /// faults of the file, and if no parameter varies.
     static Expected<ExerciseVariants> parse(std::string_view text, std::string name, std::uint64_t seed,
                                             const std::vector<ParameterValue>& set = {},
                                             const DrawingOptions& options = {});
-    /// Moves; what was moved from may only be destroyed or assigned to.
+    /// Moves; a moved-from object may only be destroyed or assigned to.
     ExerciseVariants(ExerciseVariants&&) noexcept;
     /// Moves, as the constructor does.
     ExerciseVariants& operator=(ExerciseVariants&&) noexcept;
     ~ExerciseVariants();
 
-    /// The next variant; none where all combinations have been looked at, or 20,000 in a row failed. Fails where the
-    /// file asks for, or compares, what is not there.
+    /// The next variant; none if all combinations have been tried, or 20,000 in a row were rejected. Fails if the file
+    /// asks for or compares a result that does not exist.
     Expected<std::optional<ExerciseVariant>> next();
-    /// How many combinations the file has.
+    /// Number of combinations in the file.
     std::uint64_t combinations() const;
-    /// How many of them have been looked at.
+    /// Number of combinations tried so far.
     std::uint64_t looked_at() const;
 
 private:
     struct State;
     explicit ExerciseVariants(State* state) : state_(state) {}
-    State* state_;  ///< owned; null where it was moved away
+    State* state_;  ///< owned; null after a move
 };
 
 }  // namespace kinegraph

@@ -292,17 +292,17 @@ std::string heading_of(Topic section, Language language) {
 bool is_drawn_for_sought(const Mechanism& mechanism, const Figure& figure) {
     const std::vector<Column> columns = asked_columns(mechanism);
     if (columns.empty() || figure.kind == "mechanism" || figure.kind == "truss") return true;
-    using Kind = Quantity::Kind;
     const bool inertia = mechanism.inertia_forces && !mechanism.masses.empty();
     const auto needs = [&](const Column& column) {
-        const Kind kind = column.quantity.kind;
+        const Quantity::Kind kind = column.quantity.kind;
         const bool is_result = column.kind == Column::Kind::result || column.kind == Column::Kind::along;
-        const bool forces =
-            is_result && (kind == Kind::force || kind == Kind::couple || kind == Kind::effort || kind == Kind::bar);
+        const bool forces = is_result && (kind == Quantity::Kind::force || kind == Quantity::Kind::couple ||
+                                          kind == Quantity::Kind::effort || kind == Quantity::Kind::bar);
         const bool accelerations =
-            is_result && (kind == Kind::alpha || kind == Kind::acceleration || kind == Kind::sliding_acceleration);
-        const bool velocities =
-            is_result && (kind == Kind::omega || kind == Kind::velocity || kind == Kind::sliding_velocity);
+            is_result && (kind == Quantity::Kind::alpha || kind == Quantity::Kind::acceleration ||
+                          kind == Quantity::Kind::sliding_acceleration);
+        const bool velocities = is_result && (kind == Quantity::Kind::omega || kind == Quantity::Kind::velocity ||
+                                              kind == Quantity::Kind::sliding_velocity);
         // Accelerations need ω²r, and inertia forces need accelerations.
         if (figure.kind == "velocity") return velocities || accelerations || (forces && inertia);
         if (figure.kind == "acceleration") return accelerations || (forces && inertia);

@@ -81,7 +81,7 @@ std::vector<Block> bar_lines(const DrawingContext& context, double width) {
     const Columns columns = columns_of(context, width);
     const double si = context.solution.mechanism.units.force.si.to_double();
     // A name too long to stand before the numbers stands above them.
-    constexpr double first_baseline = 3.6, pitch = 3.9, apart = 0.5, room_of_force = 16;
+    constexpr double first_baseline = 3.6, row_pitch = 3.9, apart = 0.5, room_of_force = 16;
     std::vector<Block> lines{head_of(context, width)};
     for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {
         Block row;
@@ -93,7 +93,7 @@ std::vector<Block> bar_lines(const DrawingContext& context, double width) {
                                        context.language));
         const double room = has_plan(context.solution) ? columns.spaces - apart : columns.force_end - room_of_force;
         const bool is_over = context.fonts.width(name, theme.body_text) > room;
-        const double baseline = is_over ? first_baseline + pitch : first_baseline;
+        const double baseline = is_over ? first_baseline + row_pitch : first_baseline;
         set_text(row.marks, line_in_cell(name, theme.body_text, context.fonts, is_over ? width : room),
                  {0, first_baseline}, theme.text, "text");
         if (has_plan(context.solution)) {

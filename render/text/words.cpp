@@ -2083,25 +2083,24 @@ RichText typeset(const Symbol& symbol, Language language) {
 }
 
 RichText typeset(const LineReason& reason, Language language) {
-    using Kind = LineReason::Kind;
-    const bool perpendicular =
-        reason.kind == Kind::perpendicular_to_segment || reason.kind == Kind::perpendicular_to_guide;
-    if (reason.kind == Kind::known) return {piece(word("known", language))};
+    const bool perpendicular = reason.kind == LineReason::Kind::perpendicular_to_segment ||
+                               reason.kind == LineReason::Kind::perpendicular_to_guide;
+    if (reason.kind == LineReason::Kind::known) return {piece(word("known", language))};
     RichText text{piece(perpendicular ? "⟂ " : "∥ ")};
     switch (reason.kind) {
-        case Kind::perpendicular_to_segment:
-        case Kind::parallel_to_segment:
+        case LineReason::Kind::perpendicular_to_segment:
+        case LineReason::Kind::parallel_to_segment:
             append(text, point_name(reason.from));
             append_point(text, point_name(reason.to));
             return text;
-        case Kind::parallel_to_guide:
-        case Kind::perpendicular_to_guide: text.back().text += word("guide", language); break;
-        case Kind::driver_component: text = {piece("⟂ " + word("drive", language))}; break;
-        case Kind::parallel_to_locus: text.back().text += word("locus", language); break;
-        case Kind::given_direction: text.back().text += word("given line", language); break;
-        case Kind::parallel_to_tangent: text.back().text += word("tangent", language); break;
-        case Kind::parallel_to_normal: text.back().text += word("normal", language); break;
-        case Kind::known: break;
+        case LineReason::Kind::parallel_to_guide:
+        case LineReason::Kind::perpendicular_to_guide: text.back().text += word("guide", language); break;
+        case LineReason::Kind::driver_component: text = {piece("⟂ " + word("drive", language))}; break;
+        case LineReason::Kind::parallel_to_locus: text.back().text += word("locus", language); break;
+        case LineReason::Kind::given_direction: text.back().text += word("given line", language); break;
+        case LineReason::Kind::parallel_to_tangent: text.back().text += word("tangent", language); break;
+        case LineReason::Kind::parallel_to_normal: text.back().text += word("normal", language); break;
+        case LineReason::Kind::known: break;
     }
     if (reason.from.empty()) return text;
     // A name that states its kind needs no word before it: "∥ guide 2".

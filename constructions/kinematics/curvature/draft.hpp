@@ -1,5 +1,4 @@
-// The curvature of all bodies while it is drawn: what is found of each, and how it is named and said. Knows no
-// construction.
+// The curvature of all bodies during its construction: what is found for each body, its names and sentences.
 #pragma once
 
 #include <optional>
@@ -25,7 +24,7 @@ public:
     struct State {
         bool solved = false;
         Curvature result;
-        std::optional<Place> pole, inflection_pole;  ///< inflection pole: where the pole moves
+        std::optional<Place> pole, inflection_pole;  ///< `inflection_pole` only if the pole moves
     };
 
     CurvatureDraft(Structure& structure, Board& board, const Motion& motion);
@@ -37,13 +36,12 @@ public:
     const Motion& motion;
 
     State& of(BodyIndex body) { return bodies_[at_index(body)]; }
-    /// Of the bodies that were solved, in the file's order; ends the draft.
+    /// The results of the solved bodies, in the file's order; call last.
     std::vector<Curvature> take_results();
 
-    // What is known of the motion.
-    /// A point of the file whose velocity is known; none: there is none.
+    /// A point of the file with known velocity, or none.
     NodeIndex base_of(BodyIndex body) const;
-    /// Velocities and accelerations, with ω and α.
+    /// Whether velocities and accelerations, with ω and α, are known.
     bool is_known(BodyIndex body) const;
     bool is_on_frame(NodeIndex node) const;
     VectorOn<Plane::velocity> velocity(NodeIndex node) {
@@ -54,7 +52,6 @@ public:
     }
     bool rests(NodeIndex node) { return is_on_frame(node) || board.is_zero(velocity(node)); }
 
-    // Names and sentences.
     BodyName name(BodyIndex body) const { return {structure.body_name(body)}; }
     Symbol symbol_of_pole(BodyIndex body) const;
     const std::string& name_of(PointIndex point) const { return mechanism.point(point).name; }
@@ -62,13 +59,12 @@ public:
     std::string free_name(const std::string& letter) const;
     StatementIndex say(BodyIndex body, Sentence sentence, std::vector<Argument> arguments, const char* source = "");
 
-    // What is found.
-    /// The points that a body carries by the file, in its order.
+    /// The points that a body carries in the file, in its order.
     std::vector<NodeIndex> paths_of(BodyIndex body) const;
-    /// The result of a point's path, its centre still to be found.
+    /// Adds the result of a point's path, without its centre.
     PathCentre& add_path(BodyIndex body, NodeIndex node);
     static void set_pole(State& state, Place pole);
-    /// With what follows from it: the circle's centre and the pole tangent, ⟂ to the diameter.
+    /// Also sets the circle's centre and the pole tangent, ⟂ to the diameter.
     void set_inflection_pole(State& state, Place end);
 
 private:

@@ -19,7 +19,7 @@ bool InflectionCircle::by_known_paths(BodyIndex body) {
 
 bool InflectionCircle::rays_meet(const KnownPath& a, const KnownPath& b) {
     const Board::Mark before = board_.mark();
-    // Two circles about one centre are those of a body that turns about it.
+    // If both circles have the same centre, the body turns about it.
     const bool same_centre = board_.coincide(a.centre, b.centre);
     const auto met = board_.meet(board_.join(a.place, a.centre), board_.join(b.place, b.centre));
     const bool meets = !same_centre && met && !board_.is_at_infinity(*met) && !board_.coincide(*met, a.place) &&
@@ -72,12 +72,12 @@ void InflectionCircle::draw_pole_tangent(BodyIndex body, const KnownPath& a, con
     draw_inflection_pole(body, a, b, normal);
 }
 
-/// Euler and Savary on the first ray whose centre is not the pole: AW = AP²/AA₀, and the angle at W is a right one.
+/// Euler–Savary on the first ray whose centre is not the pole: AW = AP²/AA₀; the angle at W is right.
 void InflectionCircle::draw_inflection_pole(BodyIndex body, const KnownPath& a, const KnownPath& b, Line normal) {
     State& state = draft_.of(body);
     const Place pole = *state.pole;
     const bool far = a.centre_name.empty();
-    // A point on the pole tangent has its centre in the pole, and its ray says nothing of the diameter.
+    // A point on the pole tangent has its centre in the pole, so its ray does not give the diameter.
     const KnownPath& path = !far && board_.coincide(a.centre, pole) ? b : a;
     const bool straight = path.centre_name.empty();
     state.result.inflection_name = draft_.free_name("J");

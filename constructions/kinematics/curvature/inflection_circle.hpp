@@ -13,10 +13,9 @@ public:
     InflectionCircle(CurvatureDraft& draft, KnownPaths& known, SimpleBodies& simple)
         : draft_(draft), board_(draft.board), known_(known), simple_(simple) {}
 
-    /// By two points whose paths are known and whose rays differ. False: there are none.
+    /// From two points with known paths and different rays. False if there are none.
     bool by_known_paths(BodyIndex body);
-    /// P = A + z∧v_A/ω, J = P + a_P/ω², a_P = a_A + α z∧AP − ω² AP. A body whose pole has no acceleration turns about
-    /// it.
+    /// P = A + z∧v_A/ω, J = P + a_P/ω², a_P = a_A + α z∧AP − ω² AP. If a_P = 0 the body turns about P.
     void by_acceleration(BodyIndex body);
 
 private:

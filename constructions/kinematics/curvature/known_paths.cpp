@@ -27,7 +27,7 @@ KnownPath KnownPaths::straight_path(PointIndex point, DirectionHandle along) {
     return {point, draft_.name_of(point), "", board_.place(point), board_.at_infinity(board_.perpendicular(along))};
 }
 
-/// By a pin: the other body turns about a hinge of the frame, slides on it, or was solved before.
+/// By a pin: the other body turns about a hinge of the frame, slides on it, or is solved already.
 std::optional<KnownPath> KnownPaths::by_pin(NodeIndex node, BodyIndex body) {
     const Node& here = draft_.structure.node(node);
     for (const BodyIndex other : here.bodies) {
@@ -42,7 +42,7 @@ std::optional<KnownPath> KnownPaths::by_pin(NodeIndex node, BodyIndex body) {
     return std::nullopt;
 }
 
-/// A pin in a slot of the frame, a round profile on one of the frame's.
+/// A pin in a slot of the frame, or a circular profile on a profile of the frame.
 std::optional<KnownPath> KnownPaths::by_frame(const Passage& passage) {
     if (passage.other != frame || passage.inverse) return std::nullopt;
     const Joint& joint = draft_.mechanism.joint(passage.joint);

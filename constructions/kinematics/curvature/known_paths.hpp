@@ -1,4 +1,4 @@
-// Paths whose centres of curvature are known before the body's own motion is: by pins of bodies solved before, by
+// Paths whose centres of curvature are known before the body's own motion: of pins on bodies solved earlier, and by
 // guides and slots of the frame.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace kinegraph::curvature {
 /// A moving point of a body and the centre of curvature of its path; the pole lies on the line through both.
 struct KnownPath {
     PointIndex point = none;
-    std::string label, centre_name;  ///< no centre's name where it lies at infinity
+    std::string label, centre_name;  ///< `centre_name` is empty if the centre is at infinity
     Place place, centre;
 };
 
@@ -22,7 +22,7 @@ public:
     explicit KnownPaths(CurvatureDraft& draft) : draft_(draft), board_(draft.board) {}
 
     std::vector<KnownPath> of(BodyIndex body);
-    /// Of one point, what a ray of the body or another body's pin says already.
+    /// The path of one point, if a guide or slot of the frame, or a pin of another body, gives it.
     std::optional<KnownPath> of_point(NodeIndex node, BodyIndex body);
 
 private:

@@ -24,7 +24,7 @@ void PathCentres::draw(BodyIndex body) {
     draw_envelopes(body);
 }
 
-/// H = P + z∧PJ·ω²/α; the foot of P on JH lies on both circles.
+/// H = P + z∧PJ·ω²/α. The foot of P on JH lies on both circles.
 void PathCentres::draw_acceleration_pole(BodyIndex body) {
     State& state = draft_.of(body);
     Curvature& result = state.result;
@@ -53,8 +53,8 @@ void PathCentres::draw_acceleration_pole(BodyIndex body) {
     result.acceleration_pole = Recorded<Vector>::at(foot->element);
 }
 
-/// Hartmann, both velocities over ω: the tips of z∧PC at C and of its share for the pole, z∧PW at P, are joined. W is
-/// the foot of J on the ray.
+/// Hartmann, with both velocities divided by ω: the line through the tips of z∧PC at C and of the pole's component z∧PW
+/// at P passes through the centre of curvature. W is the foot of J on the ray.
 void PathCentres::draw_path(BodyIndex body, NodeIndex node) {
     const State& state = draft_.of(body);
     const Place pole = *state.pole, place = draft_.diagram.place(node);
@@ -90,8 +90,8 @@ void PathCentres::draw_path(BodyIndex body, NodeIndex node) {
     path.centre = Recorded<ProjectivePoint>::at(centre->element);
 }
 
-/// Of straight guides, slots and profiles that the body carries: their centre lies as far beyond the pole as the foot
-/// of J on the normal lies before it.
+/// For straight guides, slots and profiles on the body: with F the foot of J on the normal, the pole is the middle of F
+/// and the centre of curvature.
 void PathCentres::draw_envelopes(BodyIndex body) {
     for (const JointIndex index : indices_of(draft_.mechanism.joints)) {
         const Joint& joint = draft_.mechanism.joint(index);

@@ -1,5 +1,5 @@
-// What follows from pole and inflection circle: the acceleration pole (Bresse), the centre of curvature of any point's
-// path (Hartmann) and of the envelope of a straight line.
+// Results of the pole and inflection circle: the acceleration pole (Bresse), the centres of curvature of points' paths
+// (Hartmann) and of straight lines' envelopes.
 #pragma once
 
 #include "constructions/kinematics/curvature/draft.hpp"
@@ -11,7 +11,7 @@ class PathCentres {
 public:
     PathCentres(CurvatureDraft& draft, KnownPaths& known) : draft_(draft), board_(draft.board), known_(known) {}
 
-    /// Of a body that has an inflection circle.
+    /// For a body that has an inflection circle.
     void draw(BodyIndex body);
 
 private:

@@ -45,7 +45,7 @@ void SimpleBodies::turn_about(BodyIndex body, Place pole, Argument name_of_pole,
     }
 }
 
-/// Of a body that translates the accelerations alone tell the curvature: κ = v ∧ a / v³.
+/// If a body translates, only the accelerations give the curvature: κ = v ∧ a / v³.
 void SimpleBodies::translate(BodyIndex body, NodeIndex base) {
     CurvatureDraft::State& state = draft_.of(body);
     state.result.kind = Kind::translation;

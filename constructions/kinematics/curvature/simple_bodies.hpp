@@ -1,4 +1,4 @@
-// Bodies whose curvature is seen without pole tangent: at rest, in translation, turning about a place that stays.
+// Bodies whose curvature needs no pole tangent: at rest, in translation, or turning about a fixed place.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ class SimpleBodies {
 public:
     explicit SimpleBodies(CurvatureDraft& draft) : draft_(draft), board_(draft.board) {}
 
-    /// Rest, translation, and turning about a hinge of the frame. False: the body is none of these.
+    /// Handles rest, translation, and rotation about a hinge of the frame. False: none of these.
     bool settle(BodyIndex body);
-    /// `name_of_pole` in the sentence; `centre`: the pole's name where the file has one.
+    /// `name_of_pole` is for the sentence; `centre` is the pole's name in the file, or empty.
     void turn_about(BodyIndex body, Place pole, Argument name_of_pole, const std::string& centre);
 
 private:

@@ -26,7 +26,7 @@ void Agreement<plane>::verify(State<plane>& state, std::size_t index) {
 
 template <Plane plane>
 void Agreement<plane>::differ(State<plane>& state, NodeIndex first, NodeIndex second) {
-    if (first == none) return miss(state, second, first);  // an auxiliary place is none of the file's
+    if (first == none) return miss(state, second, first);  // an auxiliary place is not a point of the file
     state.contradicted = true;
     const Segment segment{act_.node(first).label, act_.node(second).label};
     if constexpr (is_velocity<plane>) {
@@ -37,7 +37,7 @@ void Agreement<plane>::differ(State<plane>& state, NodeIndex first, NodeIndex se
         const auto line = board_.join(from, to);
         const auto join = board_.vector(from, to);
         const auto projection = [&](PointOn<Plane::drawing> place, NodeIndex index) {
-            // A second for the velocities' tips in the drawing; projections go with it.
+            // Velocities are drawn with a time scale of one second; the projections too.
             const auto tip =
                 board_.carry(place, board_.scale<Plane::drawing>(board_.number(1), vector_of(state, index)));
             const auto foot = board_.meet(board_.through(tip, board_.perpendicular(board_.direction(join))), line);
@@ -45,7 +45,7 @@ void Agreement<plane>::differ(State<plane>& state, NodeIndex first, NodeIndex se
             return board_.vector(place, *foot);
         };
         const auto of_first = projection(from, first), of_second = projection(to, second);
-        // How large they are is said once the record is read.
+        // The values are added once the record is evaluated.
         act_.result.figure.differing = {act_.node(first).point,
                                         act_.node(second).point,
                                         Recorded<Vector>::at(of_first.element),

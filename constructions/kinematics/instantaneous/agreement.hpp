@@ -1,4 +1,4 @@
-// Whether what is given once more agrees with what is known, and how it is said that it does not.
+// Whether redundant data agree with what is already known, and the sentences if they do not.
 #pragma once
 
 #include "constructions/kinematics/instantaneous/draft.hpp"
@@ -10,18 +10,18 @@ class Agreement {
 public:
     explicit Agreement(ActDraft& act) : act_(act), board_(act.board) {}
 
-    /// What is given once more must be what the body has there.
+    /// Compares a given vector or direction with the one that the body has there.
     void verify(State<plane>& state, std::size_t index);
-    /// Two points whose vectors no rigid body has: their projections on the join differ (of accelerations by other than
-    /// ω²·XY).
+    /// Reports two points with vectors that no rigid body has: their projections on the join differ (for accelerations
+    /// by other than ω²·XY).
     void differ(State<plane>& state, NodeIndex first, NodeIndex second);
     void miss(State<plane>& state, NodeIndex index, NodeIndex against);
 
 private:
-    /// With which of the points before does it disagree? One of them shows it by projections, unless all lie on one
+    /// Finds an earlier point that shows the disagreement by projections. There is one unless all points lie on one
     /// line.
     void disagree(State<plane>& state, std::size_t index);
-    /// The vector given at a point; of a direction ⟂ to the join nothing projects.
+    /// The vector given at a point. A direction ⟂ to the join has no projection on it.
     VectorOn<Plane::velocity> vector_of(const State<Plane::velocity>& state, NodeIndex index);
 
     ActDraft& act_;

@@ -34,7 +34,7 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
     if (board_.is_zero(v_second)) return centre_at_rest(second);
     const auto other = act_.place(second);
     if (board_.parallel(board_.direction(v_base), board_.direction(v_second))) {
-        // Rigid and turning, they are ⟂ to the join: speeds go with the distance from the centre.
+        // The body turns, so velocities ⟂ to the join are proportional to the distance from the centre.
         const StatementIndex statement = act_.begin_centre(Sentence::act_tips, {}, "Euler–Chasles");
         const auto tip = [&](PointOn<Plane::drawing> from, VectorOn<Plane::velocity> velocity) {
             return board_.carry(from, board_.scale<Plane::drawing>(board_.number(1), velocity));

@@ -1,5 +1,4 @@
-// The place of the body that is at rest, by a construction that suits the velocities at hand; and the place without
-// acceleration.
+// The instant centre of the body, by a construction that suits the given velocities; and the acceleration pole.
 #pragma once
 
 #include "constructions/kinematics/instantaneous/draft.hpp"
@@ -10,9 +9,9 @@ class Centre {
 public:
     explicit Centre(ActDraft& act) : act_(act), board_(act.board) {}
 
-    /// The place of the body that is at rest, by a construction that suits the velocities at hand.
+    /// The place of the body with zero velocity.
     void locate_centre(State<Plane::velocity>& state);
-    /// The place K without acceleration: AK = (ω² a_A + α z∧a_A) : (ω⁴ + α²).
+    /// The place K with zero acceleration: AK = (ω² a_A + α z∧a_A) : (ω⁴ + α²).
     void locate_acceleration_centre(const State<Plane::acceleration>& state);
 
 private:

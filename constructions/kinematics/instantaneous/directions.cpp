@@ -118,7 +118,7 @@ void Directions<plane>::spin_from_parallels(State<plane>& state, const Given<pla
             Sentence::alpha_from_parallels,
             {act_.spin<plane>(), Segment{act_.node(first.node).label, act_.node(second.node).label}, act_.body()},
             "Rivals");
-        // From a place of the first locus, the line ⟂ to the join meets the second.
+        // From a place of the first locus, the line ⟂ to the join meets the second locus.
         const auto pole = board_.pole<plane>();
         const auto along = board_.direction(first.vector);
         const auto locus = board_.through(pole, along);

@@ -1,5 +1,4 @@
-// Directions alone: two whose perpendiculars meet give a place whose vector is known, parallel ones the spin; what a
-// third one adds.
+// The spin and a vector from directions only.
 #pragma once
 
 #include "constructions/kinematics/instantaneous/agreement.hpp"
@@ -12,12 +11,12 @@ class Directions {
 public:
     Directions(ActDraft& act, Agreement<plane>& agreement) : act_(act), board_(act.board), agreement_(agreement) {}
 
-    /// Directions alone. Where the perpendiculars to two of them meet, a place of the body has both projections known:
-    /// of velocities it is the centre, at rest; of accelerations Assur's auxiliary point. Parallel ones give the spin.
+    /// Two directions. If their perpendiculars meet, both projections of that place are known: for velocities it is the
+    /// instant centre, for accelerations Assur's auxiliary point. If they are parallel, they give the spin.
     void combine_directions(State<plane>& state);
-    /// The spin is known from two parallel directions, a vector from a third that is not parallel to them.
+    /// The spin is known from two parallel directions; a third direction, not parallel to them, gives a vector.
     void take_second_direction(State<plane>& state, std::size_t index);
-    /// A third perpendicular that does not pass through the centre of the first two: only rest has these directions.
+    /// The third perpendicular does not pass through the centre of the first two, so the body is at rest.
     void rest_by_lines(State<plane>& state, NodeIndex index);
 
 private:

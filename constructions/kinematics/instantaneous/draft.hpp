@@ -1,5 +1,5 @@
-// The act of motion of a body while it is drawn: what each plane has told so far, the symbols and strokes that all of
-// its parts need, what two points of a rigid body have in common. It knows no construction.
+// The instantaneous motion of a body during its construction: what is known in each plane, the symbols and drawing
+// functions that all parts use, relations of two points of a rigid body.
 #pragma once
 
 #include <optional>
@@ -17,15 +17,15 @@ namespace kinegraph::act {
 
 inline std::size_t at(auto index) { return at_index(index); }
 
-/// What the file says of one point.
+/// The given vector or direction of one point.
 template <Plane plane>
 struct Given {
     NodeIndex node = none;
-    bool whole = true;       ///< else `vector` is its direction only
-    VectorOn<plane> vector;  ///< not zero where it is a direction
+    bool whole = true;       ///< false: `vector` is a direction only
+    VectorOn<plane> vector;  ///< not zero if it is a direction
 };
 
-/// A place of the body whose vector is known: a point of the file, or Assur's auxiliary one (node none).
+/// A place of the body with a known vector: a point of the file, or Assur's auxiliary one (node none).
 template <Plane plane>
 struct Base {
     NodeIndex node = none;
@@ -34,14 +34,14 @@ struct Base {
     PointOn<plane> tip;
 };
 
-/// What one plane has told so far.
+/// What is known in one plane so far.
 template <Plane plane>
 struct State {
     Track<plane>& track;
     std::vector<Given<plane>> given;
-    std::vector<bool> used;  ///< by `given`: a construction went on with it
+    std::vector<bool> used;  ///< by `given`: whether a construction used it
     std::optional<Base<plane>> base;
-    NodeIndex second = none;  ///< the point that gave the spin together with the base
+    NodeIndex second = none;  ///< the point that, with the base, gave the spin
     bool contradicted = false;
 
     explicit State(Track<plane>& of) : track(of) {}
@@ -90,7 +90,6 @@ public:
     void unsolved(Message what, Message why) { result.unsolved.push_back({std::move(what), std::move(why)}); }
     std::string free_name(const std::string& letter) const { return kinegraph::free_name(mechanism, letter); }
 
-    // Symbols.
     template <Plane plane>
     Symbol absolute(const std::string& label, std::string term = {}) const {
         return motion_symbol<plane>(label, std::move(term));
@@ -110,7 +109,7 @@ public:
     Symbol symbol_of_centre() {
         return centre_symbol(structure.mechanism(), frame, body_index, centre && board.is_at_infinity(*centre));
     }
-    /// In what words the direction given at a point is named.
+    /// How a sentence names the direction given at a point.
     template <Plane plane>
     LineReason reason_of(const Given<plane>& given) const {
         return {LineReason::Kind::given_direction, node(given.node).label, {}};
@@ -120,18 +119,17 @@ public:
         return {LineReason::Kind::perpendicular_to_segment, base.label, node(index).label};
     }
 
-    // Drawing.
     template <Plane plane>
     StatementIndex begin(Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
         return state<plane>(board, sentence, std::move(arguments), std::move(source));
     }
-    /// A sentence by which the centre, or that it lies at infinity, is known.
+    /// A sentence that gives the centre, or states that it is at infinity.
     StatementIndex begin_centre(Sentence sentence, std::vector<Argument> arguments, std::string source) {
         const StatementIndex statement = begin<Plane::velocity>(sentence, std::move(arguments), std::move(source));
         if (result.figure.centre_statement == none) result.figure.centre_statement = statement;
         return statement;
     }
-    /// A sentence that ends with the body's ω or α.
+    /// A sentence whose result is the body's ω or α.
     template <Plane plane>
     void begin_spin(Sentence sentence, std::vector<Argument> arguments, std::string source) {
         const StatementIndex statement = begin<plane>(sentence, std::move(arguments), std::move(source));
@@ -170,8 +168,7 @@ public:
         return state.track.turns(body_index);
     }
 
-    // Two points of a rigid body.
-    /// a_YX^n = −ω²·XY, for accelerations of a body that turns.
+    /// a_YX^n = −ω²·XY for accelerations; none for velocities and if ω = 0.
     template <Plane plane>
     std::optional<VectorOn<plane>> normal(PointOn<Plane::drawing> from, PointOn<Plane::drawing> to) {
         if constexpr (is_velocity<plane>) {
@@ -182,7 +179,7 @@ public:
             return board.scale<plane>(board.product(omega, omega), board.vector(to, from));
         }
     }
-    /// Where the tip of Y's vector would be but for the part ⟂ XY.
+    /// The tip of Y's vector without its part ⟂ XY.
     template <Plane plane>
     PointOn<plane> without_tangential(const Base<plane>& base, PointOn<Plane::drawing> place) {
         const auto part = normal<plane>(base.place, place);
@@ -199,7 +196,7 @@ public:
     PointOn<plane> tip_of(const Given<plane>& given) {
         return board.carry(board.pole<plane>(), given.vector);
     }
-    /// Whether two whole vectors differ by a part ⟂ to the join of their places, normal part aside.
+    /// Whether two whole vectors differ only by a part ⟂ to the join of their places, apart from the normal part.
     template <Plane plane>
     bool fits_rigid(const Base<plane>& base, PointOn<Plane::drawing> place, PointOn<plane> tip) {
         const auto rest = board.vector(without_tangential(base, place), tip);

@@ -16,7 +16,7 @@ void Settling<plane>::settle(State<plane>& state) {
     for (std::size_t i = 0; i < state.given.size() && !state.contradicted; ++i) {
         if (!state.given[i].whole && !state.used[i]) take_direction(state, i);
     }
-    // What was of no use yet must agree with what was found after it.
+    // Data not used so far must agree with the result.
     for (std::size_t i = 0; i < state.given.size() && !state.contradicted; ++i) {
         if (!state.used[i] && state.base && act_.turns(state)) agreement_.verify(state, i);
     }
@@ -76,7 +76,8 @@ void Settling<plane>::take_spin(State<plane>& state, NodeIndex index, PointOn<pl
                          is_velocity<plane> ? DrawnVector::Role::relative : DrawnVector::Role::tangential);
     }
     if (vanishes && is_velocity<plane>) {
-        state.track.spins[at(act_.body_index)] = board_.number(0);  // said with the centre: a translation, or rest
+        // the sentence of the centre says it: a translation, or rest
+        state.track.spins[at(act_.body_index)] = board_.number(0);
     } else {
         act_.begin_spin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
                                {act_.spin<plane>(), act_.relative(index, base, is_velocity<plane> ? "" : "t"),
@@ -109,7 +110,7 @@ void Settling<plane>::take_direction(State<plane>& state, std::size_t index) {
     const auto across_join = board_.perpendicular(board_.direction(board_.vector(base.place, here)));
     const PointOn<plane> start = act_.without_tangential(base, here);
     if (board_.parallel(across_join, along)) {
-        // Its projection on the join is zero whatever its size: it says nothing more, or what cannot be.
+        // Its projection on the join is zero for any magnitude: the direction is redundant or contradictory.
         if (!board_.on_line(start, board_.through(board_.pole<plane>(), along)))
             agreement_.differ(state, base.node, given.node);
         return;

@@ -1,4 +1,4 @@
-// From what is given to one vector and the spin: whole vectors first, then directions beside them (Rivals).
+// From the data to one vector and the spin: whole vectors first, then directions combined with them (Rivals).
 #pragma once
 
 #include "constructions/kinematics/instantaneous/directions.hpp"
@@ -14,16 +14,17 @@ public:
     void settle(State<plane>& state);
 
 private:
-    /// What contradicts itself is no result; the polygon keeps what was drawn of it.
+    /// Discards the result of contradictory data; the polygon keeps what was drawn.
     void forget(State<plane>& state);
     void take_whole(State<plane>& state, std::size_t index);
-    /// Two whole vectors: what remains of their difference, ⟂ to the join, is the spin's.
+    /// Two whole vectors: the part of their difference ⟂ to the join gives the spin.
     void take_pair(State<plane>& state, std::size_t index);
     /// ω = v_YX / XY, α = a_YX^t / XY; the parts are drawn from the base's tip.
     void take_spin(State<plane>& state, NodeIndex index, PointOn<plane> tip);
-    /// A direction is of use beside a known vector: from its tip ⟂ to the join, from the pole along the direction.
+    /// A direction together with a known vector: the line from its tip ⟂ to the join meets the line from the pole along
+    /// the direction.
     void take_direction(State<plane>& state, std::size_t index);
-    /// v_Y = v_X + v_YX, a_Y = a_X + a_YX^n + a_YX^t, of v_Y the direction known.
+    /// v_Y = v_X + v_YX, a_Y = a_X + a_YX^n + a_YX^t, with known direction of v_Y (a_Y).
     Equation equation(const State<plane>& state, const Given<plane>& given, bool has_normal) const;
 
     ActDraft& act_;

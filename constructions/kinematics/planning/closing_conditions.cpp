@@ -9,7 +9,7 @@ std::optional<Closing> ClosingConditions::moved_condition(std::size_t assumed) {
     std::size_t steps = known_.plan().steps.size();
     Track<Plane::velocity> moved = draw_response(structure_, board_, known_.plan(), assumed);
     std::vector<Closing> all = conditions(moved);
-    // Looking for them may have made places known that the drawing does not show yet.
+    // The search may have added known places that the response does not contain yet.
     while (known_.plan().steps.size() > steps) {
         steps = known_.plan().steps.size();
         moved = draw_response(structure_, board_, known_.plan(), assumed);

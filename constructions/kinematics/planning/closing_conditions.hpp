@@ -1,5 +1,5 @@
-// What the bodies reached must fulfil, and which of it an assumption moves: that is asked of the drawing itself, with
-// all drivers at rest.
+// Conditions that the motion found so far must fulfil, and which of them an assumption changes. The latter is tested on
+// the drawing itself, with all drivers at rest.
 #pragma once
 
 #include <cstddef>
@@ -22,20 +22,20 @@ public:
           known_(known),
           loci_(loci) {}
 
-    /// Of the conditions that the drawing breaks, one whose line stays where it is, else the first.
+    /// One of the conditions that the assumption breaks: one whose line stays fixed if there is one, else the first.
     std::optional<Closing> moved_condition(std::size_t assumed);
-    /// The same at a slide whose place is not seen yet on both of its bodies, though both are known.
+    /// The same at a slide whose contact place is not yet known on both bodies, though the motion of both is.
     std::optional<Closing> moved_condition_at(JointIndex index, std::size_t assumed);
 
 private:
-    /// Makes the places by which a joint holds its two known bodies known on both; false where it is no slide and no
-    /// higher pair.
+    /// Makes the contact places of a joint known on both of its known bodies; false if it is not a slide or higher
+    /// pair.
     bool see_places_of(JointIndex index);
-    /// All that the bodies reached must fulfil; most of it does by the way it was drawn.
+    /// All conditions on the known bodies. Most hold by construction.
     std::vector<Closing> conditions(const Track<Plane::velocity>& moved);
-    /// Two points of a body: equal projections on their join and, where ω is known, the image ⟂ to it.
+    /// Two points of a body have equal projections on their join; if ω is known, also the part ⟂ to it follows (image).
     void add_rigidity(BodyIndex body, const Track<Plane::velocity>& moved, std::vector<Closing>& found);
-    /// Points in contact in rolling: alike along the tangent and along the normal.
+    /// Points in rolling contact have equal components along the tangent and along the normal.
     void add_rollings(const Track<Plane::velocity>& moved, std::vector<Closing>& found);
     void add_driven_slides(const Track<Plane::velocity>& moved, std::vector<Closing>& found);
     void add_equal_spins(BodyIndex body, const Track<Plane::velocity>& moved, std::vector<Closing>& found);

@@ -1,5 +1,4 @@
-// How far a plan has come: its steps, and which nodes and bodies they reach. Knows how a point of a known body is
-// reached, no rule.
+// The progress of a plan: its steps, and the nodes and bodies they determine.
 #pragma once
 
 #include <cstddef>
@@ -20,24 +19,24 @@ public:
         Structure::Mark mark;
     };
 
-    /// The frame is known.
+    /// Starts with only the frame known.
     KnownMotion(Structure& structure, Board& board);
 
     Plan& plan() { return plan_; }
     const Plan& plan() const { return plan_; }
     SpaceDiagram& diagram() { return diagram_; }
-    /// By NodeIndex: how many loci it had when all were found parallel.
+    /// By NodeIndex: number of loci when all were found parallel; none is tried again before there are more.
     std::vector<std::size_t>& parallel_at() { return parallel_at_; }
 
     bool known(NodeIndex node) const { return at(node) < plan_.nodes.size() && plan_.nodes[at(node)]; }
     bool body_known(BodyIndex body) const { return plan_.bodies[at(body)]; }
     bool spin_known(BodyIndex body) const { return plan_.spins[at(body)]; }
-    /// Makes room for nodes added since.
+    /// Resizes the plan for nodes added since.
     void sync();
-    /// The node of a point on a body, known if it can be: on a body wholly known by an image step of its own.
+    /// The node of a point on a body. If the body's motion is known, adds an image step that makes the node known.
     NodeIndex known_on(PointIndex point, BodyIndex body);
     void add_step(const Step& step) { plan_.steps.push_back(step); }
-    /// The best node to turn the image about: one at rest, else the first known.
+    /// The node about which to draw the image: one at rest if there is one, else the first known.
     NodeIndex base_of(BodyIndex body, NodeIndex except) const;
     bool apart(NodeIndex a, NodeIndex b) { return !board_.coincide(diagram_.place(a), diagram_.place(b)); }
     bool are_parallel(const Locus& one, const Locus& other);
@@ -48,7 +47,7 @@ public:
 
 private:
     Structure& structure_;
-    Board& board_;  ///< the scratch paper
+    Board& board_;  ///< the scratch board
     SpaceDiagram diagram_;
     Plan plan_;
     std::vector<std::size_t> parallel_at_;

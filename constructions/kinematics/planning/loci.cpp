@@ -40,7 +40,7 @@ std::vector<Locus> Loci::loci_of(NodeIndex node, BodyIndex except) {
         std::vector<Locus> there;
         own_loci(reached.node, reached.node == node ? except : none, there);
         for (Locus& locus : there) {
-            // A sleeve of a body whose ω is known holds every one of its points alike: nothing new.
+            // A sleeve of a body with known ω constrains all its points alike, so a carried locus is redundant.
             const bool repeats = std::any_of(reached.carries.begin(), reached.carries.end(), [&](const Carry& carry) {
                 return carry.kind == Carry::Kind::image && carry.body == locus.body;
             });
@@ -82,7 +82,7 @@ void Loci::add_passage(const Passage& passage, NodeIndex node, BodyIndex body, s
         case Passage::Kind::slot: locus.kind = Locus::Kind::slot; break;
         case Passage::Kind::link:
             locus.kind = Locus::Kind::link;
-            locus.inverse = false;  // a link is seen from either end alike
+            locus.inverse = false;  // a link looks the same from both ends
             break;
         case Passage::Kind::tangent: locus.kind = Locus::Kind::tangent; break;
         case Passage::Kind::mesh: locus.kind = Locus::Kind::mesh; break;

@@ -7,8 +7,7 @@
 namespace kinegraph::planning {
 
 std::vector<NodeIndex> Meets::candidates() {
-    // A* of the guide under the slider's pin is the place a book takes; the slider's under the guide's pin serves as
-    // well.
+    // Books use A* of the guide under the slider's pin; the slider's place under the guide's pin is also tried.
     for (const bool on_guide : {true, false}) {
         for (const BodyIndex body : indices_of(mechanism_.bodies)) {
             if (!known_.body_known(body)) add_places_of_slides(body, on_guide);
@@ -18,7 +17,7 @@ std::vector<NodeIndex> Meets::candidates() {
     std::vector<NodeIndex> order;
     for (const NodeIndex node : indices_of(structure_.nodes())) {
         const auto& bodies_there = structure_.node(node).bodies;
-        // On a body wholly known every place is there for the asking.
+        // On a body with known motion every place is known already.
         const bool is_there = std::any_of(bodies_there.begin(), bodies_there.end(),
                                           [&](BodyIndex body) { return known_.body_known(body); });
         if (!known_.known(node) && !is_there) order.push_back(node);
@@ -128,7 +127,7 @@ void Meets::own_slides(BodyIndex body, const std::vector<NodeIndex>& nodes, std:
 }
 
 bool Meets::auxiliary_from(BodyIndex body, const std::vector<Locus>& loci) {
-    // Parallel loci first: they give ω at once, as a translation is seen at once.
+    // Parallel loci first: they give ω at once.
     for (const bool want_parallel : {true, false}) {
         for (std::size_t i = 0; i < loci.size(); ++i) {
             for (std::size_t k = i + 1; k < loci.size(); ++k) {
@@ -136,7 +135,7 @@ bool Meets::auxiliary_from(BodyIndex body, const std::vector<Locus>& loci) {
                     continue;
                 const auto met =
                     board_.meet(known_.diagram().perpendicular_at(loci[i]), known_.diagram().perpendicular_at(loci[k]));
-                if (!met) continue;  // the two perpendiculars coincide: the loci say the same thing twice
+                if (!met) continue;  // the two perpendiculars coincide: the loci are equivalent
                 Step step;
                 step.body = body;
                 step.first = loci[i];

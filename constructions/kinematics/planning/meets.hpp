@@ -1,4 +1,5 @@
-// Nodes where two loci meet, and auxiliary (Assur) points of bodies with two loci; first what is easiest to see.
+// Nodes found at the intersection of two loci, and Assur's auxiliary points of bodies with two loci. The easiest
+// constructions come first.
 #pragma once
 
 #include <vector>
@@ -12,25 +13,23 @@ public:
     Meets(Structure& structure, Board& board, KnownMotion& known, Loci& loci)
         : structure_(structure), board_(board), mechanism_(structure.mechanism()), known_(known), loci_(loci) {}
 
-    /// Nodes that may be sought: those of the file, then the places where a sleeve lets one body's known point be seen
-    /// on the other.
+    /// Nodes to try: those of the file, then the places where a sleeve shows a known point of one body on the other.
     std::vector<NodeIndex> candidates();
-    /// Where two loci meet; first with the places that the file's bodies carry, then with any place a sleeve may be
-    /// seen at.
+    /// Intersects two loci; first with places that bodies of the file carry, then with any place on a sleeve.
     bool meet_some_node();
-    /// Class III: a body with two loci has its auxiliary (Assur) point known, or its ω where the loci are parallel.
+    /// Class III: for a body with two loci, finds its auxiliary point (Assur), or its ω if the loci are parallel.
     bool find_auxiliary();
 
 private:
-    /// Places at which a slide lets a known place of the other body be seen on this one.
+    /// Adds the places of this body that coincide with known places of a slide's other body.
     void add_places_of_slides(BodyIndex body, bool on_guide);
-    /// First what the file asks to be found through an observer: where the place under the point, or the point, lies by
-    /// what the observer's guide lets through.
+    /// First what the file asks to find through an observer: the point, or the place under it, by the direction that
+    /// the observer's guide allows.
     bool meet_through_observer();
-    /// Loci of the node itself first: a meet of those is easier seen than one of loci carried from elsewhere.
+    /// The node's own loci first: their intersection is easier to follow than one of carried loci.
     bool meet_among(const std::vector<NodeIndex>& nodes);
     bool meet_at(NodeIndex node, bool with_carried);
-    /// The loci that a body's own slides give its nodes.
+    /// Loci that a body's own slides give to its nodes.
     void own_slides(BodyIndex body, const std::vector<NodeIndex>& nodes, std::vector<Locus>& loci);
     bool auxiliary_from(BodyIndex body, const std::vector<Locus>& loci);
 

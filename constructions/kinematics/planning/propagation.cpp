@@ -20,7 +20,7 @@ bool Propagation::slide_by_driver() {
             if (known_.body_known(body)) continue;
             NodeIndex base = known_.known_on(joint.point, other);
             if (base == none &&
-                joint.pair().holds_rotation) {  // any known place of the other serves: no relative rotation
+                joint.pair().holds_rotation) {  // any known place of the other body suffices: no relative rotation
                 base = known_.base_of(other, none);
             }
             if (base == none || structure_.node(base).point == none) continue;

@@ -1,5 +1,5 @@
-// What follows without a meet: ω by joints and drivers, bodies by a point and ω or by two points, points over rolling
-// contacts, slides that are driven.
+// Motion that follows without intersecting loci: ω through joints and drivers, a body's motion from one point and ω or
+// from two points, points in rolling contacts, driven slides.
 #pragma once
 
 #include <vector>
@@ -15,13 +15,13 @@ public:
 
     void propagate();
     bool slide_by_driver();
-    /// The places by which higher pairs hold their bodies, on both; the file need not list them.
+    /// Adds the contact points of higher pairs, on both bodies; the file need not list them.
     void add_places_of_higher_pairs();
 
 private:
     bool learn_spins();
     bool learn_bodies();
-    /// Where two bodies roll on each other and the point of one is known, so is the point of the other.
+    /// Two bodies roll on each other: if the contact point of one is known, so is that of the other.
     bool learn_rolling_points();
 
     Structure& structure_;

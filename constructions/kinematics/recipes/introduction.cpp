@@ -44,7 +44,7 @@ void Introduction::introduce(const Locus& locus) {
     }
 }
 
-/// The point of the joint as this body carries it; its star tells whose it is.
+/// The name of the joint's point on this body; a star distinguishes the two bodies.
 PointName Introduction::place_on(const Joint& joint, BodyIndex body) {
     return {chains_.node(chains_.structure().on(joint.point, body)).label};
 }

@@ -1,4 +1,5 @@
-// The sentence before a contact or a mesh is first used: what it leaves to its places, by what linkage it is replaced.
+// The sentence before the first use of a contact or a mesh: which relative motion it allows, and its equivalent
+// linkage.
 #pragma once
 
 #include <set>
@@ -11,7 +12,7 @@ class Introduction {
 public:
     Introduction(Chains& chains, RecipePen& pen) : chains_(chains), pen_(pen) {}
 
-    /// Before a contact or a mesh is first used: what it leaves to its places, and by what linkage it is replaced.
+    /// Writes the sentence if the joint is used for the first time.
     void introduce(const Locus& locus);
 
 private:
@@ -19,7 +20,7 @@ private:
 
     Chains& chains_;
     RecipePen& pen_;
-    std::set<JointIndex> introduced_;  ///< higher pairs whose sentence was said
+    std::set<JointIndex> introduced_;  ///< higher pairs whose sentence was written
 };
 
 }  // namespace kinegraph::recipes

@@ -1,5 +1,5 @@
-// What recipes of motion say and draw, and who does: the solution itself, one of the two trials of an assumption, or a
-// trial within a trial, which leaves no mark. It knows no recipe.
+// Output of the recipes of motion: sentences, vectors and lines. How much is drawn depends on who draws: the solution,
+// a trial, or a nested trial.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ inline std::size_t at(auto index) { return at_index(index); }
 
 class RecipePen {
 public:
-    /// Who draws: the solution itself, one of the two trials of an assumption, or a trial within a trial, which leaves
+    /// For whom is drawn: the solution itself, one of the two trials of an assumption, or a nested trial, which leaves
     /// no mark.
     enum class Hand { solution, first_trial, second_trial, silent };
 
@@ -40,14 +40,14 @@ public:
         if (hand_ != Hand::solution) return none;
         return state<plane>(board_, sentence, std::move(arguments), std::move(source));
     }
-    /// A sentence that ends with the ω or α of a body.
+    /// A sentence whose result is the ω or α of a body.
     template <Plane plane>
     StatementIndex begin_spin(BodyIndex found, Sentence sentence, std::vector<Argument> arguments, std::string source) {
         const StatementIndex statement = begin<plane>(sentence, std::move(arguments), std::move(source));
         if (found != none) said(statement).finds = {spin_quantity<plane>(found)};
         return statement;
     }
-    /// The sentence begun, to complete it; in a trial nothing is said, and what is written here is forgotten.
+    /// The sentence begun, to complete it. In a trial returns a dummy, which is not shown.
     Statement& said(StatementIndex statement) { return statement == none ? unsaid_ : board_.statement(statement); }
     int trial() const { return hand_ == Hand::first_trial ? 1 : hand_ == Hand::second_trial ? 2 : 0; }
     template <Plane plane>
@@ -60,7 +60,7 @@ public:
         if (hand_ == Hand::solution) relative_[is_velocity<plane> ? 0 : 1].insert({seen.of.place, seen.to.place});
         if (hand_ != Hand::silent) pen(track).vector(std::move(symbol), seen, tail, tip, body_of, role);
     }
-    /// Whether the velocity, the acceleration or a part of it of the first place relative to the second is drawn.
+    /// Whether the velocity, the acceleration or a part of it of one place relative to another is drawn.
     template <Plane plane>
     bool is_drawn(NodeIndex of, NodeIndex to) {
         return relative_[is_velocity<plane> ? 0 : 1].contains({chains_.place(of).element, chains_.place(to).element});
@@ -69,7 +69,7 @@ public:
     bool drawn_between(NodeIndex one, NodeIndex other) {
         return is_drawn<plane>(one, other) || is_drawn<plane>(other, one);
     }
-    /// A place whose velocity is zero at this instant: the contact with a body at rest on which its own rolls.
+    /// A place with zero velocity at this instant: the contact with a body at rest on which its own body rolls.
     void remember_still(NodeIndex place) { still_.insert(place); }
     bool stands_still(NodeIndex place) const { return still_.contains(place); }
     template <Plane plane>
@@ -80,7 +80,7 @@ public:
     void set_tip(Track<plane>& track, NodeIndex index, PointOn<plane> tip, bool draw_absolute) {
         track.tips.resize(chains_.structure().nodes().size());
         track.tips[at(index)] = tip;
-        // Places of the frame that are only steps to others would crowd the pole.
+        // Places of the frame used only as intermediate steps would crowd the pole.
         const bool only_a_step =
             chains_.at_rest(index) && !chains_.node(index).carried && !chains_.node(index).of_interest;
         if (hand_ == Hand::silent || only_a_step) return;
@@ -90,7 +90,7 @@ public:
                         chains_.colour_of(index), DrawnVector::Role::absolute);
         }
     }
-    /// Where a joint is, for readers: its point stands in the drawing, its own name does not.
+    /// Name of a joint for readers: its point, which the drawing shows; else its own name.
     PointName place_of(const Joint& joint) const {
         return {joint.point != none ? chains_.mechanism().points[at(joint.point)].name : joint.name};
     }
@@ -124,7 +124,7 @@ private:
     Statement unsaid_;
     std::set<NodeIndex> still_;
     std::array<std::set<std::pair<ElementIndex, ElementIndex>>, 2>
-        relative_;  ///< places between which velocities, accelerations are drawn
+        relative_;  ///< pairs of places with a drawn relative velocity [0] or acceleration [1]
 };
 
 }  // namespace kinegraph::recipes

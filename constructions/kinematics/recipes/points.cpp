@@ -95,7 +95,7 @@ void PointRecipes<plane>::draw_image(Track<plane>& track, const Step& step) {
                                  DrawnVector::Role::tangential);
         } else if (const bool is_pin = chains_.node(step.node).bodies.size() > 1;
                    (is_pin || begins_image(track, step)) && !pen_.drawn_between<plane>(step.node, step.base)) {
-            // A pin from which others go on, or the first of its body: its parts are worth a reading.
+            // The parts are shown for a pin used by later steps, and for the body's first image.
             const Seen seen = chains_.turning(step.node, step.base);
             if (is_pin || !board_.is_zero(normal))
                 pen_.draw_vector(track, chains_.relative<plane>(step.node, step.base, "n"), seen, tip, middle,

@@ -40,7 +40,7 @@ void SpinRecipes<plane>::spin_from_pair(Track<plane>& track, const Step& step) {
     if (!track.has(step.base) || !track.has(step.node)) return;
     if (!is_velocity<plane> && !chains_.motion().velocity.turns(step.body)) return;
     const char* const term = is_velocity<plane> ? "" : "t";
-    // The vector is called as it was drawn, be it from the other end.
+    // Uses the symbol of the vector as drawn, possibly in the opposite sense.
     const bool drawn =
         track.tangential.contains({step.node, step.base}) || track.tangential.contains({step.base, step.node});
     const bool from_node =
@@ -70,7 +70,7 @@ void SpinRecipes<plane>::spin_from_pair(Track<plane>& track, const Step& step) {
                 if (is_velocity<plane>) chains_.motion().contradictions.push_back({step.body, step.base, step.node});
                 return;
             }
-            // A trial need not close: ω comes from the part ⟂ to the join, and the other part tells how far off it is.
+            // A trial need not close: the part ⟂ to the join gives ω, the other part is the closing error.
             const auto foot = board_.meet(board_.through(board_.pole<plane>(), board_.direction(turned)),
                                           board_.through(board_.carry(board_.pole<plane>(), tangential),
                                                          board_.perpendicular(board_.direction(turned))));
@@ -82,7 +82,7 @@ void SpinRecipes<plane>::spin_from_pair(Track<plane>& track, const Step& step) {
     track.spins[at(step.body)] = board_.ratio(tangential, turned);
 }
 
-/// Both tips were found apart from each other: what their difference is made of is told and drawn.
+/// The two tips were found independently: writes and draws the parts of their difference.
 template <Plane plane>
 void SpinRecipes<plane>::draw_between_tips(const Track<plane>& track, const Step& step, Statement& said) {
     if (pen_.drawn_between<plane>(step.node, step.base)) return;

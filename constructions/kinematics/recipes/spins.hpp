@@ -1,5 +1,5 @@
-// Angular velocities and accelerations: by joints and drivers, from two points of a body (Rivals), from two parallel
-// loci.
+// Angular velocities and accelerations: through joints and drivers, from two points of a body (Rivals), from two
+// parallel loci.
 #pragma once
 
 #include "constructions/kinematics/recipes/pen.hpp"
@@ -11,12 +11,12 @@ class SpinRecipes {
 public:
     SpinRecipes(Chains& chains, Board& board, RecipePen& pen) : chains_(chains), board_(board), pen_(pen) {}
 
-    /// A sleeve or a weld lets no relative rotation: ω_i = ω_j, always, so α_i = α_j too.
+    /// A sleeve or a weld allows no relative rotation: ω_i = ω_j at all times, so α_i = α_j.
     void spin_by_joint(Track<plane>& track, const Step& step);
     void spin_by_driver(Track<plane>& track, const Step& step);
-    /// ω = v_BA / AB from the part of the velocity ⟂ to the join; α = a_BA^t / AB.
+    /// ω = v_BA / AB, with the part of v_BA ⟂ AB; α = a_BA^t / AB (Rivals).
     void spin_from_pair(Track<plane>& track, const Step& step);
-    /// Two parallel loci (S at infinity): the velocities' difference along the loci's normal n is ω (z ∧ XY)·n.
+    /// Two parallel loci (S at infinity), with normal n: v_Y·n − v_X·n = ω (z ∧ XY)·n.
     void spin_from_parallels(Track<plane>& track, const Step& step);
 
 private:

@@ -1,5 +1,5 @@
-// The last rule: an unknown is given two values, the polygon is drawn from each as far as a condition that closes it,
-// and since all is linear the true value follows from how far the two drawings miss.
+// Solution by two trial values, if no other rule applies. An unknown gets two values, and the polygon is drawn from
+// each up to a closing condition. The problem is linear, so the closing errors give the true value (regula falsi).
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace kinegraph::recipes {
 
-/// An unknown with its two trial values: the tip of a node on its line, or a body's ω (α).
+/// An unknown with its two trial values: the tip of a node on its line, or the ω (α) of a body.
 template <Plane plane>
 struct Assumed {
     std::optional<Chain<plane>> line;
@@ -22,38 +22,38 @@ struct Assumed {
 template <Plane plane>
 class TrialRecipes {
 public:
-    /// How the steps of a trial are carried out.
+    /// Function that draws one step of a trial.
     using CarryOut = std::function<void(Track<plane>&, const Step&)>;
 
     TrialRecipes(Chains& chains, Board& board, RecipePen& pen, CarryOut carry_out)
         : chains_(chains), board_(board), pen_(pen), carry_out_(std::move(carry_out)) {}
 
-    /// The one assumption that is moved by one where none is closed yet.
+    /// The assumption that gets the value one; the others get zero. Used to compute a response.
     void move(const Step* assumption) { moved_ = assumption; }
 
-    /// The last rule: one unknown is given two values, the polygon is drawn from each as far as a condition that closes
-    /// it, and since all is linear the true value follows from how far the two drawings miss.
+    /// Gives one unknown two values, draws the polygon from each up to the closing condition, and interpolates
+    /// linearly.
     void assume(Track<plane>& track, const Step& step);
-    /// Where a trial's tip lies, seen from the place on its locus that the trial offers it.
+    /// From the tip in a trial to a point of its locus in the same trial: the closing error.
     VectorOn<plane> miss(Track<plane>& track, const Locus& locus);
-    /// By how much two angular velocities that must agree do not.
+    /// Difference of two angular velocities that should be equal.
     ScalarHandle mismatch_of_spins(const Track<plane>& track, const Closing& closing);
 
 private:
     void set_assumed(Track<plane>& track, const Step& step, const Assumed<plane>& assumed, int which);
     Assumed<plane> assumed_of(Track<plane>& track, const Step& step);
-    /// The line on which the tip moves from trial to trial, and on which the true one lies.
+    /// The line on which the tip moves from trial to trial; the true tip is on it.
     void draw_line_of_ends(const Track<plane>& track, PointOn<plane> first, PointOn<plane> second);
     bool can_close(const Track<plane>& track, const Closing& closing) const;
-    /// The tip of the assumed node at a place of its line.
+    /// Sets the tip of the assumed node on its line.
     void set_on_line(Track<plane>& track, const Step& step, const Chain<plane>& line, PointOn<plane> tip);
-    /// The true value: so many parts of the way from the first trial to the second.
+    /// Sets the true value: first trial + share · (second − first).
     void settle(Track<plane>& track, const Step& step, const Assumed<plane>& assumed, ScalarHandle share);
-    /// The two misses set off from one point: the line of their ends meets the line through it ∥ to the locus where
-    /// nothing is missed.
+    /// Sets both closing errors off from one point. The line through their ends meets the parallel to the locus through
+    /// that point where the error vanishes.
     ScalarHandle share_by_line(const VectorOn<plane> (&missed)[2], DirectionHandle direction);
-    /// How far along a direction the second trial is set off: free to choose, so about as long as the longest vector
-    /// drawn yet, in one figure.
+    /// Offset of the second trial along a direction. Free to choose; a power of ten, of the order of
+    /// the longest vector so far.
     VectorOn<plane> reach(const Track<plane>& track, DirectionHandle direction);
     std::vector<Argument> assumption_arguments(const Step& step);
     std::vector<Argument> closing_arguments(const Step& step);

@@ -79,9 +79,9 @@ void EveryEquilibrium::settle_by_work(int b, const Equilibria::Alike& alike, Equ
 std::optional<Force> EveryEquilibrium::said_components(int b, const Equilibria::Alike& alike, Equilibria& all,
                                                        Run& run) {
     std::optional<Force> force;
-    const bool apart = alike.components.size() > 1 || !alike.whole_force;  // else the symbol says it all
+    const bool apart = alike.components.size() > 1 || !alike.whole_force;  // otherwise the symbol is sufficient
     for (const Equilibria::Component& each : alike.components) {
-        // That a force has nothing across the line of its body is said with the line.
+        // That a force has no component across the line of its body is said with the line.
         if (each.vanishes && apart && run.reactions[at(b)].deduced) continue;
         Symbol symbol = said_.symbol_on(b, cut_at(b));
         if (apart) symbol = component_symbol(symbol, each.direction);
@@ -100,7 +100,7 @@ std::optional<ScalarHandle> EveryEquilibrium::said_couple(int b, const Equilibri
     say_work(b, std::move(symbol), std::nullopt, alike.couple->motion, all, run);
     run.released.back().couple = alike.couple->couple;
     if (alike.couple->couple && !in(cut_at(b), model_.bonds()[at(b)].first))
-        run.released.back().couple = board_.opposite(*alike.couple->couple);  // as the symbol counts it
+        run.released.back().couple = board_.opposite(*alike.couple->couple);  // with the sign of the symbol
     return alike.couple->couple;
 }
 
@@ -150,7 +150,7 @@ void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHan
         if (each.centre) centres.push_back(each.name);
         released.members.push_back(std::move(each));
     }
-    // One centre is named once.
+    // A common centre is named once.
     if (std::adjacent_find(centres.begin(), centres.end(), std::not_equal_to<>()) == centres.end())
         centres.resize(std::min<std::size_t>(centres.size(), 1));
     const bool as_one = of_bodies ? all.moves_as_one(motion) : moved.size() == 1;

@@ -1,5 +1,5 @@
-// Where equilibrium does not determine everything: in which order what every equilibrium has alike is told, and by
-// which sentence, one force after the other by moments, components or virtual work. What is alike, Equilibria says.
+// Statically indeterminate structures: in which order, and by which sentences, the values that all equilibria share are
+// given: one force after the other by moments, components or virtual work. Class Equilibria computes them.
 #pragma once
 
 #include <optional>
@@ -24,28 +24,28 @@ public:
           settled_(model, board, said),
           origin_(origin) {}
 
-    /// What every equilibrium has alike, one after the other by virtual work; after each the rules go on from there. At
-    /// last the components of what stays open.
+    /// Adds the values that all equilibria share, one after the other by virtual work; after each, applies the rules
+    /// again. Finally adds the determined components of reactions that stay open.
     Run in_every_equilibrium(const std::vector<Load>& loads, Run run);
 
 private:
     Equilibria equilibria(const Group& group, const std::vector<Load>& loads, const Run& run);
-    /// Efforts first, then what has fewest unknowns.
+    /// Input forces first, then the groups with fewest unknowns.
     std::vector<int> in_question(const Group& group, const Run& run) const;
     bool settle_alike(const std::vector<Load>& loads, Run& run);
-    /// The body of a bond that is cut free to speak of it.
+    /// The free body used to explain a bond.
     Group cut_at(int b) const;
-    /// Of a determined reaction: each component, then the couple.
+    /// For a determined reaction: each component, then the couple.
     void settle_by_work(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run);
-    /// On the bond's first member; nothing: it vanishes.
+    /// On the bond's first member; none if it vanishes.
     std::optional<Force> said_components(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run);
     std::optional<ScalarHandle> said_couple(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run);
-    /// x and y, else n and t: of a direction, and of that across it.
+    /// Names x and y, or n and t if the direction is oblique; for the direction and its perpendicular.
     std::pair<std::string, std::string> axes(DirectionHandle along);
     Symbol component_symbol(Symbol symbol, DirectionHandle along);
-    /// Of a reaction that stays open.
+    /// Notes the determined part of a reaction that stays open.
     void note_alike(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run);
-    /// By moments or components of one body (or of several as one) where they move as one, else by the works.
+    /// By moments or components of one body (or of several as one) if they move as one, else by virtual work.
     void say_work(int b, Symbol symbol, std::optional<DirectionHandle> along, const Equilibria::Motion& motion,
                   Equilibria& all, Run& run);
 

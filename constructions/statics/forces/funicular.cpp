@@ -22,7 +22,7 @@ std::optional<Strings> FunicularPolygons::strings(const Group& group, std::vecto
         found.known.push_back(actor.symbol);
         found.corners.push_back(board_.carry(found.corners.back(), *actor.force));
     }
-    // The first whose strings stay beside the structure, or not far from it.
+    // The first whose strings stay beside the structure, or near it.
     for (const Exact& deepest : {Exact(1), Exact(3) / 2})
         for (const auto pole : poles(found.corners, sum, several)) {
             const Board::Mark before = board_.mark();
@@ -50,7 +50,7 @@ std::pair<Force, Force> FunicularPolygons::by_strings(Strings found, int line, i
 
 bool FunicularPolygons::is_far(const Group& group, PlaceOnDrawing met, PlaceOnDrawing place, PlaceOnDrawing one,
                                PlaceOnDrawing two) {
-    // Lines that meet beyond that meet on no sheet that has the bodies in a readable size.
+    // Lines that meet farther away would not fit on a sheet with bodies of readable size.
     const int times = known_.is_whole(group) ? 1 : 4;
     std::vector<PlaceOnDrawing> near{one, two};
     if (known_.is_whole(group))

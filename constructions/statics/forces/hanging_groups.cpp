@@ -8,7 +8,7 @@
 namespace kinegraph::statics {
 namespace {
 
-/// Members that hang together, not on an effort, and on the frame or not.
+/// Connected components of members without input forces, attached to the frame or not.
 std::vector<Group> hanging_together(const ForceModel& model, bool on_frame) {
     std::vector<Group> found;
     std::set<MemberIndex> seen;
@@ -30,13 +30,13 @@ std::vector<Group> hanging_together(const ForceModel& model, bool on_frame) {
     return found;
 }
 
-/// One body, and bars that hold it on the frame.
+/// Whether the group is one body supported on the frame by bars.
 bool is_body_on_bars(const ForceModel& model, const Group& group) {
     const auto is_loaded = [&](MemberIndex member) {
         return std::any_of(model.loads().begin(), model.loads().end(),
                            [&](const Load& load) { return load.member == member; });
     };
-    // Where several bars share a hinge of the frame, its pin stands between.
+    // If several bars share a hinge of the frame, its pin is between bar and frame.
     const auto reaches_frame = [&](MemberIndex bar, const Bond& bond) {
         const MemberIndex other = bond.first == bar ? bond.second : bond.first;
         const std::vector<int>& held = model.bonds_of(other);
@@ -60,8 +60,8 @@ bool is_body_on_bars(const ForceModel& model, const Group& group) {
         bars += is_bar(member) ? 1 : 0;
         bodies += !model.is_pin(member) && !is_bar(member) ? 1 : 0;
     }
-    // Pins that bars share are no bodies, but what a pin bears the body does not feel. Where there is no other, one pin
-    // is what the bars hold.
+    // Pins shared by bars are not bodies, and loads on a pin do not act on the body. If there is no body, one pin is
+    // what the bars support.
     const bool pin_loaded = std::any_of(group.begin(), group.end(),
                                         [&](MemberIndex member) { return model.is_pin(member) && is_loaded(member); });
     return (bodies == 1 && !pin_loaded) || (bodies == 0 && bars + 1 == static_cast<std::ptrdiff_t>(group.size()));

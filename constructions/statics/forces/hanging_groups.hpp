@@ -1,4 +1,4 @@
-// Which members hang together by their bonds: afloat, or on the frame. Asks no force.
+// Connected components of members; which of them are attached to the frame. Uses no forces.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace kinegraph::statics {
 
-/// Members that hang together, and neither on the frame nor on an effort.
+/// Groups of connected members without a bond to the frame or an input force.
 std::vector<Group> floating_groups(const ForceModel& model);
-/// Structures of more than one body that hang on the frame and on no effort; not a single body held by bars: cut free
-/// with them or without, the same lines act on it.
+/// Structures of more than one body with bonds to the frame and without input force. Excludes a single body supported
+/// by bars: with or without the bars, the same lines act on it.
 std::vector<Group> hung_on_frame(const ForceModel& model);
-/// Bodies that no other body and no effort holds, but the frame: each with the pins on it.
+/// Bodies with bonds to the frame only; each with the pins on it.
 std::vector<Group> single_on_frame(const ForceModel& model);
 
 }  // namespace kinegraph::statics

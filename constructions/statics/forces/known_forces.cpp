@@ -68,7 +68,7 @@ bool KnownForces::all_known(const Run& run) const {
 }
 
 std::vector<Group> KnownForces::groups(const Run& run) const {
-    // A whole of which a part was resolved already is no short cut.
+    // A structure with a part already solved is not taken as one free body.
     const auto is_begun = [&](const Group& group) {
         const std::vector<int> outer = model_.outer_bonds(group);
         return std::any_of(outer.begin(), outer.end(), [&](int b) { return run.reactions[at(b)].known; });
@@ -79,7 +79,7 @@ std::vector<Group> KnownForces::groups(const Run& run) const {
     for (const MemberIndex member : model_.moving_members()) result.push_back({member});
     for (const Group& whole : wholes_)
         if (is_begun(whole)) result.push_back(whole);
-    // Bodies that slide in one another, taken together; then any two that touch.
+    // Bodies that slide in one another, taken together; then any two with a common bond.
     for (const bool only_guides : {true, false}) {
         for (const Bond& bond : model_.bonds()) {
             if (bond.first == member_of(frame) || bond.second == member_of(frame) || bond.effort >= 0) continue;
@@ -91,7 +91,7 @@ std::vector<Group> KnownForces::groups(const Run& run) const {
 }
 
 void KnownForces::note(const Group& group, Run& run) const {
-    if (is_whole(group)) return;  // its bodies are resolved later
+    if (is_whole(group)) return;  // its bodies are solved later
     for (const MemberIndex member : group) {
         const bool there =
             std::any_of(run.order.begin(), run.order.end(), [&](const Resolved& r) { return r.member == member; });

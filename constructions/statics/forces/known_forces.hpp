@@ -1,5 +1,5 @@
-// What is known of the forces in a run, bond by bond: what is open still, in which form, and which bodies may be cut
-// free next. It reads runs and opens them; it knows no rule and no sentence.
+// What is known of the forces in a run, bond by bond: which are unknown, in which form, and which bodies can be solved
+// next.
 #pragma once
 
 #include <algorithm>
@@ -14,19 +14,18 @@ namespace kinegraph::statics {
 class KnownForces {
 public:
     enum class Shape { pin, guide, line, couple, clamp };
-    /// Unknown bonds by what is known of them.
+    /// Unknown bonds by the form of what is unknown.
     struct Unknowns {
         std::vector<int> pins, guides, fixed, couples, clamps;
     };
 
-    /// `adrift`: members of which nothing is found. `wholes`: structures hung on the frame, which are cut free whole
-    /// first.
+    /// `adrift`: members that are skipped. `wholes`: structures on the frame that are first taken as one free body.
     KnownForces(ForceModel& model, std::set<MemberIndex> adrift, std::vector<Group> wholes)
         : model_(model), adrift_(std::move(adrift)), wholes_(std::move(wholes)) {}
 
     const std::vector<Group>& wholes() const { return wholes_; }
     Run fresh() const;
-    /// Components added since the run began: open where their hinge is, else nothing more.
+    /// Extends a run by components added since it began; they are unknown if their hinge is.
     void fit(Run& run) const;
     Shape shape(int b, const Run& run) const;
     std::vector<int> unknown_of(const Group& group, const Run& run) const;
@@ -37,7 +36,7 @@ public:
         return std::find(wholes_.begin(), wholes_.end(), group) != wholes_.end();
     }
     void note(const Group& group, Run& run) const;
-    /// A place on a bond's line, or its own.
+    /// A place on a bond's line, or the bond's own place.
     PlaceOnDrawing place_of(int b, const Run& run) const;
 
 private:

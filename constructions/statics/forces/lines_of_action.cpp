@@ -91,7 +91,7 @@ bool LinesOfAction::two_forces(const Group& group, const std::vector<int>& pins,
         settled_.vanish(guides[1], group, run);
         return true;
     }
-    // A guide and a line: the guide's reaction can take any place.
+    // A guide and a line: the guide's reaction can be at any place.
     const Action given = *run.reactions[at(fixed[0])].action;
     if (board_.parallel(model_.bonds()[at(guides[0])].direction, given.direction)) {
         said_.say_of(group, Sentence::two_force_guide, {said_.place_name(fixed[0]), said_.place_name(guides[0])});

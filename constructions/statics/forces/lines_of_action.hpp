@@ -1,5 +1,5 @@
-// Lines of action before magnitudes: bodies under two forces, under three of which two lines are known (Culmann), under
-// two and a couple, under parallel ones.
+// Lines of action, found before magnitudes: of bodies under two forces, three forces with two known lines (Culmann),
+// two forces and a couple, parallel forces.
 #pragma once
 
 #include <vector>
@@ -14,12 +14,11 @@ public:
     LinesOfAction(ForceModel& model, Board& board, const KnownForces& known, ForceSentences& said)
         : model_(model), board_(board), known_(known), said_(said), settled_(model, board, said) {}
 
-    /// `beside_couples`: bodies that carry a couple too; tried when nothing else is left.
+    /// `beside_couples`: also bodies with a couple; tried last.
     bool lines(const Group& group, const std::vector<Load>& loads, Run& run, bool beside_couples);
-    /// All other forces on a body are parallel, known or not: across them nothing balances a force at its pin.
+    /// All other forces on a body are parallel, known or not, so the force at its pin is parallel too.
     bool parallel_to_all(const Group& group, const std::vector<Load>& loads, Run& run);
-    /// What is known on a body passes its pin: moments about that leave none to the guide, so its reaction passes there
-    /// too.
+    /// All known forces on a body pass through its pin. By moments about it the guide's reaction passes there too.
     bool through_pin(const Group& group, const std::vector<Load>& loads, Run& run);
 
 private:
@@ -29,7 +28,7 @@ private:
     /// Two forces and a couple: the forces are equal and opposite, so parallel.
     bool parallel_to_other(const Group& group, const std::vector<int>& pins, const std::vector<int>& guides,
                            const std::vector<int>& fixed, Run& run);
-    /// Three forces, two lines known: the third passes through their meet.
+    /// Three forces, two known lines: the third passes through their intersection.
     bool concurrent(const Group& group, const std::vector<int>& fixed, const std::vector<int>& pins,
                     const std::vector<int>& guides, Run& run);
 

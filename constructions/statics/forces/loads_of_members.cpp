@@ -81,7 +81,7 @@ private:
                         {Sentence::elastic_spring, {read_.loads.back().symbol, name(first), name(second)}}, "Hooke");
     }
 
-    /// At the centroid of its diagram; a couple where its halves cancel.
+    /// At the centroid of its diagram; a couple if its halves cancel.
     void add_distributed(int index, const DistributedLoad& load) {
         const Centroid resultant = centroid_of(load);
         const Force force = board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
@@ -187,7 +187,7 @@ private:
         read_.moved.push_back(std::move(one));
     }
 
-    /// With the sentence that finds it, where it does not vanish.
+    /// Adds a load with the sentence that finds it, unless it vanishes.
     void add_said(const Load& load, Message message) {
         const std::size_t before = read_.loads.size();
         add_load(load);

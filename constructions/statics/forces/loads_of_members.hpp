@@ -1,5 +1,5 @@
-// What loads each member, read from the file onto the board: forces, couples, springs, distributed loads, weights, and
-// by d’Alembert the inertia of what moves; with the sentences of those that are found first. Knows no bond.
+// The loads on each member, read from the file onto the board: forces, couples, springs, distributed loads, weights,
+// and inertia forces by d’Alembert's principle; with the sentences for those that must be computed first.
 #pragma once
 
 #include <map>
@@ -13,12 +13,12 @@
 
 namespace kinegraph::statics {
 
-/// By a hinge with a node of its own: the member that is its pin.
+/// For each hinge with its own node: the member that is its pin.
 using PinMembers = std::map<JointIndex, MemberIndex>;
 
 struct LoadsOfMembers {
     std::vector<Load> loads;  ///< none that vanishes, none on the frame
-    /// Inertia forces moved aside so that they carry their couples, and by what.
+    /// Inertia forces offset so that they include their couples, and their arms.
     std::vector<Added> moved;
     std::vector<Lever> shifts;
     /// Why loads could not be read (an inertia force without an acceleration, a spring without length).

@@ -93,7 +93,7 @@ bool Magnitudes::line_and_pin(const Group& group, int line, int pin, const Wrenc
                               const std::vector<Load>& loads, Run& run) {
     const Action given = *run.reactions[at(line)].action;
     const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
-    if (board_.on_line(place, given.line)) return false;  // the moment about the pin says nothing of it
+    if (board_.on_line(place, given.line)) return false;  // then the moment about the pin does not determine it
     if (known.vanishes()) {
         said_.say_of(group, Sentence::zero_forces, {});
         settled_.found(line, group, run);
@@ -164,7 +164,7 @@ bool Magnitudes::several_by_strings(const Group& group, int line, int pin, const
     return true;
 }
 
-/// Where the outer strings meet the resultant passes: that place has a name.
+/// The resultant passes through the intersection of the outer strings, which gets a name.
 void Magnitudes::say_strings(const Group& group, Sentence sentence, std::vector<Argument> arguments,
                              const Strings& found) {
     if (found.resultant) arguments.emplace_back(PointName{said_.meet_name(group, *found.resultant)});
@@ -258,7 +258,7 @@ bool Magnitudes::three_lines(const Group& group, const std::vector<int>& fixed, 
                      c = *run.reactions[at(three)].action;
         if (board_.parallel(b.direction, c.direction)) continue;
         const PlaceOnDrawing pivot = *board_.meet(b.line, c.line);
-        if (board_.on_line(pivot, a.line)) return false;  // concurrent: only a force through that point is held
+        if (board_.on_line(pivot, a.line)) return false;  // concurrent lines balance only a force through that point
         const auto [first, rest] = known_and_one(group, known, one, two, three, pivot, loads, run);
         settled_.settle(one, first, a.place, group, run);
         const auto [x, y] = balance_.triangle(rest, b.direction, c.direction);

@@ -1,6 +1,5 @@
-// Magnitudes: bodies cut free with no more than three unknowns, whatever their form. What is left alone, a force and a
-// couple, two lines, a line and a pin or a guide, three lines (Culmann). It asks for lines of action, and finds none
-// but by the triangle.
+// Magnitudes: free bodies with at most three unknowns of any form: one unknown, a force and a couple, two lines, a line
+// and a pin or a guide, three lines (Culmann).
 #pragma once
 
 #include <utility>
@@ -27,33 +26,33 @@ public:
     bool magnitudes(const Group& group, const std::vector<Load>& loads, Run& run);
 
 private:
-    /// What is left balances the rest.
+    /// One unknown balances the known forces.
     bool single(const Group& group, int b, const Wrench& known, const std::vector<Load>& loads, Run& run);
-    /// A force through a point and a couple: the force is the rest turned round, the couple their arm times it.
+    /// A force through a point and a couple: the force is opposite to the known one, the couple is force times arm.
     bool force_and_couple(const Group& group, int force, int couple, const Wrench& known,
                           const std::vector<Load>& loads, Run& run);
     bool line_and_pin(const Group& group, int line, int pin, const Wrench& known, const std::vector<Load>& loads,
                       Run& run);
-    /// More than two forces on a structure, of several directions, or two whose sum meets the line `far` away: one
-    /// funicular polygon adds them and parts the sum.
+    /// More than two forces of several directions on a structure, or two whose sum meets the line too `far` away: one
+    /// funicular polygon adds them and resolves the sum.
     bool several_by_strings(const Group& group, int line, int pin, const Wrench& known, bool far,
                             const std::vector<Load>& loads, Run& run);
     void say_strings(const Group& group, Sentence sentence, std::vector<Argument> arguments, const Strings& found);
-    /// `couple_too`: the pair transmits a couple, and it vanishes.
+    /// `couple_too`: the pair can transmit a couple, and it vanishes.
     void say_no_force_along(const Group& group, int nothing, int all, bool couple_too);
-    /// A guide takes its force at any place: directions give the triangle, the guide's couple the rest.
+    /// A guide takes its force at any place: the triangle gives the forces, the remaining moment is the guide's couple.
     bool line_and_guide(const Group& group, int line, int guide, const Wrench& known, const std::vector<Load>& loads,
                         Run& run);
-    /// A guide's reaction balances what is left, force and couple.
+    /// A guide's reaction balances the rest, force and couple.
     void settle_guide(int guide, Force across, const Wrench& rest, const Group& group, Run& run);
     bool two_lines(const Group& group, int one, int two, int couple, const Wrench& known,
                    const std::vector<Load>& loads, Run& run);
-    /// Culmann: three lines that neither meet in one point nor are all parallel. The line through the meet of two pairs
-    /// carries the sum of each pair.
+    /// Culmann: three lines that are neither concurrent nor all parallel. The line through the intersections of two
+    /// pairs carries the sum of each pair.
     bool three_lines(const Group& group, const std::vector<int>& fixed, const Wrench& known,
                      const std::vector<Load>& loads, Run& run);
-    /// The force of the first of three lines, and what it makes with the known one: along Culmann's line where the two
-    /// meet, by moments about the pivot of the other two where they are parallel, or a couple.
+    /// The force of the first of three lines, and its sum with the known one: along Culmann's line, or by moments
+    /// about the pivot of the other two if the known one is a couple, is parallel or meets the first in the pivot.
     std::pair<Force, Wrench> known_and_one(const Group& group, const Wrench& known, int one, int two, int three,
                                            PlaceOnDrawing pivot, const std::vector<Load>& loads, Run& run);
 

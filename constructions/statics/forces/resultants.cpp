@@ -6,7 +6,7 @@
 namespace kinegraph::statics {
 namespace {
 
-/// Of one mass: what d'Alembert adds as a force, and as a couple.
+/// Whether two loads are the inertia force and couple of one mass.
 bool are_of_one_mass(const Load& one, const Load& other) {
     return one.kind == AppliedForce::Kind::inertia && other.kind == one.kind && one.member == other.member &&
            one.given == other.given;
@@ -17,7 +17,7 @@ const Load* inertia_with(const Load& load, const std::vector<Load>& loads, bool 
     });
     return found == loads.end() ? nullptr : &*found;
 }
-/// The force that was moved aside and stands for this couple, too: what is moved once is not moved again.
+/// The inertia force whose offset includes this couple, so that the couple is not added again.
 const Load* inertia_force_with(const Load& couple, const std::vector<Load>& loads) {
     return inertia_with(couple, loads, true);
 }
@@ -29,8 +29,8 @@ const Load* inertia_couple_with(const Load& force, const std::vector<Load>& load
 
 std::vector<Actor> Resultants::actors_on(const Group& group, const std::vector<Load>& loads, const Run& run) {
     std::vector<Actor> actors;
-    // Of a body under all loads the sentence before tells that the one force stands for both; of others it stands
-    // elsewhere.
+    // For one body under all loads the sentence before says that the offset force includes the couple; otherwise the
+    // couple is separate.
     const bool is_moved_before = group.size() == 1 && !said_.has_mark();
     for (const Load& load : loads) {
         if (!in(group, load.member) || model_.is_inner(load, group)) continue;
@@ -67,7 +67,7 @@ void Resultants::say_resultant(const Group& group, const Wrench& known, const st
         if (actor.force) alone = model_.sum(alone, {actor.force, actor.place, {}});
         if (actor.bond >= 0) added.bonds.push_back(actor.bond);
     }
-    // Of the forces first, then moved aside for a couple, as it is drawn.
+    // First the sum of the forces, then its offset for a couple, as drawn.
     const bool in_two_steps = forces.size() > 1 && couples.size() == 1 && alone.force;
     Symbols symbols = forces;
     if (!in_two_steps) symbols.insert(symbols.end(), couples.begin(), couples.end());

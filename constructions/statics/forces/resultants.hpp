@@ -1,5 +1,5 @@
-// What is known on bodies cut free, added up on the way: the forces one by one, the sentence of their resultant, the
-// arm of a couple of two. What is noted in the run leads on and acts on nothing.
+// Resultants of known forces on free bodies, and the arm of a couple of two forces. A resultant noted in a run is an
+// auxiliary line of the construction; it is not an additional load.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace kinegraph::statics {
 
-/// A force or couple that is known on a group.
+/// A known force or couple on a group.
 struct Actor {
     Symbol symbol;
     std::optional<Force> force;
@@ -25,19 +25,18 @@ public:
         : model_(model), board_(board), known_(known), said_(said) {}
 
     std::vector<Actor> actors_on(const Group& group, const std::vector<Load>& loads, const Run& run);
-    /// Several known forces are one first: its line is what meets the others.
+    /// Adds several known forces to one, whose line is used next.
     void say_resultant(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run);
-    /// Of the one known force, or of the resultant that was said.
+    /// The symbol of the only known force, or of the resultant.
     Symbol symbol_of_known(const Group& group, const std::vector<Load>& loads, const Run& run);
-    /// Where the resultant of several known forces, which is said, meets a line; nothing: of one there is nothing to be
-    /// added.
+    /// Where the resultant of several known forces meets a line; none if there is only one known force.
     std::optional<PlaceOnDrawing> meet_of_resultant(const Group& group, const Action& line, const Wrench& known,
                                                     const std::vector<Load>& loads, Run& run);
-    /// What the known force and the first of three lines make together acts along Culmann's line.
+    /// The sum of the known force and the first of three lines acts along Culmann's line.
     void note_culmann(const Group& group, int one, const std::string& names, Force force, PlaceOnDrawing met,
                       const std::vector<Load>& loads, Run& run);
     void note_lever(const Group& group, PlaceOnDrawing about, Force force, PlaceOnDrawing place, Run& run);
-    /// A couple of two forces has their distance for its arm.
+    /// The arm of a couple of two forces is their distance.
     void note_couple_of_two(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run);
 
 private:

@@ -1,4 +1,4 @@
-// The rules in their order, body after body, until no more follows. A rule that does not apply leaves no stroke.
+// Applies the rules in order, body after body, until no more follows. A rule that does not apply records nothing.
 #pragma once
 
 #include <map>
@@ -20,10 +20,10 @@ public:
           lines_(model, board, known, said),
           magnitudes_(model, board, known, said) {}
 
-    /// The rules, until no more follows.
+    /// Applies the rules until no more follows.
     void advance(const std::vector<Load>& loads, Run& run);
-    /// What the structure, cut free whole, gives of its reactions. `hung`: two-force bars by which it hangs on the
-    /// frame, and rollers; `bars`: the names of the bars among these.
+    /// Finds what the structure as one free body gives of its reactions. `hung`: its two-force bars and rollers to the
+    /// frame; `bars`: names of the bars among these.
     Run whole(const Group& hung, std::map<MemberIndex, std::string> bars);
 
 private:
@@ -33,7 +33,7 @@ private:
     ForceSentences& said_;
     LinesOfAction lines_;
     Magnitudes magnitudes_;
-    long attempts_left_ = 500'000;  ///< of rules in trials: nobody draws on a system that large
+    long attempts_left_ = 500'000;  ///< limit on rules tried in trials: a system so large is not solved graphically
 };
 
 }  // namespace kinegraph::statics

@@ -41,7 +41,7 @@ Run Runs::solve(const std::vector<Load>& loads) {
         rules_.advance(own, part.run);
         if (!part.run.complete) trials_.close_by_trial(own, part.run, 0);
         said_.set_mark({});
-        if (!part.run.complete) return direct;  // what the rules found without trials holds whatever the rest is
+        if (!part.run.complete) return direct;  // what the rules found without trials does not depend on the rest
         if (!parts.empty()) parts.back().end = part.first;
         parts.push_back(std::move(part));
     }

@@ -1,5 +1,5 @@
-// How the forces of a mechanism are found: all loads at once by the rules; where that does not lead to the end, what
-// every equilibrium has alike, or load by load and by trials.
+// How the forces of a mechanism are found: all loads together by the rules. If this does not give all forces: the
+// values that every equilibrium has in common, or load by load, or by trials.
 #pragma once
 
 #include <map>
@@ -16,8 +16,8 @@ namespace kinegraph::statics {
 
 class Runs {
 public:
-    /// `adrift`: members of which nothing is found, since what is given on them is not in equilibrium. `redundant`:
-    /// equilibrium does not determine everything.
+    /// `adrift`: members that are skipped because the given forces on them are not in equilibrium. `redundant`:
+    /// equilibrium does not determine all forces.
     Runs(ForceModel& model, Board& board, const Mechanism& mechanism, std::set<MemberIndex> adrift, bool redundant)
         : model_(model),
           redundant_(redundant),

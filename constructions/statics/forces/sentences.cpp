@@ -5,7 +5,7 @@
 namespace kinegraph::statics {
 
 void ForceSentences::say(Sentence sentence, std::vector<Argument> arguments, const char* source, const Group& group) {
-    if (!in_trial()) {  // the strokes of a trial belong to the sentence that opens it
+    if (!in_trial()) {  // operations of a trial belong to the sentence that opens it
         Statement statement;
         statement.message = {sentence, std::move(arguments)};
         statement.section = Topic::forces;
@@ -28,7 +28,7 @@ void ForceSentences::say_of(const Group& group, Sentence sentence, std::vector<A
     else
         for (const MemberIndex member : group)
             if (!model_.is_pin(member) ||
-                bodies < 2)  // "2 + 3", but "2+C" of a body with its pin: that is no other body
+                bodies < 2)  // "2 + 3", but "2+C" for a body with its pin, which is not another body
                 names += (names.empty() ? "" : bodies < 2 ? "+" : " + ") + model_.member_name(member);
     const auto bar = group.size() == 1 ? bar_names_.find(group.front()) : bar_names_.end();
     if (bar != bar_names_.end())
@@ -59,7 +59,7 @@ PointName ForceSentences::place_name(int b) const {
 }
 
 std::string ForceSentences::names_of(const Group& group) const {
-    if (known_.is_whole(group) && known_.wholes().size() == 1) return "";  // all that is given
+    if (known_.is_whole(group) && known_.wholes().size() == 1) return "";  // the whole structure
     std::string names;
     for (const MemberIndex member : group)
         if (!model_.is_pin(member) || group.size() == 1)

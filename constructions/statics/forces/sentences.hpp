@@ -1,6 +1,5 @@
-// The sentences of a solution of forces as they are said one after the other: of which bodies, by which letters of
-// forces and of the points where their lines meet. In a trial nothing is said. It knows no rule, and nothing of what is
-// known of a force.
+// Writes the sentences of a solution of forces: names of bodies, symbols of forces, letters of the points where their
+// lines meet. In a trial nothing is written.
 #pragma once
 
 #include <cstddef>
@@ -20,45 +19,45 @@ public:
     ForceSentences(const ForceModel& model, Board& board, const Mechanism& mechanism, const KnownForces& known)
         : model_(model), board_(board), mechanism_(mechanism), known_(known) {}
 
-    /// Said last.
+    /// The last sentence.
     StatementIndex last() const { return statement_; }
     /// By member.
     const NamedMeets& meets() const { return meets_; }
-    /// What is cut free whole is a truss, with these names of its bars.
+    /// The structure taken as one free body is a truss; these are the names of its bars.
     void speak_of_truss(std::map<MemberIndex, std::string> bars) {
         of_truss_ = true;
         bar_names_ = std::move(bars);
     }
-    /// Of the member whose loads act alone from now on; empty: of none.
+    /// Sets the name of the member whose loads act alone from now on; empty: all loads act.
     void set_mark(std::string mark) { mark_ = std::move(mark); }
     bool has_mark() const { return !mark_.empty(); }
-    /// Of the sum of what is known on bodies.
+    /// Symbol of the resultant of known forces on a group.
     Symbol resultant_symbol(const Group& group) const {
         return with_mark({Symbol::Letter::F, "R" + names_of(group), {}});
     }
     Symbol with_mark(Symbol symbol) const { return marked(std::move(symbol), mark_); }
 
-    /// The strokes of a trial belong to the sentence that opens it; trials nest.
+    /// Operations of a trial belong to the sentence that opens it; trials nest.
     void enter_trial() { ++trials_; }
     void leave_trial() { --trials_; }
     bool in_trial() const { return trials_ > 0; }
 
     void say(Sentence sentence, std::vector<Argument> arguments, const char* source = "", const Group& group = {});
-    /// A sentence of a body, or of several taken together: they are its first argument.
+    /// A sentence about a body, or about several taken together; they become its first argument.
     void say_of(const Group& group, Sentence sentence, std::vector<Argument> arguments, const char* source = "");
-    /// The force of a bond as it acts on a group.
+    /// Symbol of a bond's force as it acts on a group.
     Symbol symbol_on(int b, const Group& group) const;
     /// The action of a bond on a group.
     Quantity quantity_on(int b, const Group& group) const;
     PointName place_name(int b) const;
     std::string names_of(const Group& group) const;
-    /// The letter of a point of concurrency; the sentence said next finds it.
+    /// The letter of a point of concurrency, which the next sentence will find.
     std::string meet_name(const Group& group, PlaceOnDrawing place);
-    /// Of a point of the file, or a letter of its own.
+    /// The name of a point of the file at this place, else a new letter.
     std::string name_at(const Group& group, PlaceOnDrawing place);
 
 private:
-    /// Pins come after the bodies.
+    /// The last member that is a body, not a pin (pins come last).
     MemberIndex last_body_of(const Group& group) const;
     BodyName::As as_what(const Group& group) const;
     std::string free_letter() const;
@@ -68,14 +67,14 @@ private:
     Board& board_;
     const Mechanism& mechanism_;
     const KnownForces& known_;
-    int trials_ = 0;  ///< under way, one in the other
+    int trials_ = 0;  ///< number of nested trials
     bool of_truss_ = false;
     std::map<MemberIndex, std::string> bar_names_;
     std::string mark_;
     StatementIndex statement_ = none;
     NamedMeets meets_;
     std::vector<NamedMeet> named_meets_;                          ///< all, each with its letter
-    std::vector<std::pair<Group, std::ptrdiff_t>> unsaid_meets_;  ///< of groups; indices in named_meets_
+    std::vector<std::pair<Group, std::ptrdiff_t>> unsaid_meets_;  ///< by group; indices in named_meets_
 };
 
 }  // namespace kinegraph::statics

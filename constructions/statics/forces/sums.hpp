@@ -1,5 +1,5 @@
-// Runs added up, bond by bond: loads that acted alone, trials in their proportion, the components of a hinge. All is
-// linear.
+// Sums of runs, bond by bond: of loads that acted alone, of trials in their proportion, of the components of a hinge.
+// All is linear.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@ public:
         : model_(model), board_(board), known_(known), said_(said) {}
 
     Run add_up(std::vector<PartRun> parts);
-    /// a + s·b, bond by bond.
+    /// a + s·b for each bond, from two shares.
     Run combine(Run a, ScalarHandle share_a, Run b, ScalarHandle share_b);
-    /// The components of a hinge that was tried by them are its force again.
+    /// Adds the components of a hinge, used in a trial, to its force.
     void gather_components(Run& run);
 
 private:
-    /// The sentence said last gives all at once.
+    /// Marks that the last sentence gives all at once.
     void found_in_parts(Run& run) const;
     void add_to(Run& total, const Run& b, std::optional<ScalarHandle> factor);
     void gather(Run& run);

@@ -28,7 +28,7 @@ void Trials::close_by_trial(const std::vector<Load>& loads, Run& run, int depth)
 bool Trials::try_value(const std::vector<Load>& loads, Run& run, int b, int depth) {
     said_.say(Sentence::trial, {said_.with_mark(model_.bonds()[at(b)].symbol)}, "");
     Run first = run, second = run;
-    // Primes, others at each depth: trial values that cancelled each other would look like a body without forces.
+    // Different primes at each depth: trial values that cancel each other would look like a body without forces.
     static constexpr int sizes[][2] = {{2, 3},   {5, 7},   {11, 13}, {17, 19}, {23, 29},
                                        {31, 37}, {41, 43}, {47, 53}, {59, 61}};
     const std::optional<Force> largest = largest_of(loads);

@@ -1,5 +1,5 @@
-// What no order of bodies resolves: an unknown gets two trial values, each is drawn by the rules, and what does not
-// close tells the true one, for all is linear.
+// Solution by trial values, if no order of bodies gives all forces. An unknown gets two values, each is drawn by the
+// rules, and the closing errors give the true value, since the problem is linear.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace kinegraph::statics {
 
 class Trials {
 public:
-    /// `origin`: about which moments that do not close are measured.
+    /// `origin`: place about which closing moments are measured.
     Trials(ForceModel& model, Board& board, const KnownForces& known, ForceSentences& said, Rules& rules,
            PlaceOnDrawing origin)
         : model_(model),
@@ -25,22 +25,22 @@ public:
           sums_(model, board, known, said),
           origin_(origin) {}
 
-    /// The last rule. One unknown gets two trial values; each is drawn; what does not close
-    /// then tells in which proportion they must be added, for everything is linear. Several unknowns nest.
+    /// Gives one unknown two trial values and combines the two runs in the proportion that closes. Several unknowns
+    /// nest.
     void close_by_trial(const std::vector<Load>& loads, Run& run, int depth);
 
 private:
-    /// A force along the bond's own line, or its couple.
+    /// Tries a force along the bond's own line, or its couple.
     bool try_value(const std::vector<Load>& loads, Run& run, int b, int depth);
-    /// Of what does not close in the first trial that which changes most to the second: components before moments.
+    /// The closing error that changes most between the trials; components are preferred to moments.
     std::pair<ScalarHandle, std::optional<ScalarHandle>> clearest_gap(const std::vector<Load>& loads, const Run& first,
                                                                       const Run& second);
-    /// A couple as long as a force of so many newtons, to be compared with forces.
+    /// A couple in N m as a force vector of the same number of N, to compare it with forces.
     Force as_force(ScalarHandle couple) { return board_.scale<Plane::force>(couple, board_.own_direction({1, 0})); }
     std::optional<Force> largest_of(const std::vector<Load>& loads);
-    /// Declares a bond known, of a trial size along its line or as a couple; of the order of the largest load.
+    /// Makes a bond known, with a trial force along its line or couple, of the order of the largest load.
     void give(Run& run, int b, int size, const std::optional<Force>& largest);
-    /// What does not close at a member: components along x and y, and the moment about one fixed place.
+    /// Closing error at a member: components along x and y, and the moment about one fixed place.
     std::array<ScalarHandle, 3> gaps(MemberIndex member, const std::vector<Load>& loads, const Run& run);
 
     ForceModel& model_;

@@ -27,7 +27,7 @@ void CutBodies::cut_together(const Run& run) {
         const std::vector<int> outer = model_.outer_bonds(balanced.group);
         if (!std::all_of(outer.begin(), outer.end(), [&](int b) { return run.reactions[at(b)].known; })) continue;
         const Strings* strings = strings_of(balanced, run);
-        // The plan of a truss has what closes, but no rays and no diagonal of Culmann's.
+        // The plan of a truss contains the closed polygon, but not the rays or Culmann's diagonal.
         if (!one_by_one_ && strings == nullptr && !has_diagonal(balanced, run)) continue;
         std::vector<std::pair<MemberIndex, Side>> sides;
         for (const Load& load : *under_.loads)
@@ -64,7 +64,7 @@ void CutBodies::free_body(MemberIndex member, const Run& run) {
     way_.list_meets(member, body);
     const std::vector<const Added*> leading = way_.add_way(member, run, body);
     const bool whole = is_whole(member, run);
-    if (!whole) body.statement = none;  // no one sentence closes it
+    if (!whole) body.statement = none;  // no single sentence closes it
     if (!cut.sides.empty() && whole) {
         way_.put_in_order(cut.sides, leading);
         if (body.funicular) way_.put_in_order(cut.sides, *body.funicular);
@@ -96,7 +96,8 @@ void CutBodies::apply_reaction(CutBody& cut, MemberIndex member, int b, const Re
     if (reaction.force) force = reversed ? board_.negate(*reaction.force) : *reaction.force;
     if (reaction.couple) {
         const ScalarHandle couple = reversed ? board_.opposite(*reaction.couple) : *reaction.couple;
-        // A force with a couple is the same force moved aside: its real line. A part of a force has none.
+        // A force with a couple is equal to the force on an offset line, its real line. A component of a force has
+        // none.
         if (force && reaction.known) {
             applied.elements.at = board_.carry(bond.place, board_.arm(couple, *force)).element;
         } else {
@@ -153,7 +154,7 @@ void CutBodies::draw_together(const Balanced& balanced, std::vector<std::pair<Me
     std::string id = one_by_one_ ? "forces" : "forces-truss";
     for (const MemberIndex member : balanced.group)
         if (!model_.is_pin(member)) together.bodies.push_back(model_.body_of(member));
-    // Of one body and its pin it is not the body's own.
+    // For one body and its pin it is not the body's own polygon.
     for (const MemberIndex member : balanced.group)
         if (one_by_one_ && (!model_.is_pin(member) || together.bodies.size() < 2))
             id += "-" + model_.member_name(member);

@@ -1,5 +1,5 @@
-// Bodies cut free: of each its forces, their lines, and its closed polygon; and of bodies that were balanced as one
-// what acts on them from outside.
+// Free-body diagrams: the forces on each body, their lines, and the closed polygon; also the external forces on bodies
+// that were balanced as one.
 #pragma once
 
 #include <set>
@@ -22,15 +22,15 @@ public:
           one_by_one_(one_by_one),
           results_(results) {}
 
-    /// Each of which all is known, but those that are `unbalanced`.
+    /// For each body with all forces known, except those that are `unbalanced`.
     void draw_bodies(const Run& run, const std::set<MemberIndex>& unbalanced);
-    /// All that acts on it is known.
+    /// Whether all forces on a member are known.
     bool is_whole(MemberIndex member, const Run& run) const;
-    /// Of bodies that were balanced as one: what acts on them from outside, first what was known.
+    /// For bodies balanced as one: the external forces, known ones first.
     void cut_together(const Run& run);
 
 private:
-    /// A body on the way to be cut free, and the sides of its polygon.
+    /// A free body under construction, and the sides of its polygon.
     struct CutBody {
         FreeBody body;
         std::vector<Side> sides;
@@ -41,9 +41,9 @@ private:
     void apply_reaction(CutBody& cut, MemberIndex member, int b, const Reaction& reaction);
     /// The reaction without its values, at the bond's place.
     AppliedForce applied_reaction(const Bond& bond, const Reaction& reaction, bool reversed) const;
-    /// What is known and a force that is sought were added.
+    /// Whether known forces were added to an unknown one, which gives the polygon a diagonal.
     static bool has_diagonal(const Balanced& balanced, const Run& run);
-    /// By which the group was balanced; null: otherwise.
+    /// The strings by which the group was balanced; null if it was balanced otherwise.
     static const Strings* strings_of(const Balanced& balanced, const Run& run);
     void draw_together(const Balanced& balanced, std::vector<std::pair<MemberIndex, Side>> sides,
                        const Strings* strings, const Run& run);

@@ -1,5 +1,5 @@
-// Polygons of forces tip to tail: of one body, of bodies taken together, and those of all bodies laid side by side on
-// their common forces (Cremona). Which forces, in which order, it is told.
+// Polygons of forces tip to tail: of one body, of bodies taken together, and of all bodies joined at their common
+// forces (Cremona). The callers choose the forces and their order.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct Side {
     Symbol symbol;
     Force force;
     int bond = -1;         ///< −1: a load
-    bool external = true;  ///< a load, an effort or reaction of the frame
+    bool external = true;  ///< a load, or an input force or reaction of the frame
     Quantity quantity;
 };
 
@@ -26,26 +26,26 @@ class ForcePolygons {
 public:
     ForcePolygons(const ForceModel& model, Board& board) : model_(model), board_(board) {}
 
-    /// For the polygons that are joined.
+    /// Keeps the sides for join_polygons().
     void keep(MemberIndex member, std::vector<Side> sides) { sides_.emplace_back(member, std::move(sides)); }
-    /// Tip to tail from `start` on, with the corners that they leave; the last tip.
+    /// Draws the sides tip to tail from `start`, with the corners between them. Returns the last tip.
     Corner set_off(int polygon, MemberIndex on, const std::vector<Side>& sides, Corner start, Face& face);
     int add_force_polygon(Polygon::Kind kind, std::string id);
     void draw_side(int polygon, const Side& side, MemberIndex member, Corner tail, Corner tip);
-    /// Tip to tail: the forces of a body in equilibrium close.
+    /// Tip to tail; closes for a body in equilibrium.
     int draw_polygon(MemberIndex member, const std::vector<Side>& sides, const std::string& suffix);
-    /// The triangles laid side by side on their common forces, so that the external forces close.
+    /// Joins the polygons at their common forces, so that the external forces close.
     void join_polygons();
 
 private:
-    /// Sets the sides off from `start`, beginning with the one at `from`; the side of the bond `shared` is there
-    /// already. Returns the tails of the sides, in their order.
+    /// Draws the sides from `start`, beginning with the one at `from`; the side of the bond `shared` already exists.
+    /// Returns the tails of the sides, in their order.
     std::vector<Corner> place_sides(int polygon, MemberIndex member, const std::vector<Side>& sides, std::size_t from,
                                     Corner start, int shared);
 
     const ForceModel& model_;
     Board& board_;
-    std::vector<std::pair<MemberIndex, std::vector<Side>>> sides_;  ///< by member, in the order resolved
+    std::vector<std::pair<MemberIndex, std::vector<Side>>> sides_;  ///< by member, in the order of solution
 };
 
 }  // namespace kinegraph::statics

@@ -14,7 +14,7 @@ void FoundValues::collect_bond(const Bond& bond, const Reaction& reaction, bool 
             if (bond.kind == Bond::Kind::couple) {
                 result.value = recorded(reaction.couple);
             } else if (reaction.force) {
-                // In units of the direction, which is a unit vector.
+                // The direction is a unit vector.
                 const Force unit = board_.scale<Plane::force>(board_.number(1), bond.direction);
                 result.value = Recorded<Exact>::at(board_.ratio(*reaction.force, unit).element);
             } else {

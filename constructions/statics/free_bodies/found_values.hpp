@@ -1,5 +1,5 @@
-// The values of a run as results: forces at joints, efforts, and the motions by which redundant constraints gave
-// theirs.
+// Converts a run to results: joint forces, input forces and couples, and the virtual motions that gave forces of
+// redundant constraints.
 #pragma once
 
 #include "constructions/statics/forces.hpp"
@@ -13,7 +13,7 @@ public:
         : model_(model), board_(board), mechanism_(mechanism), way_(way), results_(results) {}
 
     void collect_bond(const Bond& bond, const Reaction& reaction, bool valid);
-    /// The motion of a sentence, and the arms of what does work in it.
+    /// The virtual motion of a sentence, and the arms of the forces that do work in it.
     void virtual_motion(const Released& released);
 
 private:

@@ -36,7 +36,7 @@ void LooseResultants::resultant(const Loose& loose) {
         const PlaceOnDrawing foot = couple ? board_.carry(origin, board_.arm(*couple, *force)) : origin;
         result.through = Recorded<Vector>::at(foot.element);
     }
-    // The freedom of a body on the frame is not balanced, whatever the sum.
+    // The freedom of a body on the frame is unbalanced, whatever the sum.
     const bool is_free = !loose.balanced && (loose.centre || loose.along);
     if (force && is_free) find_residual(loose, *force, loads, result);
     say_resultant(result, force, couple);
@@ -164,7 +164,7 @@ void LooseResultants::draw_open_polygon(int polygon, const Group& group, const s
                             board_.carry(start, *force));
         face.corners.push_back(here.element);
     }
-    // A face for each body would say that they were closed one by one.
+    // A separate face for each body would suggest that each polygon closes.
     if (group.size() > 1) face.corners = {start.element, here.element};
     board_.add_face(polygon, face);
     if (group.size() > 1) board_.add_face(polygon, std::move(face));

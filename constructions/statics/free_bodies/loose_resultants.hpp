@@ -1,5 +1,5 @@
-// Bodies that nothing holds, or not enough: all that is given on them as one force or couple, what of it does work, and
-// their polygon with its gap.
+// Unsupported or insufficiently supported bodies: the given forces as one force or couple, the part of it that does
+// work, and the polygon with its gap.
 #pragma once
 
 #include <optional>
@@ -16,17 +16,17 @@ public:
                     ForceResults& results)
         : model_(model), board_(board), mechanism_(mechanism), polygons_(polygons), way_(way), results_(results) {}
 
-    /// Floating, and what is given on them does not balance.
+    /// Floating members whose given forces do not balance.
     const std::set<MemberIndex>& unbalanced() const { return unbalanced_; }
 
-    /// All that is given on a group as one force along a line, one couple, or nothing.
+    /// Reduces the given forces on a group to a force along a line, a couple, or zero.
     void resultant(const Loose& loose);
 
 private:
-    /// What is given does on the one freedom that the joints leave: its moment about the centre, or its part along the
-    /// guide.
+    /// The part that works in the one freedom left by the joints: the moment about the centre, or the component along
+    /// the guide.
     void find_residual(const Loose& loose, Force force, const std::vector<const Load*>& loads, Resultant& result);
-    /// The arm of the resultant about the place that its body is free to turn about.
+    /// Adds the arm of the resultant about the place about which the body can turn.
     void turn_by_resultant(const Resultant& result, PlaceOnDrawing centre, Force force);
     template <class Handle>
     std::optional<Handle> unless_zero(const std::optional<Handle>& value) {
@@ -34,10 +34,10 @@ private:
     }
     static Symbol resultant_symbol(bool is_force);
     void say_resultant(Resultant& result, const std::optional<Force>& force, const std::optional<ScalarHandle>& couple);
-    /// What acts on each, and the polygon with its gap: on one body among its forces, else of all together.
+    /// Draws the free bodies, and the polygon with its gap: on one body among its forces, else for all together.
     void cut_unbalanced(const Group& group, const std::vector<const Load*>& loads, Resultant& result,
                         const std::optional<Force>& force, const std::optional<ScalarHandle>& couple);
-    /// On its line, at the foot of the perpendicular from where the first load acts.
+    /// On its line, at the foot of the perpendicular from the point of the first load.
     AppliedForce applied_resultant(const Load& first, StatementIndex statement, const std::optional<Force>& force,
                                    const std::optional<ScalarHandle>& couple);
     void draw_open_polygon(int polygon, const Group& group, const std::vector<Side>& sides,

@@ -1,5 +1,5 @@
-// Loads that act alone, member by member, each with its bodies cut free; and of each action the polygon in which they
-// add up.
+// Superposition: loads that act alone, member by member, each with its free bodies; and for each action the polygon in
+// which its parts are added.
 #pragma once
 
 #include <cstddef>
@@ -20,12 +20,12 @@ public:
           meets_(meets),
           polygons_(model, board) {}
 
-    /// Nothing: what acts alone is not in equilibrium by itself.
+    /// None if a load alone is not in equilibrium.
     std::optional<Superposition> superpose(const Run& run);
 
 private:
     std::optional<Superposition::Part> cut_part(const PartRun& part);
-    /// Of one action, on a body that moves: forces tip to tail, and couples.
+    /// For one action on a moving body: adds forces tip to tail, and couples.
     void sum_parts(std::size_t b, const Run& run, Superposition& found);
 
     ForceModel& model_;

@@ -1,5 +1,4 @@
-// Whether a run found all forces, which members are out of equilibrium, and the reason where something is not
-// determined.
+// Whether a run found all forces, which members are not in equilibrium, and why forces are not determined.
 #pragma once
 
 #include <set>
@@ -14,19 +13,20 @@ public:
     Verdict(ForceModel& model, const Mechanism& mechanism, const Mobility& mobility, const UnderLoads& under)
         : model_(model), mechanism_(mechanism), mobility_(mobility), under_(under) {}
 
-    /// Members that do not balance though all their bonds are known, and what hangs on them by known bonds (not through
-    /// the frame): of these nothing is known.
+    /// Members that do not balance though all their bonds are known, and those connected to them by known bonds (not
+    /// through the frame). Their forces are discarded.
     std::set<MemberIndex> out_of_equilibrium(const Run& run);
-    /// All but what bodies exert on each other that are not in equilibrium.
+    /// Whether all forces are known, except those between members out of equilibrium.
     bool is_complete(const Run& run, const std::set<MemberIndex>& unbalanced) const;
     void explain(const Run& run, bool balanced, ForceResults& results);
-    /// A contact that would have to pull.
+    /// Reports contacts that would have to pull.
     void remark_lift_off(const Run& run, ForceResults& results);
-    /// What of a reaction equilibrium leaves open: all of it, the component across that which is known, its couple.
+    /// The part of a reaction that equilibrium leaves open: all of it, the component perpendicular to the known one,
+    /// its couple.
     static Symbols open_symbols(const Bond& bond, const Reaction& reaction, bool reversed);
 
 private:
-    /// Why the forces are not determined; `open`: which ones, where some are.
+    /// Why the forces are not determined; `open`: which ones, if only some are.
     Message reason(const Run& run, Symbols open) const;
 
     ForceModel& model_;

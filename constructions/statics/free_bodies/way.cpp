@@ -32,7 +32,7 @@ void Way::list_meets(MemberIndex member, FreeBody& body) const {
     for (const NamedMeet& meet : meets->second) {
         const bool listed =
             std::any_of(body.meets.begin(), body.meets.end(), [&](const auto& m) { return m.name == meet.name; });
-        const bool alone = under_.first != none;  // these loads, by the sentences that speak of them
+        const bool alone = under_.first != none;  // selects these loads by the sentences about them
         if (listed || (alone && (meet.used < under_.first || !(meet.used < under_.end)))) continue;
         body.meets.push_back({meet.name, {}, alone ? meet.used : meet.statement, meet.place.element});
     }
@@ -92,7 +92,7 @@ std::ptrdiff_t Way::rank_in(const FreeBody::Funicular& funicular, const Symbol& 
     Symbols order = funicular.known;
     order.push_back(funicular.first);
     order.push_back(funicular.second);
-    // What is known was one resultant: its parts come before all.
+    // The known forces were one resultant: they come first.
     const auto found = std::find(order.begin(), order.end(), symbol);
     return found == order.end() ? -1 : found - order.begin();
 }

@@ -1,5 +1,5 @@
-// What was added up on the way to the forces of a body: sums, arms, strings, points where lines meet; and the order
-// that they give to the sides of its polygon.
+// Intermediate constructions of a body's forces: sums, arms, strings, points where lines meet; and the order of the
+// sides of its polygon that follows from them.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace kinegraph::statics {
 
-/// Which loads act: all, or those of one member alone.
+/// Which loads act: all, or those of one member only.
 struct UnderLoads {
     const std::vector<Load>* loads;
-    std::string mark{};                       ///< of the member that bears these; empty: all act
-    StatementIndex first = none, end = none;  ///< its sentences
+    std::string mark{};                       ///< name of the loaded member; empty: all loads act
+    StatementIndex first = none, end = none;  ///< range of its sentences
 
     std::string suffix() const { return mark.empty() ? "" : "-load-" + mark; }
 };
@@ -33,29 +33,29 @@ public:
     Way(ForceModel& model, Board& board, const Mechanism& mechanism, const NamedMeets& meets, const UnderLoads& under)
         : model_(model), board_(board), mechanism_(mechanism), meets_(meets), under_(under) {}
 
-    /// Sums, arms and strings of a member; what leads the order of its polygon.
+    /// Adds sums, arms and strings of a member; returns the sums that determine the order of its polygon.
     std::vector<const Added*> add_way(MemberIndex member, const Run& run, FreeBody& body);
-    /// The points of concurrency used at a member.
+    /// The points of concurrency used for a member.
     void list_meets(MemberIndex member, FreeBody& body) const;
     FreeBody::Arm arm_about(PlaceOnDrawing about, Force force, PlaceOnDrawing place, StatementIndex statement,
                             bool is_sought);
-    /// A point of the file that lies there; empty: none does.
+    /// A point of the file at this place; empty if there is none.
     std::string point_at(PlaceOnDrawing place);
     static AppliedForce applied_sum(const Added& added);
     static FreeBody::Funicular funicular(const Strings& strings);
-    /// By the first sum that it is part of.
+    /// Rank by the first sum of which it is part.
     static std::ptrdiff_t rank_in(const std::vector<const Added*>& leading, const Side& side);
     static std::ptrdiff_t rank_in(const FreeBody::Funicular& funicular, const Symbol& symbol);
-    /// What was added first comes first, so that the sums are diagonals from the polygon's first corner.
+    /// Orders sides as they were added, so that the sums are diagonals from the polygon's first corner.
     void put_in_order(std::vector<Side>& sides, const std::vector<const Added*>& leading);
-    /// As the corners of its rays have them: what is known, the force of the line, that of the place.
+    /// Order of the corners of the rays: known forces, the force of the line, that of the place.
     static void put_in_order(std::vector<Side>& sides, const FreeBody::Funicular& funicular);
     FreeBody empty_body(MemberIndex member) const;
     static AppliedForce applied_load(const Load& load);
 
 private:
-    /// Counter-clockwise by direction from the first on: the polygon is convex, and neighbours lie on the far sides of
-    /// common forces.
+    /// Sorts counter-clockwise by direction, starting with the first: the polygon is convex, and neighbouring polygons
+    /// lie on opposite sides of common forces.
     void sort_round(std::vector<Side>& sides);
     bool bears_load(MemberIndex member) const;
     void add_lever(const Lever& lever, FreeBody& body);

@@ -54,7 +54,7 @@ bool Cuts::make_any() {
     return false;
 }
 
-/// All that acts on a side but the bars of the cut.
+/// The sum of all forces on a side, without the cut bars.
 Wrench Cuts::known_on(const std::vector<int>& side, const std::vector<int>& bars) {
     Wrench total;
     const auto add = [&](const std::optional<Force>& force, int pin) {
@@ -75,8 +75,8 @@ Wrench Cuts::known_on(const std::vector<int>& side, const std::vector<int>& bars
     return total;
 }
 
-/// The equation that holds one of three bars alone: moments about the meet of the others, or across them where they are
-/// parallel.
+/// The equation with one of three bars only: moments about the intersection of the others, or the components across
+/// them if they are parallel.
 std::optional<Cuts::Equation> Cuts::equation_for(const std::vector<int>& bars, std::size_t sought,
                                                  const Wrench& known) {
     const Action own = truss_.action_of(bars[sought]), one = truss_.action_of(bars[(sought + 1) % 3]),

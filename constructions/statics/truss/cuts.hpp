@@ -1,5 +1,5 @@
 // Cuts by Ritter's method of moments (Elementare Theorie und Berechnung eiserner Dach- und Brücken-Constructionen,
-// 1863): three bars part the truss, and an equation for each holds it alone.
+// 1863): a cut through three bars divides the truss, and each bar has an equation without the other two.
 #pragma once
 
 #include <optional>
@@ -16,18 +16,18 @@ public:
     explicit Cuts(KnownTruss& truss)
         : truss_(truss), board_(truss.board()), done_(truss.mechanism().find.cuts.size(), false) {}
 
-    /// The cuts that the file asks for, of a side whose reactions are known. `at_last`: those that cannot be made are
-    /// told in `unsolved`; otherwise they wait.
+    /// Makes the cuts requested by the file, for a side with known reactions. `at_last`: those that cannot be made go
+    /// to `unsolved`; otherwise they are tried again later.
     void make_those_of_file(bool at_last);
-    /// Where no pin leads on: three unknown bars that part the truss, other bars cut being known. False: there are
-    /// none.
+    /// If no pin can be solved: cuts three unknown bars that divide the truss; other cut bars must be known. False if
+    /// there are none.
     bool make_any();
     const std::vector<Unsolved>& unsolved() const { return unsolved_; }
 
 private:
-    /// That holds one of the three bars alone.
+    /// An equation that contains only one of the three bars.
     struct Equation {
-        std::optional<PlaceOnDrawing> pivot;  ///< nothing: across the parallel ones
+        std::optional<PlaceOnDrawing> pivot;  ///< none: forces perpendicular to the parallel bars
         ScalarHandle moment, lever;
     };
     bool make(const std::vector<int>& bars, const std::vector<int>& side, bool asked);

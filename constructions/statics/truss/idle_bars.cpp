@@ -5,7 +5,7 @@
 namespace kinegraph::statics {
 namespace {
 
-/// True where there is one at this pin.
+/// Sets a zero-force bar at this pin; false if there is none.
 bool settle_idle_at(KnownTruss& truss, int pin) {
     if (!truss.is_unloaded(pin)) return false;
     std::vector<int> left;

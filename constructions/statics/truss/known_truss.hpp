@@ -1,5 +1,5 @@
-// What is known of a truss while it is solved: the pulls of its bars, the forces of its supports, and the sentences
-// that find them. Knows no rule by which a force is found.
+// What is known of a truss during its solution: the pulls of its bars, the forces of its supports, and the sentences
+// that find them.
 #pragma once
 
 #include <optional>
@@ -15,18 +15,18 @@ class KnownTruss {
 public:
     struct Bar {
         bool known = false;
-        std::optional<Force> pull;  ///< on its first pin; nothing: it carries nothing
+        std::optional<Force> pull;  ///< on its first pin; none: zero
     };
-    /// What the frame exerts at a pin: by a hinge any force, else one along a line.
+    /// The action of the frame on a pin: any force from a hinge, else a force along a line.
     struct Support {
         int pin = -1;
-        std::vector<int> bonds;  ///< several: hinges of several bars on the frame
+        std::vector<int> bonds;  ///< more than one: hinges of several bars on the frame
         std::optional<DirectionHandle> line;
         bool known = false;
         std::optional<Force> force;  ///< on the truss
         StatementIndex statement = none;
     };
-    /// A place to go back to where a rule led nowhere.
+    /// A state to return to if a rule fails.
     struct Mark {
         Board::Mark board;
         StatementIndex statement = none;
@@ -40,25 +40,23 @@ public:
     const TrussStructure& structure() const { return truss_; }
     int pins() const { return static_cast<int>(truss_.pins.size()); }
 
-    // What is known.
     const std::vector<Bar>& bars() const { return bars_; }
     const Bar& bar(int bar) const { return bars_[at(bar)]; }
     const std::vector<Support>& supports() const { return supports_; }
-    /// Of the model, those that act at a pin.
+    /// Loads of the model that act at a pin.
     const std::vector<int>& loads_at(int pin) const { return loads_[at(pin)]; }
     const Load& load(int load) const { return model_.loads()[at(load)]; }
-    /// Neither a load nor a support acts there.
+    /// Whether neither a load nor a support acts there.
     bool is_unloaded(int pin) const;
-    /// All bars and all supports.
+    /// Whether all bars and supports are known.
     bool all_known() const;
-    /// The force of a bar on one of its pins; nothing: it carries nothing, or is not known.
+    /// The force of a bar on one of its pins; none if it is zero or unknown.
     std::optional<Force> pull_on(int bar, int pin);
-    /// Of forces at one pin; nothing stands for zero.
+    /// Sum of forces at one pin; none is zero.
     std::optional<Force> sum(const std::optional<Force>& a, const std::optional<Force>& b) const;
-    /// Pins on which something acts from outside.
+    /// Pins with external forces.
     std::vector<int> pins_under_forces() const;
 
-    // Places and directions.
     PlaceOnDrawing place(int pin) const { return board_.place(truss_.pins[at(pin)].point); }
     DirectionHandle toward(int bar, int pin) const {
         return board_.direction(board_.vector(place(pin), place(truss_.other_end(bar, pin))));
@@ -68,28 +66,26 @@ public:
         return model_.action(place(truss_.bars[at(bar)].pins[0]), toward(bar, truss_.bars[at(bar)].pins[0]));
     }
 
-    // Names.
     Symbol symbol_of(int bar) const { return {Symbol::Letter::F, truss_.bars[at(bar)].name, {}}; }
     Symbol symbol_of(const Support& support) const;
     PointName name_of(int pin) const { return {truss_.name_of(mechanism_, pin)}; }
     PointName name_of_bar(int bar) const { return {truss_.bars[at(bar)].name}; }
     Names names_of(const std::vector<int>& bars) const;
 
-    // What is found.
     StatementIndex say(Sentence sentence, std::vector<Argument> arguments, const char* source = "");
-    /// The sentence said last.
+    /// The last sentence.
     StatementIndex statement() const { return statement_; }
     Message& message() { return board_.statement(statement_).message; }
-    /// By the sentence said last; `pull` on this pin, nothing or zero where the bar carries nothing.
+    /// Found by the last sentence. `pull` is the force on this pin; none or zero if the bar is a zero-force bar.
     void settle(int bar, int pin, const std::optional<Force>& pull);
     void settle(std::size_t support, const std::optional<Force>& force);
-    /// A force found in another way, without a sentence of the truss; `pull` on the first pin.
+    /// Takes a force found by other rules, without a sentence of the truss; `pull` on the first pin.
     void take_bar(int bar, const std::optional<Force>& pull);
-    /// The forces of the supports that a run of the whole has; those that it has not are unknown.
+    /// Takes the known support forces from a run of the truss as one free body; the others stay unknown.
     void take_supports(const Run& whole);
     Mark mark() const { return {board_.mark(), statement_}; }
     void rewind(const Mark& mark);
-    /// What is handed on in the end.
+    /// The result under construction.
     Truss& found() { return found_; }
 
 private:

@@ -16,7 +16,7 @@ std::vector<PinByPin::Unknown> PinByPin::unknown_at(int pin) const {
     return unknown;
 }
 
-/// The sum of all that is known at a pin; nothing where it vanishes.
+/// The sum of all known forces at a pin; none if it vanishes.
 std::optional<Force> PinByPin::known_at(int pin) {
     std::optional<Force> sum;
     const auto add = [&](const std::optional<Force>& force) { sum = truss_.sum(sum, force); };
@@ -36,7 +36,7 @@ void PinByPin::settle(int pin, const Unknown& unknown, const std::optional<Force
         truss_.settle(at(unknown.support), force);
 }
 
-/// Closes the polygon of a pin: with one force any way or along its line, or with two along theirs.
+/// Closes the polygon of a pin: with one force of any direction or along its line, or with two along theirs.
 bool PinByPin::close(int pin, const std::vector<Unknown>& unknown) {
     const std::optional<Force> known = known_at(pin);
     const auto nothing = [&] {
@@ -62,7 +62,7 @@ bool PinByPin::close(int pin, const std::vector<Unknown>& unknown) {
     return true;
 }
 
-/// What was found there, once it is: senses are read off the polygon.
+/// Writes the results at a pin; senses are read from the polygon.
 void PinByPin::say(int pin, const std::vector<Unknown>& unknown) {
     std::vector<int> bars, tension, compression, idle;
     std::vector<Symbol> reactions;

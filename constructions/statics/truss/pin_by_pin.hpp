@@ -1,4 +1,4 @@
-// The polygon of forces at one pin after another, each with two unknowns at most (Cremona, Le figure reciproche nella
+// The polygon of forces at one pin after another, each with at most two unknowns (Cremona, Le figure reciproche nella
 // statica grafica, 1872).
 #pragma once
 
@@ -14,12 +14,12 @@ public:
     explicit PinByPin(KnownTruss& truss)
         : truss_(truss), board_(truss.board()), resolved_(truss.structure().pins.size(), false) {}
 
-    /// Finds the unknown forces at a pin where its polygon gives them; false where it does not.
+    /// Finds the unknown forces at a pin by its polygon; false if the polygon does not determine them.
     bool resolve(int pin);
-    /// At a pin with one unknown the known forces had another line: what is given is not in equilibrium.
+    /// Whether at a pin with one unknown the known forces had another line: the given forces are not in equilibrium.
     bool is_contradictory() const { return contradictory_; }
-    /// At the end: pins of which all was known when their turn came must close, and a sentence names them. False where
-    /// one does not.
+    /// Checks the pins that had no unknown left: their polygons must close, and a sentence names them. False if one
+    /// does not close.
     bool check_rest();
 
 private:

@@ -29,7 +29,8 @@ void OfForces::force_found(StatementIndex statement, const FreeBody& body, const
     }
 }
 
-/// F = ΣM/h: the moments of all others about the line of that which the sum gives, by the distance h of the two.
+/// F = ΣM/h: the moments of all other forces about the line of the force that the sum gives, divided by the distance h
+/// of the two parallels.
 void OfForces::by_moments_of_parallels(StatementIndex statement, const FreeBody& body, const AppliedForce& found) {
     const Message& said = telling_.message(statement);
     if (said.sentence != Sentence::parallel_forces || std::get<Symbol>(said.arguments[1]) != found.symbol) return;
@@ -69,7 +70,7 @@ void OfForces::nothing_to_balance(StatementIndex statement, int effort) {
                   couple ? units_.moment : units_.force);
 }
 
-/// M = F·b, where the sentence balances a couple of two forces; b in the length that makes up the unit of moments.
+/// M = F·b, if the sentence balances a couple of two forces; b in the length unit of the moment unit.
 Factors OfForces::force_times_arm(StatementIndex statement, const FreeBody& body, double couple) const {
     for (const FreeBody::Arm& arm : body.arms) {
         if (arm.statement != statement || arm.is_shift) continue;
@@ -80,7 +81,7 @@ Factors OfForces::force_times_arm(StatementIndex statement, const FreeBody& body
     return {};
 }
 
-/// Of a support that holds a couple, too: the couple at the pair, and how far aside the one force acts, d = M/F.
+/// For a support that also transmits a couple: the couple at the pair, and the offset of the single force, d = M/F.
 void OfForces::moved_aside(StatementIndex statement, const FreeBody& body, const AppliedForce& applied) {
     if (applied.kind != AppliedForce::Kind::reaction || applied.is_component) return;
     const auto pair = std::find_if(solution_.forces.begin(), solution_.forces.end(), [&](const JointForce& each) {
@@ -97,7 +98,7 @@ void OfForces::moved_aside(StatementIndex statement, const FreeBody& body, const
     tell_aside(statement, std::abs(couple) / force, force);
 }
 
-/// That of M/F as they are told: m of N m and N, mm of N m and kN; nothing where no length has such a unit.
+/// The unit of M/F in displayed units: m for N m and N, mm for N m and kN; none if no length has such a unit.
 std::optional<Unit> OfForces::unit_of_arm() const {
     const Exact size = units_.moment.si / units_.force.si;
     if (units_.length.si == size) return units_.length;
@@ -106,7 +107,7 @@ std::optional<Unit> OfForces::unit_of_arm() const {
     return std::nullopt;
 }
 
-/// d = M/F, with both as they are told; then, where its unit is not the file's, in that, too.
+/// d = M/F, both as displayed; then again in the file's unit if that differs.
 void OfForces::tell_aside(StatementIndex statement, double arm, double force) {
     const Symbol d{Symbol::Letter::length, "d", {}};
     if (const auto unit = unit_of_arm()) {
@@ -124,9 +125,8 @@ bool OfForces::is_by_virtual_work(StatementIndex statement) {
            said == Sentence::virtual_work_alone;
 }
 
-/// Where the factors' units make another unit than the result's, what makes the one of the other is told with them:
-/// 1000 for kN, 386.1 for pounds and inches. What is only written with a power of ten is taken into the first factor
-/// instead: kg mm² as kg m².
+/// If the factors' units give another unit than the result's, adds the conversion factor: 1000 for kN, 386.1 for pounds
+/// and inches. A power of ten that only changes the notation goes into the first factor instead: kg mm² as kg m².
 void OfForces::product(StatementIndex statement, const Symbol& of, Factors factors, const Exact& made, double value,
                        const Unit& unit) {
     const double ratio = (unit.si / made).to_double();
@@ -232,7 +232,7 @@ void OfForces::by_ritter(const Truss::Cut& cut) {
     const double arm = solution_.truss->numbers_of(cut, solution_.pose.points).arm;
     const Symbol of = std::get<Symbol>(said.arguments[1]);
     if (!cut.pivot) return telling_.tell(cut.statement, of, {{force * arm}}, arm, force, units_.force);
-    // In the unit that the force has times the arm's, so that the one follows from the other as it is read.
+    // The displayed force unit times the arm's unit, so that the result follows from the displayed numbers.
     Unit unit{units_.force.symbol + " " + units_.length.symbol, units_.force.si * units_.length.si};
     if (unit.si == units_.moment.si) unit = units_.moment;
     const double b = in(arm, units_.length);
@@ -241,7 +241,7 @@ void OfForces::by_ritter(const Truss::Cut& cut) {
     telling_.tell(cut.statement, of, {{force * b}}, b, force, units_.force);
 }
 
-/// F·b of each force on one side of a cut but those of the bars that it looks for.
+/// F·b of each force on one side of a cut, except those of the cut bars sought.
 std::vector<Telling::Product> OfForces::moments_on_side(const Truss::Cut& cut) const {
     const Truss& truss = *solution_.truss;
     std::vector<Telling::Product> moments;
@@ -273,7 +273,7 @@ void OfForces::resultant_found(const AppliedForce& sum) {
                       units_.force);
 }
 
-/// Whether it is the sentence that moves a force aside.
+/// Whether this is the sentence that offsets a force.
 bool OfForces::moves(StatementIndex statement, const Symbol& force) const {
     const Message& said = telling_.message(statement);
     return said.sentence == Sentence::inertia_moved && std::get<Symbol>(said.arguments[1]) == force;
@@ -318,7 +318,7 @@ void OfForces::superposed(const Superposition& superposition) {
     }
 }
 
-/// F = ΣM/b, where it alone has a moment about the centre.
+/// F = ΣM/b, if it alone has a moment about the centre.
 void OfForces::by_moments(const VirtualMotion& motion) {
     const double force = length(*motion.force);
     std::optional<double> arm;

@@ -1,4 +1,4 @@
-// Workings of forces: F_i = −m·a_G, springs, resultants, what is moved aside by d = M/F, cuts by Ritter, superposition,
+// Worked arithmetic of forces: F_i = −m·a_G, springs, resultants, offsets d = M/F, cuts by Ritter, superposition,
 // virtual work.
 #pragma once
 
@@ -19,25 +19,24 @@ public:
 
     /// `in_all`: under all loads.
     void force_found(StatementIndex statement, const FreeBody& body, const AppliedForce& applied, bool in_all);
-    /// Of an effort that balances nothing: M = 0. It is drawn nowhere, so no body that is cut free has it.
+    /// An input couple with nothing to balance: M = 0. It is not drawn, so it is on no free body.
     void nothing_to_balance(StatementIndex statement, int effort);
     /// F_i = −m a_G, M_i = −J α.
     void inertia(StatementIndex statement);
     /// F = k · (l − l_0), M = −k · φ.
     void stretched(StatementIndex statement);
-    /// F = the mean intensity · the length, and how far its line is from the first end.
+    /// F = mean intensity · length, and the distance of its line from the first end.
     void distributed(StatementIndex statement);
     /// A force by its magnitude, a couple with its sign.
     void left_over(const Resultant& resultant);
-    /// Of a cut: the moment of what acts on one side as ΣF·b, and F = M/b; across parallel bars F = the component/the
-    /// sine.
+    /// For a cut: the moment of the forces on one side as ΣF·b, and F = M/b; across parallel bars F = component / sine.
     void by_ritter(const Truss::Cut& cut);
-    /// Resultants, and by how much an inertia force is moved aside: d = M/F.
+    /// Resultants, and the offset of an inertia force: d = M/F.
     void added_up(const FreeBody& body);
     void added_up(const TakenTogether& together);
-    /// Each by its part, then the sums: F = its magnitude, M = M_2 + M_3.
+    /// Each part, then the sums: F by its magnitude, M = M_2 + M_3.
     void superposed(const Superposition& superposition);
-    /// What a virtual motion gives, and the ratios of its angular velocities.
+    /// The works in a virtual motion, and the ratios of its angular velocities.
     void by_virtual_work(const VirtualMotion& motion);
 
 private:

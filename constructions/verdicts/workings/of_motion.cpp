@@ -46,7 +46,7 @@ void OfMotion::drawn(const DrawnVector& vector) {
     if (said.sentence == Sentence::auxiliary_point) tell_place(vector);
     const bool alike =
         said.sentence == Sentence::translating_velocity || said.sentence == Sentence::translating_acceleration;
-    // A crank that turns uniformly has its normal part alone, which is told.
+    // A crank with uniform rotation has only its normal part, which is given.
     const bool uniform = said.sentence == Sentence::crank_acceleration && said.arguments.size() == 5;
     if (alike || (vector.role == Role::absolute && uniform)) return;
     const Unit& unit = unit_of(vector);
@@ -55,7 +55,7 @@ void OfMotion::drawn(const DrawnVector& vector) {
         return telling_.tell(vector.statement, vector.symbol, {}, std::nullopt, 0, unit);
     const bool known = is_known(vector);
     Factors factors = known ? factors_of(vector, si) : Factors{};
-    // A term of an equation that was known already needs no value where nothing is worked out.
+    // A known term of an equation needs no value unless there is arithmetic.
     if (known && factors.empty() && protocol_.statements[at_index(vector.statement)].equation) return;
     if (said.sentence == Sentence::crank_velocity && !factors.empty())
         telling_.tell_given_turning(vector.statement, std::get<Symbol>(said.arguments[4]),
@@ -64,7 +64,7 @@ void OfMotion::drawn(const DrawnVector& vector) {
     if (vector.role == Role::coriolis) tell_direction(vector);
 }
 
-/// Where an auxiliary point is, which no file names: in the length of the file.
+/// The place of an auxiliary point, which has no name in the file; in the file's length unit.
 void OfMotion::tell_place(const DrawnVector& of_auxiliary) {
     std::vector<Argument>& arguments = telling_.message(of_auxiliary.statement).arguments;
     constexpr std::size_t point_body_and_lines = 4;
@@ -74,7 +74,7 @@ void OfMotion::tell_place(const DrawnVector& of_auxiliary) {
         arguments.emplace_back(Amount{in(coordinate.to_double(), units_.length), units_.length.symbol});
 }
 
-/// The place of an auxiliary point, known by the vector that was drawn for it.
+/// The place of an auxiliary point, found from the vector drawn for it.
 std::optional<Vector> OfMotion::auxiliary_named(const std::string& name) const {
     for (const DrawnVector& vector : protocol_.vectors) {
         if (vector.statement == none) continue;
@@ -96,7 +96,7 @@ void OfMotion::tell_direction(const DrawnVector& coriolis) {
     told.turned = {velocity_of_coriolis(coriolis.symbol, observed), omega};
 }
 
-/// Set off by its length, and not read off.
+/// Whether its length was given, and not measured.
 bool OfMotion::is_known(const DrawnVector& vector) const {
     const std::optional<Equation>& equation = protocol_.statements[at_index(vector.statement)].equation;
     if (!equation) return true;
@@ -117,7 +117,7 @@ Factors OfMotion::factors_of(const DrawnVector& vector, double si) {
             return {};
         case Role::normal: return {{turning(vector.body), true}, {in(lever_of(vector), unit)}};
         case Role::tangential:
-            // Its α follows from it.
+            // Here α follows from the vector.
             if (telling_.message(vector.statement).sentence == Sentence::alpha_from_pair) return {};
             return {{std::abs(
                         telling_.spin(vector.body, protocol_.polygons[at_index(vector.polygon)].plane == Plane::velocity
@@ -171,7 +171,7 @@ void OfMotion::turning_found(StatementIndex statement, const Quantity& quantity,
     tell(std::move(factors), divisor, value);
 }
 
-/// Of places that the file names; a star tells apart whom a place belongs to, not where it is.
+/// For places with names in the file; a star distinguishes bodies, not places.
 std::optional<double> OfMotion::segment_length(const Segment& segment) const {
     const auto place = [&](std::string name) -> std::optional<Vector> {
         while (name.ends_with('*')) name.pop_back();
@@ -194,7 +194,7 @@ void OfMotion::carried_over(const SecondWay& way) {
         if (!from || !own || !common) return;
         const double value = way.omega->to_double(), far = in(distance(*own, *common), units_.length);
         double near = in(distance(*from, *common), units_.length);
-        if (is_between(*from, *common, *own)) near = -near;  // between the pivots: the senses differ
+        if (is_between(*from, *common, *own)) near = -near;  // between the pivots: opposite senses
         telling_.tell_turning(statement, of, {{telling_.spin(driver, Symbol::Letter::omega)}, {near}}, far, value);
         return;
     }

@@ -1,4 +1,4 @@
-// Workings of motion: v = ω·r, a^n = ω²·r, a_cor = 2·ω·v_rel, ω = v/r, what slides, what is carried over by the instant
+// Worked arithmetic of motion: v = ω·r, a^n = ω²·r, a_cor = 2·ω·v_rel, ω = v/r, sliding velocities, ratios by instant
 // centres, Euler–Savary.
 #pragma once
 
@@ -17,15 +17,15 @@ public:
           units_(solution_.mechanism.units),
           magnitudes_(telling.magnitudes()) {}
 
-    /// The sentences of the slidings stand in the order of these.
+    /// Sliding velocities; their sentences are in the order of the slidings.
     void add_slidings();
-    /// What the statement that draws a vector says of its length.
+    /// The length of a drawn vector, for the statement that draws it.
     void drawn(const DrawnVector& vector);
     /// ω = v/r, α = a^t/r of two points of the body.
     void turning_found(StatementIndex statement, const Quantity& quantity, Symbol::Letter letter);
     /// ω_4 = ω_2 · P_12 P_24 / P_14 P_24.
     void carried_over(const SecondWay& way);
-    /// δ is read off; ρ_C = PC²/CW (Euler–Savary).
+    /// δ is measured; ρ_C = PC²/CW (Euler–Savary).
     void of_curvature(const Curvature& curvature);
 
 private:

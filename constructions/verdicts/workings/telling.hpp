@@ -1,5 +1,4 @@
-// Telling: how a working is written to the sentence that it belongs to. Owns that it is said once, and only where it
-// comes out.
+// Writes worked arithmetic to the sentence to which it belongs: once, and only if it gives the value found.
 #pragma once
 
 #include <optional>
@@ -21,24 +20,24 @@ public:
     const Solution& solution() const { return solution_; }
     const Magnitudes& magnitudes() const { return magnitudes_; }
     Message& message(StatementIndex statement) { return solution_.protocol.statements[at_index(statement)].message; }
-    /// A working is said once, and only where it comes out.
+    /// Adds `of` = factors / divisor = value, unless it is already there or does not give the value.
     void tell(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor, double value,
               const Unit& unit);
-    /// What was told last, once more in another unit.
+    /// Adds the last value again in another unit.
     void tell_also(StatementIndex statement, const Symbol& of, double value, const Unit& unit);
-    /// Of a sum of products.
+    /// A term of a sum of products.
     struct Product {
         double one = 0, other = 0;
     };
     void tell_sum(StatementIndex statement, Symbol of, const std::vector<Product>& products, double value,
                   const Unit& unit);
-    /// Of a ω, in rad/s, as sentences reckon with it; where the file has another unit, a second working of it has that
-    /// one.
+    /// For an ω, computed in rad/s as the sentences do; if the file has another unit, a second entry gives the value in
+    /// it.
     void tell_turning(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor,
                       double value);
-    /// A ω that is given, in the file's unit and in rad/s; nothing is said where these are one.
+    /// For a given ω, in the file's unit and in rad/s; adds nothing if these are the same.
     void tell_given_turning(StatementIndex statement, Symbol of, double value);
-    /// ω or α of a body; 0 of none.
+    /// ω or α of a body; 0 if it has none.
     double spin(BodyIndex body, Symbol::Letter letter) const;
 
 private:
