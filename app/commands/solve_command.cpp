@@ -9,7 +9,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/library/asked_values.hpp"
-#include "app/library/driver_choice.hpp"
+#include "app/library/solved_positions.hpp"
 #include "constructions/moving/moving.hpp"
 #include "constructions/positions/conditions.hpp"
 #include "constructions/solving/solve.hpp"
@@ -43,135 +43,6 @@ Words why_no_lever(const Solution& solution) {
     return {};
 }
 
-/// A requested position: the driver's coordinate, exact, and as text.
-struct AskedPosition {
-    Exact coordinate;
-    Words text;
-    std::optional<Rates> rates;  ///< of a driver with a law
-};
-/// For a driver with a law: its rates when it first reaches a coordinate.
-tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanism, int driver,
-                                                       const Exact& coordinate) {
-    const Law* law = law_of(mechanism, driver);
-    if (law == nullptr) return std::nullopt;
-    const auto rates = rates_at(*law, coordinate.to_double());
-    if (rates) return *rates;
-    const auto text = [&](double end) { return coordinate_text(mechanism, driver, end); };
-    return tl::unexpected(Words("{0}: the law of driver {1} goes from {2} to {3}",
-                                "{0}: la legge del movente {1} va da {2} a {3}", text(coordinate.to_double()),
-                                name_of_driver(mechanism, driver), text(rates.error().first),
-                                text(rates.error().second)));
-}
-/// Reads a time of the law, zero in the position of the file; empty if the text is no time.
-std::optional<AskedPosition> asked_by_time(const Law& law, const std::string& text) {
-    const auto written = read_quantity(text, QuantityKind::time);
-    if (!written || written->unit->kind != QuantityKind::time) return std::nullopt;
-    const double drawn = law.drawn.to_double();
-    const LawState here = law.at(drawn + written->in_si().to_double());
-    return AskedPosition{Exact::from_double(here.s - law.at(drawn).s), time_text(written->in_si().to_double()),
-                         Rates{Exact::from_double(here.first), Exact::from_double(here.second)}};
-}
-tl::expected<std::vector<AskedPosition>, Words> positions_asked(const SolveRequest& request, const Mechanism& mechanism,
-                                                                int driver) {
-    constexpr std::size_t most = 720;
-    std::vector<AskedPosition> all;
-    std::optional<Words> beyond;
-    const auto add = [&](const Exact& coordinate) {
-        const auto rates = rates_of_law(mechanism, driver, coordinate);
-        if (rates)
-            all.push_back({coordinate, coordinate_text(mechanism, driver, coordinate.to_double()), *rates});
-        else if (!beyond)
-            beyond = rates.error();
-    };
-    for (const std::string& text : request.at) {
-        if (const Law* law = law_of(mechanism, driver)) {
-            if (auto timed = asked_by_time(*law, text)) {
-                all.push_back(*std::move(timed));
-                continue;
-            }
-        }
-        const bool every = text.starts_with("every ");
-        const auto read = coordinate_of(mechanism, driver, every ? text.substr(6) : text);
-        if (!read) return tl::unexpected(std::string("--at: ") + read.error());
-        if (!every) {
-            add(*read);
-            continue;
-        }
-        if (!turns(mechanism, driver))
-            return tl::unexpected(Words("--at {0}: a slide has no whole turn; give its positions",
-                                        "--at {0}: uno scorrimento non ha giro intero; dare le sue posizioni", text));
-        if (read->sign() <= 0 || *read * Exact(static_cast<int>(most)) < 2 * pi())
-            return tl::unexpected(Words("--at {0}: a turn is divided into 1 to {1} positions",
-                                        "--at {0}: un giro si divide in 1–{1} posizioni", text, std::to_string(most)));
-        for (Exact turn = 0; turn < 2 * pi(); turn += *read) add(turn);
-    }
-    if (beyond) return tl::unexpected(std::string("--at ") + *beyond);
-    if (all.size() > most)
-        return tl::unexpected(Words("--at: at most {0} positions in one run",
-                                    "--at: al più {0} posizioni in un comando", std::to_string(most)));
-    return all;
-}
-
-/// Adds the position to the title of the sheet.
-void name_position(Mechanism& mechanism, const std::string& driver, const Words& turn) {
-    Words& title = mechanism.title;
-    if (title.empty()) title = mechanism.source;
-    title = render::in_all([&](Language language) { return in(title, language); }) +
-            Words(" ({0}: {1})", " ({0}: {1})", driver, turn);
-}
-
-/// Solves the mechanism in the requested positions; a status after an error was reported.
-tl::expected<std::vector<Solution>, Status> solved_positions(const Mechanism& mechanism, const SolveRequest& request,
-                                                             Arithmetic arithmetic) {
-    const Words file = spoken(request.file);
-    const auto wrong = [&](const Words& why, Status status = Status::bad_input) {
-        say(file, why, request.language);
-        return tl::unexpected(status);
-    };
-    const auto wrong_file = [&](const Errors& errors) { return tl::unexpected(say(file, errors, request.language)); };
-    const auto driver = driver_named(mechanism, request.driver);
-    if (!driver) return wrong(driver.error());
-    const auto asked = positions_asked(request, mechanism, *driver);
-    if (!asked) return wrong(asked.error());
-    const auto pose = draw_pose(mechanism);
-    if (!pose) return wrong_file(pose.error());
-    auto positions = Positions::of(mechanism, *pose, course_of(*driver, request.branch));
-    if (!positions) return wrong_file(positions.error());
-    const Mover mover(mechanism, *pose);
-    const std::string name = name_of_driver(mechanism, *driver);
-    std::vector<Solution> solutions;
-    for (const auto& [coordinate, text, rates] : *asked) {
-        const auto put_rates = [&, &rates = rates](Mechanism& there) {
-            if (rates) there.drivers[at_index(*driver)] = with_rates(there.drivers[at_index(*driver)], *rates);
-        };
-        if (coordinate.is_zero()) {
-            Mechanism as_drawn = mechanism;
-            put_rates(as_drawn);
-            auto drawn = solve(std::move(as_drawn), arithmetic);
-            if (!drawn) return wrong_file(drawn.error());
-            solutions.push_back(*std::move(drawn));
-        } else {
-            Positions here = *positions;
-            if (!here.move_to(coordinate.to_double()))
-                return wrong(std::string("--at: ") +
-                             out_of_reach(text, name, coordinate_text(mechanism, *driver, here.limit().value_or(0))));
-            if (here.is_singular())
-                return wrong({"--at: at {0} the mechanism is at a change point, where it has no one answer; ask for a "
-                              "position beside it",
-                              "--at: a {0} il meccanismo è in un punto di biforcazione, senza risposta unica; chiedere "
-                              "una posizione vicina",
-                              text},
-                             Status::unsolved);
-            Moved moved = mover.moved(here, coordinate);
-            put_rates(moved.mechanism);
-            const FinerPose finer = [pose = std::move(moved.finer)] { return pose; };
-            solutions.push_back(solve(std::move(moved.mechanism), std::move(moved.pose), finer, arithmetic));
-        }
-        name_position(solutions.back().mechanism, name, text);
-    }
-    return solutions;
-}
-
 /// The first option of the request that needs a mechanism; null if none does.
 const char* asked_of_mechanisms(const SolveRequest& request) {
     if (!request.at.empty()) return "solve --at";
@@ -198,7 +69,11 @@ tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& req
     }
     if (wants(request, "equations")) mechanism->find.equations = true;
     if (wants(request, "virtual work")) mechanism->find.virtual_work = true;
-    if (!request.at.empty()) return solved_positions(*mechanism, request, arithmetic);
+    if (!request.at.empty()) {
+        auto solutions = solved_positions(*mechanism, {request.at, request.driver, request.branch}, arithmetic, "--");
+        if (!solutions) return tl::unexpected(say(spoken(request.file), solutions.error(), request.language));
+        return *std::move(solutions);
+    }
     auto solution = solve(*std::move(mechanism), arithmetic);
     if (!solution) return tl::unexpected(say(spoken(request.file), solution.error(), request.language));
     std::vector<Solution> solutions;

@@ -24,7 +24,7 @@ const Law* law_of(const Mechanism& mechanism, int driver) {
     return kinegraph::law_of(mechanism.drivers[at_index(driver)]);
 }
 
-tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::string& name) {
+tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::string& name, const std::string& dashes) {
     if (mechanism.drivers.empty())
         return tl::unexpected(
             Words("nothing drives this mechanism, so it has one position only; give it \"drivers\"",
@@ -38,8 +38,8 @@ tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::str
         list += (list.empty() ? "" : ", ") + known.back();
     }
     Speller speller;
-    return tl::unexpected(Words("--driver {0}: no driver is called so{1}; there are {2}",
-                                "--driver {0}: nessun movente si chiama così{1}; ci sono {2}", name,
+    return tl::unexpected(Words("{0}driver {1}: no driver is called so{2}; there are {3}",
+                                "{0}driver {1}: nessun movente si chiama così{2}; ci sono {3}", dashes, name,
                                 did_you_mean(speller.nearest(name, known)), list));
 }
 

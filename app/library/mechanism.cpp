@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "app/library/solved_positions.hpp"
 #include "app/library/state.hpp"
 #include "constructions/kinematics/degeneracy.hpp"
 #include "constructions/positions/conditions.hpp"
@@ -61,6 +62,16 @@ Expected<std::vector<Text>> check_exercise(const Mechanism& mechanism) {
     return remarks;
 }
 
+/// The mechanism with what the options ask for besides.
+Mechanism with_wishes(Mechanism mechanism, const SolveOptions& options) {
+    if (options.equations) mechanism.find.equations = true;
+    if (options.virtual_work) mechanism.find.virtual_work = true;
+    return mechanism;
+}
+Arithmetic arithmetic_of(const SolveOptions& options) {
+    return options.sentences ? Arithmetic::told : Arithmetic::left_out;
+}
+
 }  // namespace
 
 Expected<MechanismFile> MechanismFile::parse(std::string_view text, std::string name,
@@ -108,6 +119,22 @@ Expected<Solved> MechanismFile::solve(const SolveOptions& options) const {
     if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
     if (const Errors missing = missing_in(*solution); !missing.empty()) return tl::unexpected(diagnostics_of(missing));
     return solved(*std::move(solution), SourceFile{state().text, state().name, state().set});
+}
+
+Expected<std::vector<Solved>> MechanismFile::solve_at(const PositionsWanted& positions,
+                                                      const SolveOptions& options) const {
+    if (!has_joints())
+        return refused(Diagnostic::Kind::bad_input, {"the file states a problem in place of joints: nothing moves",
+                                                     "il file pone un problema al posto delle coppie: nulla si muove"});
+    auto solutions =
+        app::solved_positions(with_wishes(state().mechanism, options), positions, arithmetic_of(options), "");
+    if (!solutions) return tl::unexpected(diagnostics_of(solutions.error()));
+    std::vector<Solved> all;
+    for (Solution& each : *solutions) {
+        if (const Errors missing = missing_in(each); !missing.empty()) return tl::unexpected(diagnostics_of(missing));
+        all.push_back(solved(std::move(each)));
+    }
+    return all;
 }
 
 Expected<std::string> MechanismFile::pairs(TextForm form, Language language) const {

@@ -79,7 +79,7 @@ Expected<Sweep> Sweep::of(const MechanismFile& file, const SweepOptions& options
         return refused(Diagnostic::Kind::bad_input, {"at least 2 steps are needed", "occorrono almeno 2 passi"});
     Sweep sweep(new State{file.state().mechanism, {}, std::nullopt, {}, options.steps, {}, {}});
     State& state = *sweep.state_;
-    const auto driver = app::driver_named(state.mechanism, options.driver);
+    const auto driver = app::driver_named(state.mechanism, options.driver, "");
     if (!driver) return refused(Diagnostic::Kind::bad_input, driver.error());
     auto pose = draw_pose(state.mechanism);
     if (!pose) return tl::unexpected(diagnostics_of(pose.error()));

@@ -17,9 +17,9 @@ std::optional<ReyeProblem> ReyeSection::read(JsonValue section) {
     problem.kind = *kind;
     problem.where = section.pointer();
     const auto read_members = [&](std::initializer_list<std::string_view> own) {
-        std::vector<std::string_view> keys{"kind", "force", "friction", "wear", "time"};
-        keys.insert(keys.end(), own.begin(), own.end());
-        return file_.members(section, std::span<const std::string_view>(keys), {"\"reye\"", "\"reye\""});
+        std::vector<std::string_view> names{"kind", "force", "friction", "wear", "time"};
+        names.insert(names.end(), own.begin(), own.end());
+        return file_.members(section, std::span<const std::string_view>(names), {"\"reye\"", "\"reye\""});
     };
     const bool slides = problem.kind == ReyeProblem::Kind::pad || problem.kind == ReyeProblem::Kind::block;
     const Members form =

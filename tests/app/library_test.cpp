@@ -138,6 +138,25 @@ TEST(PublicFace, RefusesAThemeThatIsNone) {
     EXPECT_EQ(wrong.error().front().place, "/paper");
 }
 
+TEST(PublicFace, SolvesInOtherPositions) {
+    const auto file = MechanismFile::parse(slider_crank, "slider_crank.json");
+    ASSERT_TRUE(file.has_value());
+    const auto found = file->solve_at({{"0°", "every 120°"}, "", 0});
+    ASSERT_TRUE(found.has_value());
+    ASSERT_EQ(found->size(), 4u);
+    EXPECT_EQ((*found)[0].value("omega 3")->value, -2.5);
+    EXPECT_EQ((*found)[1].value("omega 3")->value, -2.5);
+    // A third of a turn on: the crank at 53.13° + 120°, the rod of √0.016 m; ω₃ = −r ω cos φ/(l cos β).
+    const double r = 0.05, l = std::sqrt(0.016), phi = std::atan2(4, 3) + 2 * std::acos(-1.0) / 3;
+    const double expected = -r * 10 * std::cos(phi) / std::sqrt(l * l - r * r * std::sin(phi) * std::sin(phi));
+    EXPECT_NEAR((*found)[2].value("omega 3")->value, expected, 1e-12);
+    EXPECT_EQ(draw(*found)->pages(), draw((*found)[0])->pages() * 4);
+    const auto wrong = file->solve_at({{"30°"}, "nobody", 0});
+    ASSERT_FALSE(wrong.has_value());
+    EXPECT_EQ(wrong.error().front().text.in(Language::en), "driver nobody: no driver is called so; there are 2");
+    EXPECT_FALSE(file->solve_at({{"1 kg"}, "", 0}).has_value());
+}
+
 TEST(PublicFace, MovesAMechanismThroughItsCycle) {
     const auto file = MechanismFile::parse(slider_crank, "slider_crank.json");
     ASSERT_TRUE(file.has_value());

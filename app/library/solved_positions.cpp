@@ -1,0 +1,147 @@
+#include "app/library/solved_positions.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "app/library/driver_choice.hpp"
+#include "engine/drawing/pose.hpp"
+#include "engine/file/units.hpp"
+#include "engine/mechanism/drivers.hpp"
+#include "engine/motion/moved.hpp"
+#include "engine/motion/positions.hpp"
+#include "render/text/language.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+/// A requested position: the driver's coordinate, exact, and as text.
+struct AskedPosition {
+    Exact coordinate;
+    Words text;
+    std::optional<Rates> rates;  ///< of a driver with a law
+};
+/// For a driver with a law: its rates when it first reaches a coordinate.
+tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanism, int driver,
+                                                       const Exact& coordinate) {
+    const Law* law = law_of(mechanism, driver);
+    if (law == nullptr) return std::nullopt;
+    const auto rates = rates_at(*law, coordinate.to_double());
+    if (rates) return *rates;
+    const auto text = [&](double end) { return coordinate_text(mechanism, driver, end); };
+    return tl::unexpected(Words("{0}: the law of driver {1} goes from {2} to {3}",
+                                "{0}: la legge del movente {1} va da {2} a {3}", text(coordinate.to_double()),
+                                name_of_driver(mechanism, driver), text(rates.error().first),
+                                text(rates.error().second)));
+}
+/// Reads a time of the law, zero in the position of the file; empty if the text is no time.
+std::optional<AskedPosition> asked_by_time(const Law& law, const std::string& text) {
+    const auto written = read_quantity(text, QuantityKind::time);
+    if (!written || written->unit->kind != QuantityKind::time) return std::nullopt;
+    const double drawn = law.drawn.to_double();
+    const LawState here = law.at(drawn + written->in_si().to_double());
+    return AskedPosition{Exact::from_double(here.s - law.at(drawn).s), time_text(written->in_si().to_double()),
+                         Rates{Exact::from_double(here.first), Exact::from_double(here.second)}};
+}
+tl::expected<std::vector<AskedPosition>, Words> positions_asked(const PositionsWanted& wanted,
+                                                                const std::string& dashes, const Mechanism& mechanism,
+                                                                int driver) {
+    constexpr std::size_t most = 720;
+    std::vector<AskedPosition> all;
+    std::optional<Words> beyond;
+    const auto add = [&](const Exact& coordinate) {
+        const auto rates = rates_of_law(mechanism, driver, coordinate);
+        if (rates)
+            all.push_back({coordinate, coordinate_text(mechanism, driver, coordinate.to_double()), *rates});
+        else if (!beyond)
+            beyond = rates.error();
+    };
+    for (const std::string& text : wanted.at) {
+        if (const Law* law = law_of(mechanism, driver)) {
+            if (auto timed = asked_by_time(*law, text)) {
+                all.push_back(*std::move(timed));
+                continue;
+            }
+        }
+        const bool every = text.starts_with("every ");
+        const auto read = coordinate_of(mechanism, driver, every ? text.substr(6) : text);
+        if (!read) return tl::unexpected(Words(dashes + "at: ") + read.error());
+        if (!every) {
+            add(*read);
+            continue;
+        }
+        if (!turns(mechanism, driver))
+            return tl::unexpected(Words("{0}at {1}: a slide has no whole turn; give its positions",
+                                        "{0}at {1}: uno scorrimento non ha giro intero; dare le sue posizioni", dashes,
+                                        text));
+        if (read->sign() <= 0 || *read * Exact(static_cast<int>(most)) < 2 * pi())
+            return tl::unexpected(Words("{0}at {1}: a turn is divided into 1 to {2} positions",
+                                        "{0}at {1}: un giro si divide in 1–{2} posizioni", dashes, text,
+                                        std::to_string(most)));
+        for (Exact turn = 0; turn < 2 * pi(); turn += *read) add(turn);
+    }
+    if (beyond) return tl::unexpected(Words(dashes + "at ") + *beyond);
+    if (all.size() > most)
+        return tl::unexpected(Words("{0}at: at most {1} positions in one run",
+                                    "{0}at: al più {1} posizioni in un comando", dashes, std::to_string(most)));
+    return all;
+}
+
+/// Adds the position to the title of the sheet.
+void name_position(Mechanism& mechanism, const std::string& driver, const Words& turn) {
+    Words& title = mechanism.title;
+    if (title.empty()) title = mechanism.source;
+    title = render::in_all([&](render::Language language) { return in(title, language); }) +
+            Words(" ({0}: {1})", " ({0}: {1})", driver, turn);
+}
+
+}  // namespace
+
+Result<std::vector<Solution>> solved_positions(const Mechanism& mechanism, const PositionsWanted& wanted,
+                                               Arithmetic arithmetic, const std::string& dashes) {
+    const auto wrong = [&](const Words& why, ErrorCode code = ErrorCode::bad_input) {
+        return tl::unexpected(Errors{{code, "", why}});
+    };
+    const auto driver = driver_named(mechanism, wanted.driver, dashes);
+    if (!driver) return wrong(driver.error());
+    const auto asked = positions_asked(wanted, dashes, mechanism, *driver);
+    if (!asked) return wrong(asked.error());
+    const auto pose = draw_pose(mechanism);
+    if (!pose) return tl::unexpected(pose.error());
+    auto positions = Positions::of(mechanism, *pose, course_of(*driver, wanted.branch));
+    if (!positions) return tl::unexpected(positions.error());
+    const Mover mover(mechanism, *pose);
+    const std::string name = name_of_driver(mechanism, *driver);
+    std::vector<Solution> solutions;
+    for (const auto& [coordinate, text, rates] : *asked) {
+        const auto put_rates = [&, &rates = rates](Mechanism& there) {
+            if (rates) there.drivers[at_index(*driver)] = with_rates(there.drivers[at_index(*driver)], *rates);
+        };
+        if (coordinate.is_zero()) {
+            Mechanism as_drawn = mechanism;
+            put_rates(as_drawn);
+            auto drawn = solve(std::move(as_drawn), arithmetic);
+            if (!drawn) return tl::unexpected(drawn.error());
+            solutions.push_back(*std::move(drawn));
+        } else {
+            Positions here = *positions;
+            if (!here.move_to(coordinate.to_double()))
+                return wrong(Words(dashes + "at: ") +
+                             out_of_reach(text, name, coordinate_text(mechanism, *driver, here.limit().value_or(0))));
+            if (here.is_singular())
+                return wrong({"{0}at: at {1} the mechanism is at a change point, where it has no one answer; ask for a "
+                              "position beside it",
+                              "{0}at: a {1} il meccanismo è in un punto di biforcazione, senza risposta unica; "
+                              "chiedere una posizione vicina",
+                              dashes, text},
+                             ErrorCode::no_unique_answer);
+            Moved moved = mover.moved(here, coordinate);
+            put_rates(moved.mechanism);
+            const FinerPose finer = [pose = std::move(moved.finer)] { return pose; };
+            solutions.push_back(solve(std::move(moved.mechanism), std::move(moved.pose), finer, arithmetic));
+        }
+        name_position(solutions.back().mechanism, name, text);
+    }
+    return solutions;
+}
+
+}  // namespace kinegraph::app
