@@ -23,8 +23,7 @@ public:
 
     constexpr int number() const { return number_; }
     constexpr ListIndex next() const { return ListIndex(number_ + 1); }
-    friend constexpr auto operator<=>(ListIndex,
-                                      ListIndex) = default;  // NOLINT(modernize-use-nullptr): as in quantity.hpp
+    friend constexpr auto operator<=>(ListIndex, ListIndex) = default;  // NOLINT(modernize-use-nullptr)
 
 private:
     int number_ = -1;

@@ -16,9 +16,9 @@ class Recorded {
 public:
     Recorded() = default;
     /// A value that is not in the record.
-    Recorded(T value)
-        : known_(true), value_(std::move(value)) {}  // NOLINT(google-explicit-constructor): as std::optional
-    Recorded(std::nullopt_t) {}                      // NOLINT(google-explicit-constructor)
+    // NOLINTNEXTLINE(google-explicit-constructor): as std::optional
+    Recorded(T value) : known_(true), value_(std::move(value)) {}
+    Recorded(std::nullopt_t) {}  // NOLINT(google-explicit-constructor)
     static Recorded at(ElementIndex element) {
         Recorded found;
         found.known_ = true;
