@@ -145,7 +145,7 @@ public:
 
     ChainMechanism run() {
         for (int attempt = 0; attempt < 100; ++attempt) {
-            Drawing drawing(random_, random_.chance(15));
+            RandomDrawing drawing(random_, random_.chance(15));
             drawing_ = &drawing;
             recipe_ = "chain " + std::to_string(inversion_.chain) + ", frame " + std::to_string(inversion_.frame) +
                       ", driven " + std::to_string(inversion_.driven);
@@ -167,7 +167,7 @@ private:
         int arm = -1, wheel = -1, mate = -1;
     };
 
-    Drawing& draw() { return *drawing_; }
+    RandomDrawing& draw() { return *drawing_; }
     void note(const std::string& what) { recipe_ += ", " + what; }
     static std::string between(int a, int b) { return std::to_string(a) + "-" + std::to_string(b); }
     bool dissolved(int link) const { return std::find(dissolved_.begin(), dissolved_.end(), link) != dissolved_.end(); }
@@ -408,7 +408,7 @@ private:
     Random gears_;  ///< a separate generator, so that mechanisms without gears are drawn as before
     Inversion inversion_;
     const Chain& chain_;
-    Drawing* drawing_ = nullptr;
+    RandomDrawing* drawing_ = nullptr;
     std::vector<int> dissolved_;  ///< links
     std::vector<Mesh> meshes_;
     std::vector<int> bodies_;  ///< by link: its body in the drawing

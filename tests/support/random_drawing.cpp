@@ -36,36 +36,36 @@ const double least_sine = std::sin(6 * pi / 180);
 double length(Spot a) { return std::hypot(a.x, a.y); }
 double sine(Spot a, Spot b) { return std::abs(cross(a, b)) / (length(a) * length(b)); }
 
-Drawing::Drawing(Random& random, bool by_compass) : random_(random), by_compass_(by_compass) {
+RandomDrawing::RandomDrawing(Random& random, bool by_compass) : random_(random), by_compass_(by_compass) {
     bodies_.push_back({"1", {}});
 }
 
-Spot Drawing::anywhere() {
+Spot RandomDrawing::anywhere() {
     // An initialiser list fixes the order of evaluation; the order of function arguments depends on the compiler.
     return {to_tenths(random_.real(-reach, reach)), to_tenths(random_.real(-reach, reach))};
 }
-int Drawing::given(Spot spot) { return add(spot, pair(tenths(spot.x), tenths(spot.y))); }
-std::string Drawing::body_pair(int i, int j) const { return pair(quoted(body_name(i)), quoted(body_name(j))); }
+int RandomDrawing::given(Spot spot) { return add(spot, pair(tenths(spot.x), tenths(spot.y))); }
+std::string RandomDrawing::body_pair(int i, int j) const { return pair(quoted(body_name(i)), quoted(body_name(j))); }
 
-bool Drawing::is_free(Spot spot) const {
+bool RandomDrawing::is_free(Spot spot) const {
     for (const Point& point : points_) {
         if (length(point.spot - spot) < least_distance) return false;
     }
     return true;
 }
 
-std::string Drawing::unused_name() {
+std::string RandomDrawing::unused_name() {
     const std::size_t count = points_.size();
     const std::string letter(1, static_cast<char>('A' + count % 26));
     return count < 26 ? letter : letter + std::to_string(count / 26);
 }
 
-int Drawing::add(Spot spot, std::string placement) {
+int RandomDrawing::add(Spot spot, std::string placement) {
     points_.push_back({unused_name(), spot, std::move(placement)});
     return static_cast<int>(points_.size()) - 1;
 }
 
-std::optional<int> Drawing::place() {
+std::optional<int> RandomDrawing::place() {
     for (int attempt = 0; attempt < 40; ++attempt) {
         const Spot spot = anywhere();
         if (!by_compass_ || points_.empty() || random_.chance(40)) {
@@ -93,7 +93,7 @@ std::optional<int> Drawing::place() {
     return std::nullopt;
 }
 
-std::optional<int> Drawing::given_anywhere() {
+std::optional<int> RandomDrawing::given_anywhere() {
     for (int attempt = 0; attempt < 40; ++attempt) {
         const Spot spot = anywhere();
         if (is_free(spot)) return given(spot);
@@ -101,14 +101,14 @@ std::optional<int> Drawing::given_anywhere() {
     return std::nullopt;
 }
 
-std::optional<int> Drawing::on_line(int from, int to, double ratio) {
+std::optional<int> RandomDrawing::on_line(int from, int to, double ratio) {
     const Spot there = at(from) + ratio * (at(to) - at(from));
     if (!is_free(there) || std::abs(there.x) > 2 * reach || std::abs(there.y) > 2 * reach) return std::nullopt;
     return add(there, "{\"from\": " + quoted(name(from)) + ", \"to\": " + quoted(name(to)) +
                           ", \"ratio\": " + tenths(ratio) + "}");
 }
 
-std::optional<int> Drawing::pin_between(int a, int c) {
+std::optional<int> RandomDrawing::pin_between(int a, int c) {
     for (int attempt = 0; attempt < 60; ++attempt) {
         Spot spot = anywhere();
         if (length(spot - at(a)) < least_distance || length(spot - at(c)) < least_distance) continue;
@@ -132,12 +132,12 @@ std::optional<int> Drawing::pin_between(int a, int c) {
     return std::nullopt;
 }
 
-int Drawing::add_body(std::vector<int> points) {
+int RandomDrawing::add_body(std::vector<int> points) {
     bodies_.push_back({std::to_string(bodies_.size() + 1), std::move(points)});
     return static_cast<int>(bodies_.size()) - 1;
 }
 
-std::optional<int> Drawing::point_on(int body) {
+std::optional<int> RandomDrawing::point_on(int body) {
     std::vector<int>& points = points_of(body);
     if (!points.empty() && !random_.chance(body == 0 ? 70 : 25))
         return points[static_cast<std::size_t>(random_.whole(0, static_cast<int>(points.size()) - 1))];
@@ -146,12 +146,12 @@ std::optional<int> Drawing::point_on(int body) {
     return fresh;
 }
 
-void Drawing::further_point(int body) {
+void RandomDrawing::further_point(int body) {
     if (!random_.chance(45)) return;
     if (const auto fresh = place()) points_of(body).push_back(*fresh);
 }
 
-void Drawing::revolute(int point, int i, int j) {
+void RandomDrawing::revolute(int point, int i, int j) {
     for (Hinge& hinge : hinges_) {
         const bool holds =
             hinge.point == point && std::find(hinge.bodies.begin(), hinge.bodies.end(), i) != hinge.bodies.end();
@@ -161,30 +161,30 @@ void Drawing::revolute(int point, int i, int j) {
     joints_.emplace_back();
 }
 
-void Drawing::weld(int point, int i, int j) {
+void RandomDrawing::weld(int point, int i, int j) {
     joints_.push_back("{\"weld\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) + "}");
 }
 
-std::string Drawing::slide(const char* kind, int point, int i, int j, const std::string& along) {
+std::string RandomDrawing::slide(const char* kind, int point, int i, int j, const std::string& along) {
     std::string title = "s" + std::to_string(++slides_);
     joints_.push_back("{\"" + std::string(kind) + "\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) +
                       ", " + along + ", \"name\": " + quoted(title) + "}");
     return title;
 }
 
-std::string Drawing::prismatic(int point, int i, int j, const Guide& guide) {
+std::string RandomDrawing::prismatic(int point, int i, int j, const Guide& guide) {
     return slide("prismatic", point, i, j, "\"along\": " + guide.text);
 }
 
-std::string Drawing::pin_slot(int point, int i, int j, const Guide& guide) {
+std::string RandomDrawing::pin_slot(int point, int i, int j, const Guide& guide) {
     return slide("pin-slot", point, i, j, "\"along\": " + guide.text);
 }
 
-std::string Drawing::pin_in_arc(int point, int i, int j, int centre) {
+std::string RandomDrawing::pin_in_arc(int point, int i, int j, int centre) {
     return slide("pin-slot", point, i, j, "\"arc\": " + quoted(name(centre)));
 }
 
-Guide Drawing::any_guide() {
+Guide RandomDrawing::any_guide() {
     if (by_compass_ && random_.chance(50)) {
         const long degrees = random_.whole(-1799, 1800);
         return {decimal(degrees, 1), turned({1, 0}, static_cast<double>(degrees) / 10 * pi / 180)};
@@ -198,36 +198,36 @@ Guide Drawing::any_guide() {
     return {pair(std::to_string(dx), std::to_string(dy)), {static_cast<double>(dx), static_cast<double>(dy)}};
 }
 
-std::string Drawing::speed(double most) {
+std::string RandomDrawing::speed(double most) {
     long value = 0;
     while (value == 0) value = std::lround(random_.real(-most, most) * 100);
     return decimal(value, 2);
 }
 
-void Drawing::spin(int body, int relative_to) {
+void RandomDrawing::spin(int body, int relative_to) {
     std::string text = "{\"body\": " + quoted(body_name(body));
     if (relative_to != 0) text += ", \"relative to\": " + quoted(body_name(relative_to));
     const std::string omega = random_.chance(8) ? quoted(std::to_string(random_.whole(10, 300)) + " rpm") : speed(12);
     drivers_.push_back(text + ", \"omega\": " + omega + ", \"alpha\": " + speed(20) + "}");
 }
 
-void Drawing::drive_slide(const std::string& joint) {
+void RandomDrawing::drive_slide(const std::string& joint) {
     drivers_.push_back("{\"joint\": " + quoted(joint) + ", \"speed\": " + speed(2) + ", \"acceleration\": " + speed(5) +
                        "}");
 }
 
-void Drawing::drive_point(int body, int point, const Guide& along) {
+void RandomDrawing::drive_point(int body, int point, const Guide& along) {
     drivers_.push_back("{\"body\": " + quoted(body_name(body)) + ", \"at\": " + quoted(name(point)) + ", \"along\": " +
                        along.text + ", \"speed\": " + speed(2) + ", \"acceleration\": " + speed(5) + "}");
 }
 
-Guide Drawing::tangent(int point, int centre) const {
+Guide RandomDrawing::tangent(int point, int centre) const {
     const Spot radius = at(point) - at(centre);
     return {pair(tenths(-radius.y), tenths(radius.x)), {-radius.y, radius.x}};
 }
 
-void Drawing::higher_pair(const char* kind, int point, int i, int j, int centre_i, std::optional<int> centre_j,
-                          const std::string& more) {
+void RandomDrawing::higher_pair(const char* kind, int point, int i, int j, int centre_i, std::optional<int> centre_j,
+                                const std::string& more) {
     const auto circle = [&](int centre) { return "{\"circle\": " + quoted(name(centre)) + "}"; };
     const std::string other = centre_j ? circle(*centre_j) : "{\"line\": " + tangent(point, centre_i).text + "}";
     joints_.push_back("{\"" + std::string(kind) + "\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) +
@@ -235,33 +235,33 @@ void Drawing::higher_pair(const char* kind, int point, int i, int j, int centre_
                       quoted(body_name(j)) + ": " + other + "}" + more +
                       ", \"name\": " + quoted("h" + std::to_string(joints_.size())) + "}");
 }
-void Drawing::rolling(int point, int i, int j, int centre_i, std::optional<int> centre_j) {
+void RandomDrawing::rolling(int point, int i, int j, int centre_i, std::optional<int> centre_j) {
     higher_pair("rolling", point, i, j, centre_i, centre_j);
 }
-void Drawing::contact(int point, int i, int j, int centre_i, std::optional<int> centre_j) {
+void RandomDrawing::contact(int point, int i, int j, int centre_i, std::optional<int> centre_j) {
     higher_pair("contact", point, i, j, centre_i, centre_j);
 }
 
-void Drawing::gear(int point, int i, int j, int centre_i, std::optional<int> centre_j, int arm) {
+void RandomDrawing::gear(int point, int i, int j, int centre_i, std::optional<int> centre_j, int arm) {
     higher_pair("gear", point, i, j, centre_i, centre_j,
                 (arm != 0 ? ", \"arm\": " + quoted(body_name(arm)) : std::string()) + ", \"pressure angle\": 20");
 }
 
-void Drawing::balance(const char* kind, const std::string& where) {
+void RandomDrawing::balance(const char* kind, const std::string& where) {
     efforts_.push_back("{\"" + std::string(kind) + "\": " + quoted("E" + std::to_string(efforts_.size())) + ", " +
                        where + "}");
 }
-void Drawing::balance_by_couple(int body, int from) {
+void RandomDrawing::balance_by_couple(int body, int from) {
     balance("couple",
             "\"body\": " + quoted(body_name(body)) + (from != 0 ? ", \"from\": " + quoted(body_name(from)) : ""));
 }
-void Drawing::balance_by_force(int body, int point, const Guide& along) {
+void RandomDrawing::balance_by_force(int body, int point, const Guide& along) {
     balance("force",
             "\"body\": " + quoted(body_name(body)) + ", \"at\": " + quoted(name(point)) + ", \"along\": " + along.text);
 }
-void Drawing::balance_in_slide(const std::string& joint) { balance("force", "\"joint\": " + quoted(joint)); }
+void RandomDrawing::balance_in_slide(const std::string& joint) { balance("force", "\"joint\": " + quoted(joint)); }
 
-std::string Drawing::text() const {
+std::string RandomDrawing::text() const {
     std::string out = "{\n  \"kinegraph\": 1,\n  \"units\": {\"length\": \"mm\"},\n  \"frame\": 1,\n  \"points\": {\n";
     for (std::size_t i = 0; i < points_.size(); ++i)
         out += "    " + quoted(points_[i].name) + ": " + points_[i].placement + (i + 1 < points_.size() ? ",\n" : "\n");
@@ -286,7 +286,7 @@ std::string Drawing::text() const {
     return out + "\n}\n";
 }
 
-std::string Drawing::joint_text(std::size_t index) const {
+std::string RandomDrawing::joint_text(std::size_t index) const {
     for (const Hinge& hinge : hinges_) {
         if (hinge.joint != index) continue;
         std::string names;

@@ -33,10 +33,10 @@ struct Guide {
 };
 
 /// The file being built. All lengths in mm.
-class Drawing {
+class RandomDrawing {
 public:
     /// The frame is body "1", index 0. `by_compass`: points are sometimes constructed from others.
-    Drawing(Random& random, bool by_compass);
+    RandomDrawing(Random& random, bool by_compass);
 
     // --- points ---
     const Spot& at(int point) const { return points_[static_cast<std::size_t>(point)].spot; }

@@ -34,7 +34,7 @@ public:
     RandomMechanism run() {
         for (int attempt = 0; attempt < 1000; ++attempt) {
             const bool by_compass = random_.chance(35);
-            Drawing drawing(random_, by_compass);
+            RandomDrawing drawing(random_, by_compass);
             drawing_ = &drawing;
             recipe_.clear();
             if (!driven_body()) continue;
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    Drawing& draw() { return *drawing_; }
+    RandomDrawing& draw() { return *drawing_; }
     void note(const std::string& what) { recipe_ += (recipe_.empty() ? "" : " ") + what; }
     int any_body(int least = 0) { return random_.whole(least, draw().body_count() - 1); }
     /// i on j, or j on i: either body may have the guide.
@@ -283,7 +283,7 @@ private:
     }
 
     Random random_;
-    Drawing* drawing_ = nullptr;
+    RandomDrawing* drawing_ = nullptr;
     std::string recipe_;
 };
 
@@ -293,7 +293,7 @@ RandomMechanism random_mechanism(std::uint64_t seed) { return Builder(seed).run(
 
 RandomMechanism chain_of_dyads(int dyads, std::uint64_t seed) {
     Random random(seed);
-    Drawing drawing(random, false);
+    RandomDrawing drawing(random, false);
     // Crank, then link and rocker repeatedly; the rocker's far pin carries the next link. Every number has few digits.
     const int pivot = drawing.given({0, 0});
     int carried = drawing.given({30, 40});
