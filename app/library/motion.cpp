@@ -15,7 +15,7 @@
 namespace kinegraph {
 
 struct CamFile::State : Owned {
-    State(Cam read, CamGeometry found) : cam(std::move(read)), geometry(std::move(found)) {}
+    State(Cam read, const CamGeometry& found) : cam(std::move(read)), geometry(found) {}
     Cam cam;
     CamGeometry geometry;
 };
@@ -138,7 +138,7 @@ Expected<CamFile> CamFile::parse(std::string_view text, std::string name) {
     CamFile file{Shared<const State>(state)};
     auto geometry = CamGeometry::of(state->cam);
     if (!geometry) return tl::unexpected(diagnostics_of(geometry.error()));
-    state->geometry = *std::move(geometry);
+    state->geometry = *geometry;
     return file;
 }
 

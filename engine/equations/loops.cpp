@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 
+#include "engine/number/index.hpp"
+
 namespace kinegraph {
 namespace {
 

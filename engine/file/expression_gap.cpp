@@ -114,14 +114,15 @@ private:
             case Kind::product: {
                 Range all = range(of.parts.front(), variable);
                 for (std::size_t i = 1; i < of.parts.size() && !all.is_doubtful(); ++i) {
-                    const Range each = range(of.parts[i], variable);
+                    Range each = range(of.parts[i], variable);
                     if (each.is_doubtful()) return each;
                     all.values = of.kind == Kind::sum ? all.values + each.values : all.values * each.values;
                 }
                 return all;
             }
             case Kind::power: {
-                const Range base = range(of.parts[0], variable), exponent = range(of.parts[1], variable);
+                Range base = range(of.parts[0], variable);
+                const Range exponent = range(of.parts[1], variable);
                 if (base.is_doubtful()) return base;
                 return exponent.is_doubtful() ? exponent : power(base.values, exponent.values);
             }
