@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/commands/receipt.hpp"
+#include "app/commands/cache_record.hpp"
 #include "app/files/json_text.hpp"
 #include "engine/file/units.hpp"
 

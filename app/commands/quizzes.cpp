@@ -8,7 +8,7 @@
 
 #include "app/files/csv_text.hpp"
 #include "app/late/archive.hpp"
-#include "app/library/asked_values.hpp"
+#include "app/library/requested_results.hpp"
 #include "render/backends/quiz_files.hpp"
 #include "render/sheet/quiz_item.hpp"
 

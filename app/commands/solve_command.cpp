@@ -8,7 +8,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
-#include "app/library/asked_values.hpp"
+#include "app/library/requested_results.hpp"
 #include "app/library/solved_positions.hpp"
 #include "constructions/moving/moving.hpp"
 #include "constructions/positions/conditions.hpp"
@@ -16,7 +16,7 @@
 #include "engine/equations/equations.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/drivers.hpp"
-#include "engine/motion/moved.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "render/live/live_page.hpp"

@@ -3,7 +3,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/library/asked_values.hpp"
+#include "app/library/requested_results.hpp"
 #include "app/library/state.hpp"
 #include "constructions/moving/moving.hpp"
 #include "engine/mechanism/problem.hpp"

@@ -7,7 +7,7 @@
 #include "engine/drawing/pose.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/drivers.hpp"
-#include "engine/motion/moved.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "engine/motion/positions.hpp"
 #include "render/text/language.hpp"
 

@@ -5,14 +5,14 @@
 #include <map>
 #include <utility>
 
-#include "constructions/moving/moving_held.hpp"
+#include "constructions/moving/moving_bindings.hpp"
 #include "constructions/moving/moving_rules.hpp"
 #include "constructions/positions/cycle.hpp"
 #include "constructions/positions/named_results.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/board/replay.hpp"
 #include "engine/mechanism/drivers.hpp"
-#include "engine/motion/moved.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "engine/sentences/centre_symbol.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "engine/solution/sliding.hpp"

@@ -14,7 +14,7 @@
 #include "constructions/solving/solve.hpp"
 #include "engine/board/replay.hpp"
 #include "engine/mechanism/drivers.hpp"
-#include "engine/motion/moved.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "engine/results/result_names.hpp"
 #include "engine/solution/sliding.hpp"
 

@@ -9,7 +9,7 @@
 #include "constructions/verdicts/largest_difference.hpp"
 #include "engine/check/check.hpp"
 #include "engine/check/check_forces.hpp"
-#include "engine/motion/moved.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "engine/motion/positions.hpp"
 #include "engine/solution/solution.hpp"
 

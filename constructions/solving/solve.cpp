@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "constructions/kinematics/act_of_motion.hpp"
+#include "constructions/kinematics/instantaneous_motion.hpp"
 #include "constructions/kinematics/curvature.hpp"
 #include "constructions/kinematics/degeneracy.hpp"
 #include "constructions/kinematics/instant_centres.hpp"

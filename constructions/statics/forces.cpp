@@ -9,7 +9,7 @@
 
 #include "constructions/statics/forces/runs.hpp"
 #include "constructions/statics/free_bodies.hpp"
-#include "constructions/statics/loose_bodies.hpp"
+#include "constructions/statics/unsupported_bodies.hpp"
 #include "constructions/statics/truss.hpp"
 
 namespace kinegraph {

@@ -5,7 +5,7 @@
 
 #include "constructions/statics/free_bodies/cut_bodies.hpp"
 #include "constructions/statics/free_bodies/found_values.hpp"
-#include "constructions/statics/free_bodies/loose_resultants.hpp"
+#include "constructions/statics/free_bodies/unsupported_resultants.hpp"
 #include "constructions/statics/free_bodies/superposing.hpp"
 #include "engine/number/geometry.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "constructions/statics/force_model.hpp"
 #include "constructions/statics/forces.hpp"
-#include "constructions/statics/loose_bodies.hpp"
+#include "constructions/statics/unsupported_bodies.hpp"
 
 namespace kinegraph::statics {
 

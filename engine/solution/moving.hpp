@@ -69,7 +69,7 @@ struct MovingPlan {
         std::vector<ElementIndex> points;
     };
     std::vector<Line> lines;
-    /// The names that marks of figures of forces, curvature and the lever are bound to (engine/solution/held.hpp).
+    /// The names that marks of figures of forces, curvature and the lever are bound to (engine/solution/bindings.hpp).
     struct Held {
         std::string name;
         ElementIndex place, vector, couple;

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "engine/sentences/centre_symbol.hpp"
-#include "engine/solution/held.hpp"
+#include "engine/solution/bindings.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"

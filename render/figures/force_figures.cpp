@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "engine/solution/held.hpp"
+#include "engine/solution/bindings.hpp"
 #include "engine/solution/shifts.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/strings.hpp"

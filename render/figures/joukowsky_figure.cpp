@@ -9,7 +9,7 @@
 #include <set>
 
 #include "engine/number/assert.hpp"
-#include "engine/solution/held.hpp"
+#include "engine/solution/bindings.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"

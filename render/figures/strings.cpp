@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "engine/solution/held.hpp"
+#include "engine/solution/bindings.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render::drawing {

@@ -1,4 +1,4 @@
-// Binding of a mark: what it moves with when the figure is animated. Names are those of engine/solution/held.hpp.
+// Binding of a mark: what it moves with when the figure is animated. Names are those of engine/solution/bindings.hpp.
 // Static drawings do not need it.
 #pragma once
 

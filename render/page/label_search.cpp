@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "render/page/label_prices.hpp"
-#include "render/page/label_refuges.hpp"
+#include "render/page/label_fallbacks.hpp"
 
 namespace kinegraph::render::lettering {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/motion/moved.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/solved.hpp"
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "constructions/positions/cycle.hpp"
-#include "engine/motion/moved.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "engine/solution/displacements.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/solved.hpp"

@@ -16,7 +16,7 @@
 #include "engine/check/check.hpp"
 #include "engine/check/check_forces.hpp"
 #include "engine/file/units.hpp"
-#include "engine/motion/moved.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "render/tables/force_tables.hpp"
 #include "tests/support/force_laws.hpp"
 #include "tests/support/near_the_check.hpp"

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/motion/moved.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/random_mechanism.hpp"
 

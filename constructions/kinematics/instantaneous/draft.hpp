@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "constructions/kinematics/act_of_motion.hpp"
+#include "constructions/kinematics/instantaneous_motion.hpp"
 #include "constructions/kinematics/polygon_pen.hpp"
 #include "constructions/kinematics/space_diagram.hpp"
 #include "engine/sentences/centre_symbol.hpp"

@@ -1,4 +1,4 @@
-#include "constructions/verdicts/workings/of_forces.hpp"
+#include "constructions/verdicts/worked_arithmetic/of_forces.hpp"
 
 #include <algorithm>
 #include <cmath>

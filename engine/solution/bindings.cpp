@@ -1,4 +1,4 @@
-#include "engine/solution/held.hpp"
+#include "engine/solution/bindings.hpp"
 
 namespace kinegraph {
 namespace {

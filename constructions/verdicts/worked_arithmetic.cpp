@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "constructions/verdicts/workings/of_forces.hpp"
-#include "constructions/verdicts/workings/of_motion.hpp"
+#include "constructions/verdicts/worked_arithmetic/of_forces.hpp"
+#include "constructions/verdicts/worked_arithmetic/of_motion.hpp"
 
 namespace kinegraph {
 namespace {

@@ -1,5 +1,5 @@
 // Search for the nearest free place, on square rings about the anchor, until no farther place can be better.
-#include "render/page/label_refuges.hpp"
+#include "render/page/label_fallbacks.hpp"
 
 #include <algorithm>
 #include <cstddef>

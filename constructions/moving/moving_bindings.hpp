@@ -1,4 +1,4 @@
-// Binds marks of figures to the elements of a solution that place them, by the names of engine/solution/held.hpp.
+// Binds marks of figures to the elements of a solution that place them, by the names of engine/solution/bindings.hpp.
 #pragma once
 
 #include <vector>

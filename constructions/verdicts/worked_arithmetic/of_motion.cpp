@@ -1,4 +1,4 @@
-#include "constructions/verdicts/workings/of_motion.hpp"
+#include "constructions/verdicts/worked_arithmetic/of_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "constructions/kinematics/act_of_motion.hpp"
+#include "constructions/kinematics/instantaneous_motion.hpp"
 
 #include <utility>
 

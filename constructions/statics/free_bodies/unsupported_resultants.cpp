@@ -1,4 +1,4 @@
-#include "constructions/statics/free_bodies/loose_resultants.hpp"
+#include "constructions/statics/free_bodies/unsupported_resultants.hpp"
 
 #include <string>
 #include <utility>

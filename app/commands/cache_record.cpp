@@ -1,4 +1,4 @@
-#include "app/commands/receipt.hpp"
+#include "app/commands/cache_record.hpp"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "constructions/verdicts/workings/telling.hpp"
+#include "constructions/verdicts/worked_arithmetic/formulas.hpp"
 
 #include <algorithm>
 #include <cmath>

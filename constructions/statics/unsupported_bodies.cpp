@@ -1,4 +1,4 @@
-#include "constructions/statics/loose_bodies.hpp"
+#include "constructions/statics/unsupported_bodies.hpp"
 
 #include <utility>
 

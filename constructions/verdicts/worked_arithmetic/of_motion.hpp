@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "constructions/verdicts/workings/telling.hpp"
+#include "constructions/verdicts/worked_arithmetic/formulas.hpp"
 
 namespace kinegraph::workings {
 

@@ -1,9 +1,9 @@
-#include "constructions/moving/moving_held.hpp"
+#include "constructions/moving/moving_bindings.hpp"
 
 #include <string>
 #include <utility>
 
-#include "engine/solution/held.hpp"
+#include "engine/solution/bindings.hpp"
 
 namespace kinegraph {
 namespace {

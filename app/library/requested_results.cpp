@@ -1,4 +1,4 @@
-#include "app/library/asked_values.hpp"
+#include "app/library/requested_results.hpp"
 
 #include "engine/mechanism/exercise.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/motion/moved.hpp"
+#include "engine/motion/repositioned.hpp"
 
 #include <cmath>
 #include <utility>
