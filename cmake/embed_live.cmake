@@ -8,7 +8,7 @@ function(literal out text)
 endfunction()
 
 set(script)
-foreach(name types closure replay given motion room figures held measure exercise traces panel tell page)
+foreach(name types closure replay given motion room figures bindings measure exercise traces panel tell page)
     file(READ ${SOURCE}/${name}.js text)
     if(text MATCHES "</script")
         message(FATAL_ERROR "${name}.js would end the element that it stands in")

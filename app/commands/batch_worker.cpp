@@ -119,9 +119,9 @@ BatchWorker::Answer BatchWorker::written(const BatchLine& line) {
     const Language language = line.request.language;
     const render::Theme* const theme = look(line.request);
     if (theme == nullptr) return {Status::bad_input};
-    const Receipt receipt(line.to, hash_of(line, theme_text_));
+    const CacheRecord cache_record(line.to, hash_of(line, theme_text_));
     if (request_.resume) {
-        if (const auto before = receipt.answer()) {
+        if (const auto before = cache_record.answer()) {
             ++tally_.resumed;
             return {Status::done, ", " + before->substr(1, before->size() - 2)};  // the record contains its status
         }
@@ -131,11 +131,11 @@ BatchWorker::Answer BatchWorker::written(const BatchLine& line) {
     std::vector<std::string> paths;
     for (const Output& output : found->outputs) paths.push_back(output.path);
     const std::string told = member("files", paths) + said_of(*found);
-    Output receipt_of_all =
-        receipt.of(found->outputs, "{\"status\": " + std::to_string(static_cast<int>(found->status())) + told + "}");
+    Output cache_record_of_all = cache_record.of(
+        found->outputs, "{\"status\": " + std::to_string(static_cast<int>(found->status())) + told + "}");
     std::vector<Output> outputs = std::move(found->outputs);
-    outputs.push_back(std::move(receipt_of_all));
-    auto failure = receipt.make_room();
+    outputs.push_back(std::move(cache_record_of_all));
+    auto failure = cache_record.make_room();
     if (!failure) failure = write_all(outputs);
     if (failure) return {fail_to_write(*failure, language)};
     return {found->status(), told};

@@ -41,7 +41,7 @@ private:
 
     const BatchRequest& request_;
     BatchTally& tally_;
-    std::optional<Press> press_;
+    std::optional<OutputWriter> press_;
     std::string theme_name_, theme_text_;
     std::optional<render::Theme> theme_;
 };

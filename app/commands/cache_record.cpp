@@ -70,13 +70,13 @@ std::string hash_of(const std::vector<std::string>& fields) {
     return all.hash();
 }
 
-Receipt::Receipt(const std::string& to, std::string asked) : asked_(std::move(asked)) {
+CacheRecord::CacheRecord(const std::string& to, std::string asked) : asked_(std::move(asked)) {
     const std::filesystem::path target(to);
     folder_ = (target.parent_path() / ".kinegraph").string();
     path_ = folder_ + '/' + target.filename().string();
 }
 
-std::optional<std::string> Receipt::answer() const {
+std::optional<std::string> CacheRecord::answer() const {
     if (::access(path_.c_str(), R_OK) != 0) return std::nullopt;
     const auto text = read_whole(path_, {"receipt", "ricevuta"});
     if (!text || !text->ends_with("}\n")) return std::nullopt;
@@ -96,7 +96,7 @@ std::optional<std::string> Receipt::answer() const {
     return text->substr(begin, text->size() - begin - 2);
 }
 
-std::vector<std::string> Receipt::files_of(const std::string& kind, const std::string& same) const {
+std::vector<std::string> CacheRecord::files_of(const std::string& kind, const std::string& same) const {
     if (::access(path_.c_str(), R_OK) != 0) return {};
     const auto text = read_whole(path_, {"receipt", "ricevuta"});
     if (!text) return {};
@@ -119,12 +119,12 @@ std::vector<std::string> Receipt::files_of(const std::string& kind, const std::s
     return found;
 }
 
-std::optional<NotWritten> Receipt::make_room() const {
+std::optional<NotWritten> CacheRecord::make_room() const {
     if (auto failure = make_folder(folder_)) return failure;
     return take_away(path_);
 }
 
-Output Receipt::of(const std::vector<Output>& outputs, const std::string& answer) const {
+Output CacheRecord::of(const std::vector<Output>& outputs, const std::string& answer) const {
     std::string sizes;
     for (const Output& output : outputs) sizes += (sizes.empty() ? "" : ", ") + std::to_string(output.bytes.size());
     return {path_,

@@ -21,10 +21,10 @@ std::string hash_of(const BatchLine& line, const std::string& theme);
 /// The same over any sequence of fields, and the program's version.
 std::string hash_of(const std::vector<std::string>& fields);
 
-class Receipt {
+class CacheRecord {
 public:
     /// The record for files that go to `to`; `asked`: the hash of the request.
-    Receipt(const std::string& to, std::string asked);
+    CacheRecord(const std::string& to, std::string asked);
 
     /// The answer, if an earlier run had the same request and its files still have the recorded sizes.
     std::optional<std::string> answer() const;

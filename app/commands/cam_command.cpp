@@ -389,7 +389,8 @@ private:
                                std::vector<Output>& outputs) {
         auto drawn = drawn_at(cam_, geometry_, at_);
         if (!drawn) return say(spoken(request_.file), drawn.error(), language());
-        const auto press = Press::open(targets, language(), request_.live_text ? Lettering::live : Lettering::outlines);
+        const auto press =
+            OutputWriter::open(targets, language(), request_.live_text ? Lettering::live : Lettering::outlines);
         if (!press) return press.error();
         render::SheetOptions options = request_.sheet;
         options.theme = theme;

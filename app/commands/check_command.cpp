@@ -91,7 +91,7 @@ Status check_command(const CheckRequest& request) {
     if (stands_for_joints(*mechanism)) return check_problem(*mechanism, name, language);
     std::vector<Message> remarks = pose->remarks;
     for (Message& each : remarks_on_lengths(*mechanism, *pose)) remarks.push_back(std::move(each));
-    for (Message& each : oversights(*mechanism, *pose, mobility_of(*mechanism, *pose)))
+    for (Message& each : likely_mistakes(*mechanism, *pose, mobility_of(*mechanism, *pose)))
         remarks.push_back(std::move(each));
     for (const Message& remark : remarks)
         say(name, Words(render::word("a remark", language) + ": " + render::tell(remark, language)), language);

@@ -136,20 +136,22 @@ tl::unexpected<Status> lacks(const Words& why, Language language) {
 
 }  // namespace
 
-tl::expected<Press, Status> Press::open(const std::vector<Target>& targets, Language language, Lettering lettering) {
-    std::optional<Press> press;
+tl::expected<OutputWriter, Status> OutputWriter::open(const std::vector<Target>& targets, Language language,
+                                                      Lettering lettering) {
+    std::optional<OutputWriter> press;
     const auto ready = prepare(press, language, lettering).and_then([&] { return press->prepare_to_print(targets); });
     if (!ready) return tl::unexpected(ready.error());
     return *std::move(press);
 }
 
-tl::expected<void, Status> Press::prepare(std::optional<Press>& press, Language language, Lettering lettering) {
+tl::expected<void, Status> OutputWriter::prepare(std::optional<OutputWriter>& press, Language language,
+                                                 Lettering lettering) {
     if (press) {
         press->fonts_->start_anew();
     } else {
         auto fonts = render::Fonts::open();
         if (!fonts) return lacks(fonts.error(), language);
-        press.emplace(Press());
+        press.emplace(OutputWriter());
         press->fonts_.emplace(*std::move(fonts));
     }
     press->language_ = language;
@@ -157,7 +159,7 @@ tl::expected<void, Status> Press::prepare(std::optional<Press>& press, Language 
     return {};
 }
 
-tl::expected<void, Status> Press::prepare_to_print(const std::vector<Target>& targets) {
+tl::expected<void, Status> OutputWriter::prepare_to_print(const std::vector<Target>& targets) {
     const bool needs_cairo = std::any_of(targets.begin(), targets.end(), [](const Target& target) {
         return target.format == Format::png || target.format == Format::pdf;
     });
@@ -166,13 +168,13 @@ tl::expected<void, Status> Press::prepare_to_print(const std::vector<Target>& ta
     return {};
 }
 
-std::vector<std::string> Press::svg_of(std::span<const render::Page> pages) const {
+std::vector<std::string> OutputWriter::svg_of(std::span<const render::Page> pages) const {
     if (lettering_ == Lettering::live) return render::to_live_svg(pages, *fonts_);
     return render::to_svg(pages, *fonts_, glyph_paths_);
 }
 
-void Press::print(const std::vector<render::Page>& pages, const Target& target, double dpi,
-                  std::vector<Output>& outputs, std::vector<std::string>& remarks) const {
+void OutputWriter::print(const std::vector<render::Page>& pages, const Target& target, double dpi,
+                         std::vector<Output>& outputs, std::vector<std::string>& remarks) const {
     if (target.format == Format::pdf) {
         const bool live = lettering_ == Lettering::live;
         outputs.push_back({target.path, live ? render::to_live_pdf(pages, *fonts_) : render::to_pdf(pages, *fonts_)});
@@ -200,7 +202,7 @@ void Press::print(const std::vector<render::Page>& pages, const Target& target, 
                              language_));
 }
 
-void Press::remark_missing(std::vector<std::string>& remarks) const {
+void OutputWriter::remark_missing(std::vector<std::string>& remarks) const {
     std::string absent;
     for (const std::string& character : fonts_->missing()) absent += (absent.empty() ? "" : ", ") + character;
     if (!absent.empty())

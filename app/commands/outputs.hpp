@@ -43,13 +43,13 @@ std::optional<render::Theme> dark_beside(const std::string& theme);
 bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language);
 
 /// The output writer: owns the typefaces, and cairo if PNG or PDF is requested.
-class Press {
+class OutputWriter {
 public:
     /// Opens all that the targets need; a status after an error was reported. `language`: of errors and remarks.
-    static tl::expected<Press, Status> open(const std::vector<Target>& targets, Language language,
-                                            Lettering lettering = Lettering::outlines);
+    static tl::expected<OutputWriter, Status> open(const std::vector<Target>& targets, Language language,
+                                                   Lettering lettering = Lettering::outlines);
     /// Opens what layout needs, unless already open. Call before each sheet: it clears the remarks of the sheet before.
-    static tl::expected<void, Status> prepare(std::optional<Press>& press, Language language,
+    static tl::expected<void, Status> prepare(std::optional<OutputWriter>& press, Language language,
                                               Lettering lettering = Lettering::outlines);
     /// Loads what printing needs. Separate from prepare(), because loading takes longer than the layout of a sheet.
     tl::expected<void, Status> prepare_to_print(const std::vector<Target>& targets);

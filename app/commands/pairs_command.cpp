@@ -45,12 +45,12 @@ Status write_targets(const PairsRequest& request, const std::vector<Target>& tar
             {"what pairs draws is the catalogue; leave {0} out, or have its pairs as .json",
              "ciò che pairs disegna è il catalogo; togliere {0}, o chiederne le coppie in .json", request.file},
             language);
-    std::optional<Press> press;
+    std::optional<OutputWriter> press;
     std::vector<render::Page> pages;
     if (draws) {
         const auto theme = theme_of(request.theme, request.file, language);
         if (!theme) return theme.error();
-        auto opened = Press::open(targets, language);
+        auto opened = OutputWriter::open(targets, language);
         if (!opened) return opened.error();
         press.emplace(*std::move(opened));
         render::SheetOptions options = request.sheet;

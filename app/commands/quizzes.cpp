@@ -46,9 +46,9 @@ Quizzes::Quizzes(const std::vector<std::string>& platforms, const Mechanism& ori
 
 std::vector<std::string> Quizzes::add(const std::string& number, const std::string& owner, const Variant& variant,
                                       const Files& files, const render::SheetOptions& options, double dpi,
-                                      const Press& press) {
+                                      const OutputWriter& press) {
     render::QuizItem item =
-        render::quiz_item_of(variant.solution, asked_values(variant.results, units_), options, press.fonts());
+        render::quiz_item_of(variant.solution, requested_results(variant.results, units_), options, press.fonts());
     item.number = number;
     item.owner = owner;
     has_owners_ = has_owners_ || !owner.empty();

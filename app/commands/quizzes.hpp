@@ -28,7 +28,7 @@ public:
     /// Adds a variant. Returns the names of answers that cannot be distinguished from zero.
     std::vector<std::string> add(const std::string& number, const std::string& owner, const Variant& variant,
                                  const Files& files, const render::SheetOptions& options, double dpi,
-                                 const Press& press);
+                                 const OutputWriter& press);
     /// The output files; `folder` ends in a slash. A status after an error was reported.
     tl::expected<std::vector<Output>, Status> outputs(const std::string& folder, Language language) const;
 

@@ -106,13 +106,13 @@ tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solutio
                                                          std::vector<std::string>& remarks) {
     const render::SheetOptions options = options_of(request, theme);
     if (request.sheet == render::SheetKind::answers && !stands_for_joints(solution.mechanism)) {
-        render::Key key = render::lay_out_key_of(solution, asked_values(solution), options, fonts);
+        render::Key key = render::lay_out_key_of(solution, requested_results(solution), options, fonts);
         for (const render::RichText& remark : key.remarks) remarks.push_back(render::plain(remark));
         return std::move(key.pages);
     }
     if (request.steps) return render::lay_out_steps(solution, options, fonts);
     if (request.sheet == render::SheetKind::question && !stands_for_joints(solution.mechanism))
-        return render::lay_out_handout(solution, options, fonts, asked_values(solution));
+        return render::lay_out_handout(solution, options, fonts, requested_results(solution));
     if (request.figure.empty()) return render::lay_out(solution, options, fonts);
     if (auto page = render::lay_out_alone(solution, options, request.figure, fonts))
         return std::vector{*std::move(page)};
@@ -222,7 +222,7 @@ std::string live_page(const Solution& solution, const render::Theme& theme, cons
 /// The table for the terminal, or the bytes of all targets. Adds to `remarks`.
 tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solutions,
                                                const std::vector<Target>& targets, const render::Theme& theme,
-                                               const SolveRequest& request, std::optional<Press>& press,
+                                               const SolveRequest& request, std::optional<OutputWriter>& press,
                                                std::vector<std::string>& remarks) {
     std::vector<Output> outputs;
     if (targets.empty()) {
@@ -236,7 +236,7 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
         std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
     if (draws) {
         const auto ready =
-            Press::prepare(press, request.language, request.live_text ? Lettering::live : Lettering::outlines);
+            OutputWriter::prepare(press, request.language, request.live_text ? Lettering::live : Lettering::outlines);
         if (!ready) return tl::unexpected(ready.error());
         const bool lays_out = std::any_of(targets.begin(), targets.end(),
                                           [](const Target& target) { return target.is_drawn() && !target.is_page(); });
@@ -289,7 +289,7 @@ std::optional<Status> refused_exercise(const std::vector<Solution>& solutions, c
 }  // namespace
 
 tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vector<Target>& targets,
-                                    const render::Theme& theme, std::optional<Press>& press) {
+                                    const render::Theme& theme, std::optional<OutputWriter>& press) {
     const Language language = request.language;
     if (const Words fault = meaningless(request); !fault.empty()) return tl::unexpected(refuse(fault, language));
     if (!request.text) {
@@ -340,7 +340,7 @@ Status solve_command(const SolveRequest& request) {
     const auto theme = theme_of(request.theme, request.file, language);
     if (!theme) return theme.error();
     if (const Words fault = meaningless_on_page(request, *targets); !fault.empty()) return refuse(fault, language);
-    std::optional<Press> press;
+    std::optional<OutputWriter> press;
     const auto found = solved(request, *targets, *theme, press);
     if (!found) return found.error();
     if (const auto failure = write_all(found->outputs)) return fail_to_write(*failure, language);

@@ -29,6 +29,6 @@ struct Solved {
 /// Reads, solves and draws `request` for `targets` (the caller has already resolved its outputs and theme). Opens the
 /// output writer if something is drawn and it is not open yet. A status after an error was reported.
 tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vector<Target>& targets,
-                                    const render::Theme& theme, std::optional<Press>& press);
+                                    const render::Theme& theme, std::optional<OutputWriter>& press);
 
 }  // namespace kinegraph::app

@@ -393,7 +393,8 @@ private:
         auto drawn = solve(std::move(plain));
         if (!drawn) return say(spoken(request_.file), drawn.error(), language());
         drawing_.table.transmission = transmission_of(mechanism_, cycle_.positions(), driver_, travel_);
-        const auto press = Press::open(targets, language(), request_.live_text ? Lettering::live : Lettering::outlines);
+        const auto press =
+            OutputWriter::open(targets, language(), request_.live_text ? Lettering::live : Lettering::outlines);
         if (!press) return press.error();
         render::SheetOptions options = request_.sheet;
         options.theme = theme;

@@ -161,7 +161,8 @@ private:
         if (!drawn) return say(spoken(request_.file), drawn.error(), language());
         const auto theme = theme_of(request_.theme, request_.file, language());
         if (!theme) return theme.error();
-        const auto press = Press::open(targets, language(), request_.live_text ? Lettering::live : Lettering::outlines);
+        const auto press =
+            OutputWriter::open(targets, language(), request_.live_text ? Lettering::live : Lettering::outlines);
         if (!press) return press.error();
         CycleTable table;
         table.driver = request_.over;

@@ -13,10 +13,10 @@
 #include <iterator>
 #include <system_error>
 
+#include "app/commands/cache_record.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/commands/quizzes.hpp"
-#include "app/commands/cache_record.hpp"
 #include "app/files/csv_text.hpp"
 #include "app/files/json_text.hpp"
 #include "app/files/roster.hpp"
@@ -187,7 +187,7 @@ std::string number_of(std::size_t variant) {
 class Run {
 public:
     Run(const VariantsRequest& request, std::string text, Variants variants, std::vector<std::string> names,
-        std::size_t count, Press press, const render::Theme& theme, std::string theme_text)
+        std::size_t count, OutputWriter press, const render::Theme& theme, std::string theme_text)
         : request_(request),
           text_(std::move(text)),
           source_(*JsonSource::read(text_)),
@@ -241,16 +241,16 @@ private:
         const std::string number = number_of(index + 1), name = index < names_.size() ? names_[index] : "";
         variant.solution.mechanism.source = number + ".json";
         const std::string drawn = hash_of(told_of(number, name, variant));
-        const Receipt receipt(path(number), asked_of(number, name, variant));
+        const CacheRecord cache_record(path(number), asked_of(number, name, variant));
         // A theme from standard input can be read only once, so it has no cache key.
-        const bool is_there = request_.resume && request_.theme != "-" && receipt.answer();
+        const bool is_there = request_.resume && request_.theme != "-" && cache_record.answer();
         render::SheetOptions options = options_;
         if (!name.empty()) options.author = name + (options.author.empty() ? "" : "  ·  " + options.author);
         std::vector<Output> outputs;
         if (!is_there || request_.merge) add_sheets(variant, number, options, outputs);
         if (is_there)
             ++there_before_;
-        else if (const auto status = put(variant, number, drawn, receipt, std::move(outputs)))
+        else if (const auto status = put(variant, number, drawn, cache_record, std::move(outputs)))
             return status;
         if (quizzes_.are_wanted()) add_quiz(variant, number, name);
         key_.add(number, name, variant, press_.fonts());
@@ -262,14 +262,14 @@ private:
         print(stands_for_joints(variant.solution.mechanism)
                   ? render::lay_out(variant.solution, options, press_.fonts())
                   : render::lay_out_handout(variant.solution, options, press_.fonts(),
-                                            asked_values(variant.results, variant.solution.mechanism.units)),
+                                            requested_results(variant.results, variant.solution.mechanism.units)),
               number + "-question", questions_, outputs);
         options.kind = render::SheetKind::solution;
         options.grid = false;
         print(render::lay_out(variant.solution, options, press_.fonts()), number + "-solution", solutions_, outputs);
     }
     std::optional<Status> put(const Variant& variant, const std::string& number, const std::string& drawn,
-                              const Receipt& receipt, std::vector<Output> outputs) {
+                              const CacheRecord& cache_record, std::vector<Output> outputs) {
         std::vector<Setting> set = variant.values;
         set.insert(set.end(), request_.set.begin(), request_.set.end());
         constexpr std::array<std::string_view, 2> without{"vary", "require"};
@@ -277,9 +277,10 @@ private:
         outputs.push_back({path(number + "-results.json"), results_json(variant.solution, false, render::in_english)});
         std::vector<std::string> paths;
         for (const Output& each : outputs) paths.push_back(each.path);
-        const std::vector<std::string> before = receipt.files_of(number, drawn);
-        if (const auto failure = receipt.make_room()) return not_put(*failure);
-        outputs.push_back(receipt.of(outputs, "{\"files\": " + json_quoted(paths) + ", \"of\": \"" + drawn + "\"}"));
+        const std::vector<std::string> before = cache_record.files_of(number, drawn);
+        if (const auto failure = cache_record.make_room()) return not_put(*failure);
+        outputs.push_back(
+            cache_record.of(outputs, "{\"files\": " + json_quoted(paths) + ", \"of\": \"" + drawn + "\"}"));
         if (const auto status = put(outputs)) return status;
         // Removes the sheets that an earlier variant of this number left in another format. Sheets of the same variant
         // stay.
@@ -302,11 +303,11 @@ private:
         }
         std::sort(beyond.begin(), beyond.end());
         for (const std::size_t each : beyond) {
-            const Receipt receipt(path(number_of(each)), "");
-            const std::vector<std::string> files = receipt.files_of(number_of(each));
+            const CacheRecord cache_record(path(number_of(each)), "");
+            const std::vector<std::string> files = cache_record.files_of(number_of(each));
             if (files.empty()) continue;
             for (const std::string& file : files) take_away(file);
-            take_away(receipt.path());
+            take_away(cache_record.path());
             taken_away_.push_back(number_of(each));
         }
     }
@@ -462,7 +463,7 @@ private:
     Variants variants_;
     std::vector<std::string> names_;
     std::size_t count_;
-    Press press_;
+    OutputWriter press_;
     render::SheetOptions options_;
     std::string theme_text_;
     Key key_;
@@ -543,7 +544,7 @@ Status variants_command(const VariantsRequest& request) {
                            "togliere {0} da \"vary\"",
                            each.parameter},
                           language);
-    auto press = Press::open({{"", Format::pdf}}, language);
+    auto press = OutputWriter::open({{"", Format::pdf}}, language);
     if (!press) return press.error();
     if (const auto status = folder_fails(request)) return *status;
     return Run(request, *std::move(text), *std::move(variants), *names, count, *std::move(press), *theme,

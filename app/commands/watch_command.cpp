@@ -119,7 +119,7 @@ private:
 struct Tools {
     const WatchRequest& request;
     const render::Theme& theme;
-    std::optional<Press> press = std::nullopt;
+    std::optional<OutputWriter> press = std::nullopt;
 
     render::SheetOptions options() const {
         render::SheetOptions options;
@@ -133,7 +133,7 @@ struct Tools {
         const auto solution = solve(*std::move(mechanism));
         if (!solution) return tl::unexpected(solution.error());
         if (Errors missing = missing_in(*solution); !missing.empty()) return tl::unexpected(std::move(missing));
-        const auto ready = Press::prepare(press, request.language);
+        const auto ready = OutputWriter::prepare(press, request.language);
         KG_ASSERT(ready.has_value(), "the press was opened before");
         const auto moving = moving_of(*solution, rereading_of(text, bare_name(request.file), {}));
         return render::live_page(*solution, moving, options(), dark_beside(request.theme), press->fonts(), number);
@@ -187,7 +187,7 @@ Status watch_command(const WatchRequest& request) {
     const auto theme = theme_of(request.theme, request.file, language);
     if (!theme) return theme.error();
     Tools tools{request, *theme};
-    if (const auto ready = Press::prepare(tools.press, language); !ready) return ready.error();
+    if (const auto ready = OutputWriter::prepare(tools.press, language); !ready) return ready.error();
     auto server = LocalServer::open(request.port);
     if (!server) {
         refuse({"port {0} of 127.0.0.1 cannot be had: {1}; choose another, or none",

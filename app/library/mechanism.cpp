@@ -106,7 +106,8 @@ Expected<std::vector<Text>> MechanismFile::check() const {
     }
     std::vector<Message> found = pose->remarks;
     for (Message& each : remarks_on_lengths(mechanism, *pose)) found.push_back(std::move(each));
-    for (Message& each : oversights(mechanism, *pose, mobility_of(mechanism, *pose))) found.push_back(std::move(each));
+    for (Message& each : likely_mistakes(mechanism, *pose, mobility_of(mechanism, *pose)))
+        found.push_back(std::move(each));
     for (const Message& each : found) remarks->push_back(text_of(each));
     return remarks;
 }

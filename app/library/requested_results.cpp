@@ -4,8 +4,8 @@
 
 namespace kinegraph::app {
 
-std::vector<render::AskedValue> asked_values(const std::vector<NamedResult>& results, const Units& units) {
-    std::vector<render::AskedValue> asked;
+std::vector<render::RequestedResult> requested_results(const std::vector<NamedResult>& results, const Units& units) {
+    std::vector<render::RequestedResult> asked;
     for (const NamedResult& each : results) {
         const ToldResult unit = told(each, units);
         const double size = each.unit.empty() ? unit_of(each.column.unit, units).si.to_double() : 1;
@@ -14,9 +14,9 @@ std::vector<render::AskedValue> asked_values(const std::vector<NamedResult>& res
     return asked;
 }
 
-std::vector<render::AskedValue> asked_values(const Solution& solution) {
+std::vector<render::RequestedResult> requested_results(const Solution& solution) {
     if (asked_of(solution.mechanism).empty()) return {};
-    return asked_values(results_for(*solution.mechanism.exercise, solution), solution.mechanism.units);
+    return requested_results(results_for(*solution.mechanism.exercise, solution), solution.mechanism.units);
 }
 
 }  // namespace kinegraph::app

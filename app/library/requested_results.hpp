@@ -9,8 +9,8 @@
 namespace kinegraph::app {
 
 /// Each in the unit that a file with these units uses for it.
-std::vector<render::AskedValue> asked_values(const std::vector<NamedResult>& results, const Units& units);
+std::vector<render::RequestedResult> requested_results(const std::vector<NamedResult>& results, const Units& units);
 /// The results in the file's "ask", then all other named results; empty if the file has no "ask".
-std::vector<render::AskedValue> asked_values(const Solution& solution);
+std::vector<render::RequestedResult> requested_results(const Solution& solution);
 
 }  // namespace kinegraph::app

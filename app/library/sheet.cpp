@@ -73,7 +73,7 @@ Expected<std::vector<render::Page>> pages_of(const Solution& solution, const Dra
                                              std::vector<Text>& remarks) {
     const bool has_joints = !stands_for_joints(solution.mechanism);
     if (wanted.sheet == SheetWanted::answers && has_joints) {
-        render::Key key = render::lay_out_key_of(solution, app::asked_values(solution), options, fonts);
+        render::Key key = render::lay_out_key_of(solution, app::requested_results(solution), options, fonts);
         for (const render::RichText& remark : key.remarks) {
             const std::string text = render::plain(remark);
             remarks.push_back({{text, text}});
@@ -82,7 +82,7 @@ Expected<std::vector<render::Page>> pages_of(const Solution& solution, const Dra
     }
     if (wanted.steps) return render::lay_out_steps(solution, options, fonts);
     if (wanted.sheet == SheetWanted::question && has_joints)
-        return render::lay_out_handout(solution, options, fonts, app::asked_values(solution));
+        return render::lay_out_handout(solution, options, fonts, app::requested_results(solution));
     if (wanted.figure.empty()) return render::lay_out(solution, options, fonts);
     if (auto page = render::lay_out_alone(solution, options, wanted.figure, fonts))
         return std::vector{*std::move(page)};

@@ -7,8 +7,8 @@
 #include "engine/drawing/pose.hpp"
 #include "engine/file/units.hpp"
 #include "engine/mechanism/drivers.hpp"
-#include "engine/motion/repositioned.hpp"
 #include "engine/motion/positions.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "render/text/language.hpp"
 
 namespace kinegraph::app {
@@ -134,7 +134,7 @@ Result<std::vector<Solution>> solved_positions(const Mechanism& mechanism, const
                               "chiedere una posizione vicina",
                               dashes, text},
                              ErrorCode::no_unique_answer);
-            Moved moved = mover.moved(here, coordinate);
+            Repositioned moved = mover.moved(here, coordinate);
             put_rates(moved.mechanism);
             const FinerPose finer = [pose = std::move(moved.finer)] { return pose; };
             solutions.push_back(solve(std::move(moved.mechanism), std::move(moved.pose), finer, arithmetic));

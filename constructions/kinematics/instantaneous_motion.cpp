@@ -10,12 +10,12 @@ namespace kinegraph {
 namespace act {
 namespace {
 
-class Act {
+class FoundInstantaneousMotion {
 public:
-    Act(Structure& structure, Board& board, const ActWishes& wishes)
+    FoundInstantaneousMotion(Structure& structure, Board& board, const InstantaneousMotionWishes& wishes)
         : act_(structure, board, wishes), board_(board), centre_(act_) {}
 
-    ActOfMotionResult run() {
+    InstantaneousMotionResult run() {
         State<Plane::velocity> velocities(act_.result.motion.velocity);
         begin_polygon(velocities, act_.mechanism.motion->velocities);
         Settling<Plane::velocity>(act_).settle(velocities);
@@ -72,7 +72,7 @@ private:
     template <Plane plane>
     void say_image(const State<plane>& state, NodeIndex index) {
         if constexpr (is_velocity<plane>) {
-            if (act_.result.figure.found == ActFigure::Found::rest) return;
+            if (act_.result.figure.found == InstantaneousMotionFigure::Found::rest) return;
             if (board_.is_zero(state.track.spin(act_.body_index))) {
                 act_.begin<plane>(Sentence::translating_velocity,
                                   {act_.body(), act_.name(index), act_.absolute<plane>(index)});
@@ -98,7 +98,8 @@ private:
     /// What the velocities do not determine, and which data would.
     void explain(State<Plane::velocity>& state) {
         const Message what = act_.sought<Plane::velocity>();
-        const bool located = act_.centre.has_value() || act_.result.figure.found == ActFigure::Found::rest;
+        const bool located =
+            act_.centre.has_value() || act_.result.figure.found == InstantaneousMotionFigure::Found::rest;
         if (state.base && act_.turns(state)) return;
         if (act_.wishes.centre && !located) {
             if (state.given.empty()) {
@@ -143,7 +144,7 @@ private:
         centre_.locate_acceleration_centre(state);
     }
 
-    ActDraft act_;
+    InstantaneousMotionDraft act_;
     Board& board_;
     Centre centre_;
 };
@@ -151,8 +152,9 @@ private:
 }  // namespace
 }  // namespace act
 
-ActOfMotionResult draw_act_of_motion(Structure& structure, Board& board, const ActWishes& wishes) {
-    return act::Act(structure, board, wishes).run();
+InstantaneousMotionResult draw_instantaneous_motion(Structure& structure, Board& board,
+                                                    const InstantaneousMotionWishes& wishes) {
+    return act::FoundInstantaneousMotion(structure, board, wishes).run();
 }
 
 }  // namespace kinegraph

@@ -16,20 +16,21 @@
 
 namespace kinegraph {
 
-struct ActOfMotionResult {
-    Motion motion;         ///< tips and spins of the body, as for a mechanism
-    ActFigure figure;      ///< what else the figure shows
-    InstantCentre centre;  ///< of the body against the frame; unknown if the data do not determine it
+struct InstantaneousMotionResult {
+    Motion motion;                     ///< tips and spins of the body, as for a mechanism
+    InstantaneousMotionFigure figure;  ///< what else the figure shows
+    InstantCentre centre;              ///< of the body against the frame; unknown if the data do not determine it
     std::vector<Unsolved> unsolved;
 };
 
 /// What to find. Velocities are always drawn, since all else depends on them.
-struct ActWishes {
+struct InstantaneousMotionWishes {
     bool centre = true, velocities = true, accelerations = false;
 };
 
 /// Draws the instantaneous motion of `mechanism.motion`. Velocities that no rigid motion has are not continued: the
 /// result names the two points, with both projections where these differ.
-ActOfMotionResult draw_act_of_motion(Structure& structure, Board& board, const ActWishes& wishes);
+InstantaneousMotionResult draw_instantaneous_motion(Structure& structure, Board& board,
+                                                    const InstantaneousMotionWishes& wishes);
 
 }  // namespace kinegraph

@@ -40,7 +40,7 @@ public:
         read_vectors();
         read_spots();
         read_lines();
-        plan_.held = held_by(solution_);
+        plan_.held = bindings_of(solution_);
         const Protocol& protocol = solution_.protocol;
         Cut record = cut(protocol.program, wanted(), static_cast<int>(protocol.program.strokes.size()));
         renumber(record.element);
@@ -234,7 +234,7 @@ private:
             sample.plan = 0;
             return;
         }
-        Moved moved = mover_.moved(positions, Exact::from_double(sample.coordinate));
+        Repositioned moved = mover_.moved(positions, Exact::from_double(sample.coordinate));
         if (rates)
             moved.mechanism.drivers[at_index(driver)] = with_rates(moved.mechanism.drivers[at_index(driver)], *rates);
         for (std::size_t i = 0; i < moving_.plans.size(); ++i) {

@@ -8,11 +8,11 @@
 namespace kinegraph {
 namespace {
 
-class HeldReader {
+class BindingReader {
 public:
-    explicit HeldReader(const Solution& solution) : solution_(solution) {}
+    explicit BindingReader(const Solution& solution) : solution_(solution) {}
 
-    std::vector<MovingPlan::Held> read() {
+    std::vector<MovingPlan::Binding> read() {
         read_bodies("", solution_.free_bodies, solution_.taken_together);
         if (solution_.superposition)
             for (const Superposition::Part& part : solution_.superposition->parts)
@@ -20,13 +20,13 @@ public:
                                               : solution_.mechanism.point(part.pin).name,
                             part.bodies, part.together);
         for (const JointForce& pair : solution_.forces) {
-            add(held_pair(pair), none, pair.force.element());
-            add(couple_of(held_pair(pair)), none, none, pair.couple.element());
+            add(pair_binding(pair), none, pair.force.element());
+            add(couple_of(pair_binding(pair)), none, none, pair.couple.element());
         }
         for (const Curvature& found : solution_.curvature) read(found);
         if (solution_.virtual_work)
             for (const VirtualWork::Entry& entry : solution_.virtual_work->entries)
-                add(held_work(entry), entry.elements.velocity, entry.elements.force, entry.elements.couple);
+                add(work_binding(entry), entry.elements.velocity, entry.elements.force, entry.elements.couple);
         return std::move(held_);
     }
 
@@ -43,28 +43,29 @@ private:
                      const std::vector<TakenTogether>& together) {
         for (const FreeBody& body : bodies) read_body(load, body);
         for (std::size_t i = 0; i < together.size(); ++i) {
-            for (const AppliedForce& sum : together[i].sums) add(held_sum(load, i, sum), sum);
+            for (const AppliedForce& sum : together[i].sums) add(sum_binding(load, i, sum), sum);
             if (together[i].funicular) read_strings(load, *together[i].funicular);
         }
     }
     void read_body(const std::string& load, const FreeBody& body) {
-        for (const AppliedForce& each : body.forces) add(held_force(load, body, each), each);
-        for (const AppliedForce& sum : body.sums) add(held_sum(load, body, sum), sum);
-        for (const FreeBody::Meet& meet : body.meets) add(held_meet(load, meet.name), meet.element);
+        for (const AppliedForce& each : body.forces) add(force_binding(load, body, each), each);
+        for (const AppliedForce& sum : body.sums) add(sum_binding(load, body, sum), sum);
+        for (const FreeBody::Meet& meet : body.meets) add(meet_binding(load, meet.name), meet.element);
         for (std::size_t i = 0; i < body.arms.size(); ++i) {
-            add(held_arm(load, body, i, false), body.arms[i].elements.about);
-            add(held_arm(load, body, i, true), body.arms[i].elements.foot);
+            add(arm_binding(load, body, i, false), body.arms[i].elements.about);
+            add(arm_binding(load, body, i, true), body.arms[i].elements.foot);
         }
         if (body.funicular) read_strings(load, *body.funicular);
     }
     void read_strings(const std::string& load, const FreeBody::Funicular& funicular) {
         const std::size_t count = funicular.vertices.size();
-        for (std::size_t i = 0; i < count; ++i) add(held_string(load, funicular, i), funicular.vertices[i].element());
-        add(held_string(load, funicular, count), funicular.resultant.element());
+        for (std::size_t i = 0; i < count; ++i)
+            add(string_binding(load, funicular, i), funicular.vertices[i].element());
+        add(string_binding(load, funicular, count), funicular.resultant.element());
     }
     void read(const Curvature& found) {
         const auto place = [&](const std::string& what, ElementIndex element) {
-            add(held_curvature(found.body, what), element);
+            add(curvature_binding(found.body, what), element);
         };
         place("pole", found.pole.element());
         place("axis", found.axis_point.element());
@@ -84,11 +85,11 @@ private:
     }
 
     const Solution& solution_;
-    std::vector<MovingPlan::Held> held_;
+    std::vector<MovingPlan::Binding> held_;
 };
 
 }  // namespace
 
-std::vector<MovingPlan::Held> held_by(const Solution& solution) { return HeldReader(solution).read(); }
+std::vector<MovingPlan::Binding> bindings_of(const Solution& solution) { return BindingReader(solution).read(); }
 
 }  // namespace kinegraph

@@ -10,6 +10,6 @@ namespace kinegraph {
 
 /// Elements of forces (under all loads and under those of one body alone), of curvature and of powers. A quantity that
 /// vanishes has no element.
-std::vector<MovingPlan::Held> held_by(const Solution& solution);
+std::vector<MovingPlan::Binding> bindings_of(const Solution& solution);
 
 }  // namespace kinegraph

@@ -189,7 +189,7 @@ private:
     // --- by record
     Solution planned_here() {
         ++planned_;
-        Moved moved = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
+        Repositioned moved = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
         moved.mechanism.find = found_in_rows(mechanism_);
         put_rates(moved.mechanism);
         return solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });

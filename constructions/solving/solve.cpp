@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "constructions/kinematics/instantaneous_motion.hpp"
 #include "constructions/kinematics/curvature.hpp"
 #include "constructions/kinematics/degeneracy.hpp"
 #include "constructions/kinematics/instant_centres.hpp"
+#include "constructions/kinematics/instantaneous_motion.hpp"
 #include "constructions/kinematics/motion.hpp"
 #include "constructions/kinematics/plan.hpp"
 #include "constructions/kinematics/relative_motion.hpp"
@@ -90,7 +90,7 @@ public:
     void run() {
         solution_.remarks = solution_.pose.remarks;
         remark_degeneracies();
-        oversights_ = oversights(mechanism_, solution_.pose, solution_.mobility);
+        likely_mistakes_ = likely_mistakes(mechanism_, solution_.pose, solution_.mobility);
         add_nodes_of_interest(structure_);
         solution_.bodies.resize(mechanism_.bodies.size());
         if (mechanism_.motion) {
@@ -103,9 +103,9 @@ public:
         if (mechanism_.motion) solution_.settled.velocities = board_.strokes();
         if (wanted_.forces) collect_forces();
         solution_.settled.forces = board_.strokes();
-        lead_with_oversights();
+        lead_with_likely_mistakes();
         finish_record();
-        for (Message& remark : remarks_on_hairs(solution_)) solution_.remarks.push_back(std::move(remark));
+        for (Message& remark : remarks_on_ill_conditioning(solution_)) solution_.remarks.push_back(std::move(remark));
         if (!is_checked()) return;
         Comparison comparison = compare_with_check(solution_);
         const std::vector<Comparison::Moved> moved = comparison.bodies;
@@ -172,7 +172,7 @@ private:
             for (Superposition::Part& part : solution_.superposition->parts)
                 statics::note_first_use_of_lines(part.bodies, solution_.pose);
         say_projections();
-        if (arithmetic_ == Arithmetic::told) add_workings(solution_);
+        if (arithmetic_ == Arithmetic::told) add_worked_arithmetic(solution_);
     }
 
     /// Requested observers that the motion was not found through.
@@ -193,8 +193,8 @@ private:
 
     /// The difference of the projections of two velocities on the join of their points, in the file's unit.
     void say_projections() {
-        if (!solution_.act_of_motion || !solution_.act_of_motion->differing) return;
-        const auto& differing = *solution_.act_of_motion->differing;
+        if (!solution_.instantaneous_motion || !solution_.instantaneous_motion->differing) return;
+        const auto& differing = *solution_.instantaneous_motion->differing;
         const Unit& unit = mechanism_.units.velocity;
         const auto measure = [&](const Vector& projection) {
             const Exact share = ratio_of(projection, *differing.join) / unit.si;
@@ -213,10 +213,10 @@ private:
 
     /// The instantaneous motion of one body; the file says nothing about other bodies.
     void draw_act() {
-        ActOfMotionResult act = draw_act_of_motion(
+        InstantaneousMotionResult act = draw_instantaneous_motion(
             structure_, board_, {wanted_.centres, wanted_.velocities || wanted_.accelerations, wanted_.accelerations});
         if (wanted_.velocities || wanted_.accelerations) motion_ = std::move(act.motion);
-        solution_.act_of_motion = std::move(act.figure);
+        solution_.instantaneous_motion = std::move(act.figure);
         if (motion_.velocity.polygon >= 0) {
             solution_.relative_motion = draw_relative_motions(structure_, board_, motion_, wanted_.accelerations);
             if (wanted_.curvature) solution_.curvature = draw_curvature(structure_, board_, motion_);
@@ -261,17 +261,18 @@ private:
 
     /// If results are missing for lack of drivers or input forces, a likely mistake is the probable cause, so it comes
     /// first.
-    void lead_with_oversights() {
+    void lead_with_likely_mistakes() {
         const bool wanting =
             std::any_of(solution_.unsolved.begin(), solution_.unsolved.end(), [](const Unsolved& missing) {
                 const Sentence why = missing.why.sentence;
                 return why == Sentence::lacks_drivers || why == Sentence::nothing_drives || why == Sentence::unbalanced;
             });
-        if (wanting) solution_.remarks.insert(solution_.remarks.begin(), oversights_.begin(), oversights_.end());
+        if (wanting)
+            solution_.remarks.insert(solution_.remarks.begin(), likely_mistakes_.begin(), likely_mistakes_.end());
     }
 
     DrawnMotion drawn_motion() {
-        return {solution_, structure_, board_, plan_, motion_, wanted_.accelerations, oversights_};
+        return {solution_, structure_, board_, plan_, motion_, wanted_.accelerations, likely_mistakes_};
     }
     void draw_motion_of_bodies() {
         std::vector<bool> use(mechanism_.drivers.size(), true);
@@ -356,7 +357,7 @@ private:
     const Mechanism& mechanism_;
     Wanted wanted_;
     std::unique_ptr<Pose> finer_;
-    std::vector<Message> oversights_;
+    std::vector<Message> likely_mistakes_;
     Board board_;
     Board scratch_;  ///< for the planner
     Structure structure_;

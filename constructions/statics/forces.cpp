@@ -9,8 +9,8 @@
 
 #include "constructions/statics/forces/runs.hpp"
 #include "constructions/statics/free_bodies.hpp"
-#include "constructions/statics/unsupported_bodies.hpp"
 #include "constructions/statics/truss.hpp"
+#include "constructions/statics/unsupported_bodies.hpp"
 
 namespace kinegraph {
 namespace statics {
@@ -106,9 +106,9 @@ ForceResults draw_forces(Structure& structure, Board& board, const Motion& motio
         results.unsolved = model.missing();
         return results;
     }
-    const std::vector<statics::Loose> loose = statics::loose_bodies(model, board, mechanism, mobility);
+    const std::vector<statics::Unsupported> loose = statics::unsupported_bodies(model, board, mechanism, mobility);
     std::set<statics::MemberIndex> adrift;
-    for (const statics::Loose& each : loose)
+    for (const statics::Unsupported& each : loose)
         if (!each.balanced) adrift.insert(each.group.begin(), each.group.end());
     if (const auto truss = truss_of(mechanism)) return statics::draw_truss(model, board, mechanism, mobility, *truss);
     // The forces show on which flank teeth push. If a flank was wrong, the drawing is rewound and repeated.

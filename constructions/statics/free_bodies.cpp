@@ -5,8 +5,8 @@
 
 #include "constructions/statics/free_bodies/cut_bodies.hpp"
 #include "constructions/statics/free_bodies/found_values.hpp"
-#include "constructions/statics/free_bodies/unsupported_resultants.hpp"
 #include "constructions/statics/free_bodies/superposing.hpp"
+#include "constructions/statics/free_bodies/unsupported_resultants.hpp"
 #include "engine/number/geometry.hpp"
 
 namespace kinegraph::statics {
@@ -33,13 +33,13 @@ void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose) {
 }
 
 ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
-                      const Run& run, const NamedMeets& meets, const std::vector<Loose>& loose, bool one_by_one) {
+                      const Run& run, const NamedMeets& meets, const std::vector<Unsupported>& loose, bool one_by_one) {
     ForceResults results;
     const UnderLoads under{&model.loads()};
     ForcePolygons polygons(model, board);
     Way way(model, board, mechanism, meets, under);
-    LooseResultants resultants(model, board, mechanism, polygons, way, results);
-    for (const Loose& each : loose) resultants.resultant(each);
+    UnsupportedResultants resultants(model, board, mechanism, polygons, way, results);
+    for (const Unsupported& each : loose) resultants.resultant(each);
     const std::set<MemberIndex>& unbalanced = resultants.unbalanced();
     Verdict verdict(model, mechanism, mobility, under);
     std::set<MemberIndex> open = verdict.out_of_equilibrium(run);

@@ -24,7 +24,8 @@ using NamedMeets = std::map<MemberIndex, std::vector<NamedMeet>>;
 
 /// `one_by_one`: includes each free body and its polygon; else the joint forces only.
 ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
-                      const Run& run, const NamedMeets& meets, const std::vector<Loose>& loose, bool one_by_one = true);
+                      const Run& run, const NamedMeets& meets, const std::vector<Unsupported>& loose,
+                      bool one_by_one = true);
 
 /// Notes the first sentence that uses the line of a load: where it leads to a point of concurrency. Call it after the
 /// values are evaluated.

@@ -9,7 +9,7 @@ namespace kinegraph::statics {
 namespace {
 
 /// The motion of the group's body, if it has exactly one freedom.
-void find_freedom(const ForceModel& model, Board& board, Equilibria& all, Loose& loose) {
+void find_freedom(const ForceModel& model, Board& board, Equilibria& all, Unsupported& loose) {
     if (all.free_motions().size() != 1) return;
     for (const auto& [member, twist] : all.free_motions().front().members) {
         if (model.is_pin(member)) continue;
@@ -24,8 +24,9 @@ void find_freedom(const ForceModel& model, Board& board, Equilibria& all, Loose&
 
 }  // namespace
 
-std::vector<Loose> loose_bodies(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility) {
-    std::vector<Loose> found;
+std::vector<Unsupported> unsupported_bodies(ForceModel& model, Board& board, const Mechanism& mechanism,
+                                            const Mobility& mobility) {
+    std::vector<Unsupported> found;
     if (!mechanism.drivers.empty()) return found;
     for (Group& group : floating_groups(model)) {
         const bool balanced = model.known_on(group, model.loads(), {}).vanishes();
@@ -39,7 +40,7 @@ std::vector<Loose> loose_bodies(ForceModel& model, Board& board, const Mechanism
         Equilibria all(model, board, nothing_known, group, origin,
                        [&](MemberIndex member) { return model.gap(member, model.loads(), nothing_known, origin); });
         if (all.exist()) continue;
-        Loose loose{std::move(group), false, {}, {}};
+        Unsupported loose{std::move(group), false, {}, {}};
         find_freedom(model, board, all, loose);
         found.push_back(std::move(loose));
     }

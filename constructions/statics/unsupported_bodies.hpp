@@ -9,7 +9,7 @@
 
 namespace kinegraph::statics {
 
-struct Loose {
+struct Unsupported {
     Group group;
     bool balanced = false;
     /// For a body on the frame that is not balanced and has one freedom: the place about which it turns, or the
@@ -19,6 +19,7 @@ struct Loose {
 };
 
 /// Bodies without support; of those on the frame only the bodies that are not in equilibrium.
-std::vector<Loose> loose_bodies(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility);
+std::vector<Unsupported> unsupported_bodies(ForceModel& model, Board& board, const Mechanism& mechanism,
+                                            const Mobility& mobility);
 
 }  // namespace kinegraph::statics

@@ -250,7 +250,7 @@ private:
         const Unit& unit = mechanism.units.length;
         constexpr int percent = 100;
         return {
-            Sentence::hangs_on_a_hair,
+            Sentence::is_ill_conditioned,
             {Symbol{Symbol::Letter::omega, mechanism.bodies[at_index(worst.body)].name, ""},
              Amount{percent * worst.share * move / solution_.pose.size.to_double(), "%"},
              PointName{mechanism.points[at_index(worst.point)].name}, Amount{move / unit.si.to_double(), unit.symbol}}};
@@ -264,7 +264,7 @@ private:
 
 }  // namespace
 
-std::vector<Message> remarks_on_hairs(const Solution& solution) {
+std::vector<Message> remarks_on_ill_conditioning(const Solution& solution) {
     std::vector<Message> remarks;
     for (const JointIndex joint : nearly_redundant_joints(solution.mechanism, solution.pose, solution.mobility))
         remarks.push_back({Sentence::nearly_repeated, {PointName{solution.mechanism.joints[at_index(joint)].name}}});

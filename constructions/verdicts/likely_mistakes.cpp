@@ -43,7 +43,7 @@ public:
 
     std::vector<Message> run() {
         find_unjoined_pins();
-        find_loose_bodies();
+        find_unsupported_bodies();
         find_groups_off_the_frame();
         return std::move(found_);
     }
@@ -93,7 +93,7 @@ private:
                            hinge(at, first, second)}});
     }
 
-    void find_loose_bodies() {
+    void find_unsupported_bodies() {
         for (const BodyIndex index : indices<BodyIndex>(mechanism_.bodies.size(), frame.next())) {
             const auto& joints = joints_of_[at_index(index)];
             if (named_.contains(index) || joints.size() > 1) continue;
@@ -177,7 +177,7 @@ private:
 
 }  // namespace
 
-std::vector<Message> oversights(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility) {
+std::vector<Message> likely_mistakes(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility) {
     const int efforts = static_cast<int>(mechanism.efforts.size());
     // In a mechanism without drivers, input forces and loads one freedom is intended: its instant centres are wanted.
     const bool bare = mechanism.drivers.empty() && mechanism.efforts.empty() && mechanism.loads.empty();

@@ -15,7 +15,7 @@ namespace kinegraph {
 
 /// For the finished solution. A coincidence is near if the distance is less than a thousandth of the neighbouring
 /// lengths. A result is ill-conditioned if moving a given point by 1e-4 of the size changes it by a tenth or more.
-std::vector<Message> remarks_on_hairs(const Solution& solution);
+std::vector<Message> remarks_on_ill_conditioning(const Solution& solution);
 
 // ----- Noise: a value that is zero within the precision of the data, or except for rounding of the drawing, is shown
 // as zero in a solution and its equations. The record keeps its numbers. Decides by engine/mechanism/rounding.hpp and
@@ -33,7 +33,7 @@ void forget_noise(Equations& equations, const Solution& solution, const FinerPos
 
 /// Points that two bodies share without a joint, bodies with one joint or none, groups without connection to the frame:
 /// a sentence for each, with the joint that is probably missing. At most one remark for each body.
-std::vector<Message> oversights(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility);
+std::vector<Message> likely_mistakes(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility);
 
 // ----- Worked arithmetic of the sentences, once the record has its values: v_A = ω·r, ω_3 = v_BA/AB, a_cor =
 // 2·ω·v_rel, F_i = m·a_G. Uses the numbers that the drawing gives; no result depends on it.
@@ -41,6 +41,6 @@ std::vector<Message> oversights(const Mechanism& mechanism, const Pose& pose, co
 /// Adds the arithmetic to every statement of the finished solution, in the file's units and not rounded. Removes terms
 /// that vanish from the sentences: ω² of a body that translates, a zero Coriolis term. Omits a product that does not
 /// give the value found.
-void add_workings(Solution& solution);
+void add_worked_arithmetic(Solution& solution);
 
 }  // namespace kinegraph

@@ -123,13 +123,13 @@ private:
 
     Solution& solution_;
     Protocol& protocol_;
-    workings::Telling telling_;
-    workings::OfMotion motion_;
-    workings::OfForces forces_;
+    worked_arithmetic::Telling telling_;
+    worked_arithmetic::OfMotion motion_;
+    worked_arithmetic::OfForces forces_;
 };
 
 }  // namespace
 
-void add_workings(Solution& solution) { Workings(solution).add(); }
+void add_worked_arithmetic(Solution& solution) { Workings(solution).add(); }
 
 }  // namespace kinegraph

@@ -492,7 +492,7 @@ private:
         equal_speeds(driver.body, frame, pose_.at(driver.at), unit(direction_of(driver.along, pose_)),
                      driver.speed.to_double() / size_, [=] { return second; });
     }
-    void write(const ActOfMotion& motion) {
+    void write(const InstantaneousMotion& motion) {
         // A given direction means that the perpendicular component is zero. Accelerations are separate rows, without
         // given velocities: both lists are written as rows of one of the two systems only.
         given(motion.body, motion.velocities, true);

@@ -49,7 +49,7 @@ std::set<int> ChoiceOfLoops::keys_of(const ClosedWalk& cycle) {
         Edge& in = graph_.edges[at_index(cycle.edges[(k + cycle.edges.size() - 1) % cycle.edges.size()])];
         if (out.kind != Edge::Kind::pin) {
             keys.insert(key_of_edge(e, 0));
-            if (out.is_loose) keys.insert(key_of_edge(e, 1));
+            if (out.is_unsupported) keys.insert(key_of_edge(e, 1));
             if (out.kind == Edge::Kind::guide) add_turn_keys(keys, out.carrier);
         }
         const auto &from = in.end_on(body), &to = out.end_on(body);

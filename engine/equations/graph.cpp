@@ -17,7 +17,7 @@ VectorGraph PairsAsEdges::graph() {
     collect_classes();
     collect_edges();
     if (!graph_.why_not.empty()) return std::move(graph_);
-    hold_what_is_loose();
+    hold_unsupported_bodies();
     take_drivers();
     return std::move(graph_);
 }
@@ -113,8 +113,8 @@ void PairsAsEdges::add_contact(const Joint& joint) {
     Rolling rolling{edge.joint, -1,  joint.bodies[round], joint.bodies[1 - round], (*sides)[round].reach, {},
                     straight,   none};
     if (!straight) rolling.reach_of_carrier = (*sides)[1 - round].reach;
-    edge.is_loose = !joint.pair().holds_normal;
-    if (edge.is_loose && find_arm(rolling, joint, *edge.head, straight ? std::nullopt : edge.base)) {
+    edge.is_unsupported = !joint.pair().holds_normal;
+    if (edge.is_unsupported && find_arm(rolling, joint, *edge.head, straight ? std::nullopt : edge.base)) {
         graph_.rollings.push_back(std::move(rolling));
         return;
     }
@@ -160,7 +160,7 @@ bool PairsAsEdges::find_arm(Rolling& rolling, const Joint& joint, const Vector& 
     return false;
 }
 
-void PairsAsEdges::hold_what_is_loose() {
+void PairsAsEdges::hold_unsupported_bodies() {
     std::vector<int> part(drawn_.mechanism.bodies.size());
     for (std::size_t i = 0; i < part.size(); ++i) part[i] = static_cast<int>(i);
     const auto join = [&](const Edge& edge) {
@@ -176,7 +176,7 @@ void PairsAsEdges::hold_what_is_loose() {
         edge.name = drawn_.name_of(body);
         edge.rider = body;
         edge.along = {1, 0};
-        edge.is_loose = true;
+        edge.is_unsupported = true;
         const auto& points = drawn_.mechanism.body(body).points;
         edge.place = points.empty() ? Vector{} : drawn_.pose.at(points.front());
         edge.base = Vector{};
@@ -217,7 +217,7 @@ void PairsAsEdges::take(const SlideDriver& driver, int index) {
 void PairsAsEdges::take(const PointDriver& driver, int index) {
     const Vector along = drawn_.pose.driver_units[at_index(index)];
     for (Edge& edge : graph_.edges) {
-        if (edge.kind != Edge::Kind::guide || edge.is_loose || edge.driver >= 0 || edge.joint == none) continue;
+        if (edge.kind != Edge::Kind::guide || edge.is_unsupported || edge.driver >= 0 || edge.joint == none) continue;
         if (graph_.class_of(edge.carrier) != 0 || graph_.class_of(edge.rider) != 0 || edge.carrier != frame) continue;
         const bool carries =
             edge.rider == driver.body || drawn_.are_pinned_at(edge.rider, driver.body, drawn_.pose.at(driver.at));
@@ -231,7 +231,7 @@ void PairsAsEdges::take(const PointDriver& driver, int index) {
     edge.name = drawn_.mechanism.point(driver.at).name;
     edge.rider = driver.body;
     edge.along = along;
-    edge.is_loose = true;
+    edge.is_unsupported = true;
     edge.place = drawn_.pose.at(driver.at);
     edge.head = edge.place;
     edge.driver = index;

@@ -49,7 +49,7 @@ struct Edge {
     Vector along;                      ///< unit, as drawn
     std::optional<Vector> base, head;  ///< its ends on carrier and rider, once chosen
     Vector place;                      ///< of the joint
-    bool is_loose = false;             ///< the offset, or the link's length, varies too
+    bool is_unsupported = false;       ///< the offset, or the link's length, varies too
     int driver = -1;                   ///< the driver of its slide …
     int sense = 1;                     ///< … positive in this sense of `along` as it is now
     std::vector<Side> sides{};         ///< once it has letters: carrier → rider
@@ -114,7 +114,7 @@ private:
     /// centre and its rack.
     bool find_arm(Rolling& rolling, const Joint& joint, const Vector& centre, const std::optional<Vector>& other) const;
     /// Bodies that no pair connects to the frame get their position as coordinates.
-    void hold_what_is_loose();
+    void hold_unsupported_bodies();
     void take_drivers();
     void take(const SpinDriver& driver, int index);
     void take(const SlideDriver& driver, int index);

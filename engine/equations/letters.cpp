@@ -61,7 +61,7 @@ std::optional<Side> Letters::side_of(BodyIndex body, const Vector& from, const V
 
 void Letters::give_letters(Edge& edge) {
     if (edge.kind == Edge::Kind::pin || !edge.sides.empty() || edge.slide >= 0 || edge.direction >= 0) return;
-    if (!edge.base) edge.base = edge.is_loose && edge.joint == none ? Vector{} : edge.place;
+    if (!edge.base) edge.base = edge.is_unsupported && edge.joint == none ? Vector{} : edge.place;
     if (!edge.head) edge.head = edge.place;
     if (edge.kind == Edge::Kind::link)
         give_link_letters(edge);
@@ -210,9 +210,9 @@ void Letters::give_link_letters(Edge& edge) {
     side.to = *edge.head;
     edge.direction = add_angle(pair, drawn_.unit(reach), Letter::Role::dependent);
     edge.length = add_length(pair, square_root(squared_length(reach), 2 * drawn_.pose.bits).value,
-                             edge.is_loose ? Letter::Role::dependent : Letter::Role::given);
+                             edge.is_unsupported ? Letter::Role::dependent : Letter::Role::given);
     name(edge.direction, "phi ", edge);
-    if (edge.is_loose) name(edge.length, "d ", edge);
+    if (edge.is_unsupported) name(edge.length, "d ", edge);
     side.angle.letters = {edge.direction};
     side.length = edge.length;
     edge.sides = {side};
@@ -234,14 +234,14 @@ void Letters::give_guide_letters(Edge& edge) {
     name(edge.slide, free_standing ? "x " : "s ", edge);
     Exact across = dot(reach, quarter_turn(edge.along));
     slide.from = *edge.base;
-    if (edge.is_loose || !drawn_.is_nothing(across)) {
+    if (edge.is_unsupported || !drawn_.is_nothing(across)) {
         Side offset = slide;
         offset.angle.quarters = (slide.angle.quarters + (across.sign() < 0 ? 3 : 1)) % 4;
         const Vector up = across.sign() < 0 ? -quarter_turn(edge.along) : quarter_turn(edge.along);
         across = abs(across);
         edge.across = offset.length =
-            add_length(next_pair(), across, edge.is_loose ? Letter::Role::dependent : Letter::Role::given);
-        if (edge.is_loose) name(edge.across, free_standing ? "y " : "n ", edge);
+            add_length(next_pair(), across, edge.is_unsupported ? Letter::Role::dependent : Letter::Role::given);
+        if (edge.is_unsupported) name(edge.across, free_standing ? "y " : "n ", edge);
         offset.to = slide.from = offset.from + across * up;
         edge.sides.push_back(std::move(offset));
     }

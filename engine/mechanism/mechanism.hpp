@@ -234,7 +234,7 @@ struct GivenMotion {
     PointIndex point = none;
     std::variant<Vector, Bearing> value;
 };
-struct ActOfMotion {
+struct InstantaneousMotion {
     BodyIndex body = none;
     std::vector<GivenMotion> velocities, accelerations;
     std::string where;
@@ -302,7 +302,7 @@ struct Mechanism {
     bool inertia_forces = false;
     std::vector<Load> loads;
     std::vector<Effort> efforts;
-    std::optional<ActOfMotion> motion;
+    std::optional<InstantaneousMotion> motion;
     std::shared_ptr<const Problem> problem;    ///< in place of joints, or contacts at them; null: neither
     std::shared_ptr<const Exercise> exercise;  ///< null: the file is no exercise
     Find find;

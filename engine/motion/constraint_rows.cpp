@@ -4,7 +4,7 @@ namespace kinegraph {
 namespace {
 
 /// The directions along which the bodies have the same velocity at the joint's point.
-std::vector<Vector> held_directions(const PlanePair& pair, const Pose& pose, std::size_t slot) {
+std::vector<Vector> directions_binding(const PlanePair& pair, const Pose& pose, std::size_t slot) {
     if (pair.holds_point()) return {{1, 0}, {0, 1}};
     std::vector<Vector> held;
     if (pair.holds_normal) held.push_back(pose.normals[slot]);
@@ -13,7 +13,7 @@ std::vector<Vector> held_directions(const PlanePair& pair, const Pose& pose, std
 }
 
 void write(const Joint& joint, JointIndex index, const Pose& pose, std::vector<ConstraintRow>& rows) {
-    const std::vector<Vector> held = held_directions(joint.pair(), pose, at_index(index));
+    const std::vector<Vector> held = directions_binding(joint.pair(), pose, at_index(index));
     for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
         for (const Vector& along : held)
             rows.push_back({index, joint.bodies[0], joint.bodies[k], joint.point, along, false});

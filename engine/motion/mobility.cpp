@@ -228,7 +228,7 @@ private:
     void write(const PointDriver& driver) {
         equal_speeds(driver.body, frame, driver.at, direction(direction_of(driver.along, pose_)));
     }
-    void write(const ActOfMotion& motion) {
+    void write(const InstantaneousMotion& motion) {
         for (const GivenMotion& given : motion.velocities) {
             if (const auto* along = std::get_if<Bearing>(&given.value)) {
                 equal_speeds(motion.body, frame, given.point, direction(quarter_turn(direction_of(*along, pose_))));

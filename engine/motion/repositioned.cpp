@@ -136,8 +136,8 @@ Pose Mover::pose_of(const Mechanism& moved, int bits) const {
     return *std::move(pose);
 }
 
-Moved Mover::moved(Positions& positions, const Exact& coordinate) const {
-    Moved result;
+Repositioned Mover::moved(Positions& positions, const Exact& coordinate) const {
+    Repositioned result;
     result.mechanism = mechanism_at(drawn_, positions.refined(drawn_.closure, coordinate));
     for (Load& load : result.mechanism.loads)
         if (auto* torsion = std::get_if<TorsionLoad>(&load))

@@ -1,5 +1,5 @@
-// Moved: the mechanism as if drawn in another of its positions, in exact numbers. Code that reads a Mechanism and a
-// Pose then solves that position like the drawn one.
+// Repositioned: the mechanism as if drawn in another of its positions, in exact numbers. Code that reads a Mechanism
+// and a Pose then solves that position like the drawn one.
 #pragma once
 
 #include "engine/motion/positions.hpp"
@@ -8,7 +8,7 @@ namespace kinegraph {
 
 /// Points become coordinates; guides, profiles and pushes are rotated with their bodies. Loads and drivers are
 /// unchanged.
-struct Moved {
+struct Repositioned {
     Mechanism mechanism;
     Pose pose, finer;  ///< closed within 2^-bits, and with twice as many
 };
@@ -20,7 +20,7 @@ public:
     Mover(const Mechanism& mechanism, const Pose& pose);
 
     /// `coordinate`, the driver's, is that of `positions`. Precondition: `positions` is not singular.
-    Moved moved(Positions& positions, const Exact& coordinate) const;
+    Repositioned moved(Positions& positions, const Exact& coordinate) const;
 
 private:
     struct Drawn {

@@ -11,7 +11,7 @@ void MotionSection::read_motion(JsonValue value) {
         return;
     const Members form =
         file_.members(value, {"body", "velocities", "accelerations"}, {"an act of motion", "un atto di moto"});
-    ActOfMotion motion;
+    InstantaneousMotion motion;
     motion.where = value.pointer();
     motion.body = file_.moving_body(
         file_.required(form, "body", {"the body that moves", "il corpo che si muove"}),

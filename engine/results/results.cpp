@@ -308,8 +308,8 @@ public:
     /// The point of a body whose acceleration vanishes.
     std::string acceleration_centres() const {
         Entry where = entry();
-        where.add("at", solution_.act_of_motion->acceleration_centre);
-        return object_of_lines({{name_of_body(solution_.act_of_motion->body), std::move(where).json()}});
+        where.add("at", solution_.instantaneous_motion->acceleration_centre);
+        return object_of_lines({{name_of_body(solution_.instantaneous_motion->body), std::move(where).json()}});
     }
 
     std::string curvature() const {
@@ -559,7 +559,7 @@ public:
         file.emplace_back("bodies", motion.bodies());
         file.emplace_back("sliding", motion.sliding());
         file.emplace_back("instant centres", motion.centres());
-        if (solution_.act_of_motion && solution_.act_of_motion->acceleration_centre)
+        if (solution_.instantaneous_motion && solution_.instantaneous_motion->acceleration_centre)
             file.emplace_back("acceleration centres", motion.acceleration_centres());
         if (!solution_.relative_motion.empty()) file.emplace_back("relative motion", motion.relative_motion());
         if (!solution_.curvature.empty()) file.emplace_back("curvature", motion.curvature());

@@ -230,7 +230,7 @@ enum class Sentence {
     nearly_parallel,         ///< {0} {1} two lines by their reasons, {2} angle by which they miss
     nearly_coincident,       ///< {0} {1} points, {2} distance
     nearly_repeated,         ///< {0} joint: its constraints nearly depend on earlier ones
-    hangs_on_a_hair,         ///< {0} symbol, {1} change in per cent, {2} given point, {3} distance by which it moves:
+    is_ill_conditioned,      ///< {0} symbol, {1} change in per cent, {2} given point, {3} distance by which it moves:
                              ///< ill-conditioned
     repeated_constraints,    ///< {0} joint, {1} count
     link_without_length,     ///< {0} body, {1} names of its pins, which all lie at one place
@@ -406,7 +406,7 @@ struct Working {
 struct Message {
     Sentence sentence = Sentence::count_;
     std::vector<Argument> arguments;
-    std::vector<Working> workings = {};  ///< printed after the sentence
+    std::vector<Working> worked_arithmetic = {};  ///< printed after the sentence
 };
 
 /// A term of a vector equation and what is known of it before the polygon is drawn.

@@ -15,34 +15,34 @@ std::string name_of(const FreeBody& body) {
 
 }  // namespace
 
-std::string held_force(const std::string& load, const FreeBody& body, const AppliedForce& applied) {
+std::string force_binding(const std::string& load, const FreeBody& body, const AppliedForce& applied) {
     return under(load) + "F" + name_of(body) + "." + number_of(static_cast<int>(applied.kind)) + "." +
            number_of(applied.joint) + "." + number_of(applied.from) + "." + number_of(applied.given);
 }
-std::string held_sum(const std::string& load, const FreeBody& body, const AppliedForce& sum) {
+std::string sum_binding(const std::string& load, const FreeBody& body, const AppliedForce& sum) {
     return under(load) + "R" + name_of(body) + "." + kinegraph::name_of(sum.symbol);
 }
-std::string held_sum(const std::string& load, std::size_t of, const AppliedForce& sum) {
+std::string sum_binding(const std::string& load, std::size_t of, const AppliedForce& sum) {
     return under(load) + "T" + std::to_string(of) + "." + kinegraph::name_of(sum.symbol);
 }
 std::string couple_of(const std::string& held) { return held + "c"; }
-std::string held_meet(const std::string& load, const std::string& name) { return under(load) + "M" + name; }
-std::string held_arm(const std::string& load, const FreeBody& body, std::size_t arm, bool is_foot) {
+std::string meet_binding(const std::string& load, const std::string& name) { return under(load) + "M" + name; }
+std::string arm_binding(const std::string& load, const FreeBody& body, std::size_t arm, bool is_foot) {
     return under(load) + "A" + name_of(body) + "." + std::to_string(arm) + (is_foot ? "f" : "a");
 }
-std::string held_pair(const JointForce& pair) {
+std::string pair_binding(const JointForce& pair) {
     return "J" + number_of(pair.joint) + "." + number_of(pair.on) + "." + number_of(pair.from);
 }
-std::string held_string(const std::string& load, const FreeBody::Funicular& funicular, std::size_t vertex) {
+std::string string_binding(const std::string& load, const FreeBody::Funicular& funicular, std::size_t vertex) {
     return under(load) + "V" + kinegraph::name_of(funicular.first) + "." + kinegraph::name_of(funicular.second) + "." +
            std::to_string(vertex);
 }
-std::string held_curvature(BodyIndex body, const std::string& what) { return "C" + number_of(body) + "." + what; }
-std::string held_work(const VirtualWork::Entry& entry) {
+std::string curvature_binding(BodyIndex body, const std::string& what) { return "C" + number_of(body) + "." + what; }
+std::string work_binding(const VirtualWork::Entry& entry) {
     return "W" + number_of(entry.body) + "." + kinegraph::name_of(entry.symbol);
 }
-std::string held_point(PointIndex point) { return "p" + number_of(point); }
-std::string held_pole() { return "o"; }
-std::string held_foot(const VirtualWork::Entry& entry) { return "/" + held_work(entry); }
+std::string point_binding(PointIndex point) { return "p" + number_of(point); }
+std::string pole_binding() { return "o"; }
+std::string foot_binding(const VirtualWork::Entry& entry) { return "/" + work_binding(entry); }
 
 }  // namespace kinegraph

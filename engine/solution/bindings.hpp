@@ -10,29 +10,29 @@
 namespace kinegraph {
 
 /// `load`: whose loads act alone (the name of a body or a pin); empty: all loads act.
-std::string held_force(const std::string& load, const FreeBody& body, const AppliedForce& applied);
+std::string force_binding(const std::string& load, const FreeBody& body, const AppliedForce& applied);
 /// A sum of forces on a body, or on bodies taken together (`of`: their index).
-std::string held_sum(const std::string& load, const FreeBody& body, const AppliedForce& sum);
-std::string held_sum(const std::string& load, std::size_t of, const AppliedForce& sum);
+std::string sum_binding(const std::string& load, const FreeBody& body, const AppliedForce& sum);
+std::string sum_binding(const std::string& load, std::size_t of, const AppliedForce& sum);
 /// The couple of any of these. Where a body has a force and a separate couple, two names are needed.
 std::string couple_of(const std::string& held);
 /// A point of concurrency.
-std::string held_meet(const std::string& load, const std::string& name);
+std::string meet_binding(const std::string& load, const std::string& name);
 /// The end of a moment arm: the centre of moments, or the foot.
-std::string held_arm(const std::string& load, const FreeBody& body, std::size_t arm, bool is_foot);
+std::string arm_binding(const std::string& load, const FreeBody& body, std::size_t arm, bool is_foot);
 /// Force and couple of a joint at its own point.
-std::string held_pair(const JointForce& pair);
+std::string pair_binding(const JointForce& pair);
 /// A vertex of a funicular polygon, identified by the reactions that it finds; the one past the last is the
 /// intersection of the outer strings.
-std::string held_string(const std::string& load, const FreeBody::Funicular& funicular, std::size_t vertex);
+std::string string_binding(const std::string& load, const FreeBody::Funicular& funicular, std::size_t vertex);
 /// A place of a body's curvature: "pole", "axis", "J", …
-std::string held_curvature(BodyIndex body, const std::string& what);
+std::string curvature_binding(BodyIndex body, const std::string& what);
 /// A force on Joukowsky's lever and the velocity of its place.
-std::string held_work(const VirtualWork::Entry& entry);
+std::string work_binding(const VirtualWork::Entry& entry);
 /// A point of the mechanism, which depends on the position only.
-std::string held_point(PointIndex point);
+std::string point_binding(PointIndex point);
 /// The pole of the lever, and the foot of the perpendicular from it on the line of a force.
-std::string held_pole();
-std::string held_foot(const VirtualWork::Entry& entry);
+std::string pole_binding();
+std::string foot_binding(const VirtualWork::Entry& entry);
 
 }  // namespace kinegraph

@@ -166,7 +166,7 @@ void visit(Curvature& curvature, See& see) {
     }
 }
 template <class See>
-void visit(ActFigure& motion, See& see) {
+void visit(InstantaneousMotionFigure& motion, See& see) {
     motion.acceleration_centre.visit(see);
     if (auto& differing = motion.differing)
         for (auto* found : {&differing->of_first, &differing->of_second, &differing->join}) found->visit(see);
@@ -181,7 +181,7 @@ void for_each_found(Solution& solution, See see) {
     found_elements::visit_motion(solution, see);
     found_elements::visit_forces(solution, see);
     for (Curvature& curvature : solution.curvature) found_elements::visit(curvature, see);
-    if (solution.act_of_motion) found_elements::visit(*solution.act_of_motion, see);
+    if (solution.instantaneous_motion) found_elements::visit(*solution.instantaneous_motion, see);
 }
 
 }  // namespace kinegraph

@@ -70,11 +70,11 @@ struct MovingPlan {
     };
     std::vector<Line> lines;
     /// The names that marks of figures of forces, curvature and the lever are bound to (engine/solution/bindings.hpp).
-    struct Held {
+    struct Binding {
         std::string name;
         ElementIndex place, vector, couple;
     };
-    std::vector<Held> held;
+    std::vector<Binding> held;
 };
 
 /// One driver along its travel, the others at rest as drawn.

@@ -257,7 +257,7 @@ struct VirtualWork {
     ElementIndex total_element = none;
 };
 /// The parts of a figure of one body's instantaneous motion besides its velocities and centre.
-struct ActFigure {
+struct InstantaneousMotionFigure {
     BodyIndex body = none;
     enum class Found {
         nothing,         ///< neither centre nor translation is known
@@ -406,7 +406,8 @@ struct Solution {
     std::vector<VirtualMotion> virtual_motions;  ///< used to find forces that do not depend on redundant constraints
     std::vector<Curvature> curvature;            ///< if requested: of the moving bodies in the file's order
     std::optional<VirtualWork> virtual_work;     ///< where forces and velocities are known
-    std::optional<ActFigure> act_of_motion;      ///< if the file gives the instantaneous motion of one body
+    std::optional<InstantaneousMotionFigure>
+        instantaneous_motion;  ///< if the file gives the instantaneous motion of one body
     std::shared_ptr<const ProblemSolution>
         problem;                                 ///< if the file states one; without joints it is the whole solution
     std::shared_ptr<const Equations> equations;  ///< if requested

@@ -54,7 +54,7 @@ public:
                 return under("bodies", made_.bodies->lines(measure_));
             case Kind::mobility:
                 // For a single body no degrees of freedom are counted.
-                return under(solution_.act_of_motion ? "conventions" : "mobility", conventions());
+                return under(solution_.instantaneous_motion ? "conventions" : "mobility", conventions());
             case Kind::centres:
                 if (!made_.centres) made_.centres.emplace(context_);
                 return under("instant centres", made_.centres->lines(measure_),
@@ -210,7 +210,7 @@ private:
     std::vector<SharedBlock> conventions() const {
         std::vector<Paragraph>& all = made_.conventions;
         if (all.empty()) {
-            if (!solution_.act_of_motion) all.emplace_back(context_, mobility_words());
+            if (!solution_.instantaneous_motion) all.emplace_back(context_, mobility_words());
             all.emplace_back(context_, axes_words());
             const Mechanism& mechanism = solution_.mechanism;
             if (solution_.protocol.polygons.empty() && mechanism.drivers.empty() && !mechanism.motion)
@@ -309,10 +309,11 @@ bool may_be_merged(const Message& message) {
     switch (message.sentence) {
         case Sentence::omega_from_pair:
         case Sentence::alpha_from_pair:
-            return !message.workings.empty() && message.arguments.size() <= 4;  // otherwise it draws a vector first
+            return !message.worked_arithmetic.empty() &&
+                   message.arguments.size() <= 4;  // otherwise it draws a vector first
         case Sentence::inertia_force:
         case Sentence::inertia_couple:
-        case Sentence::second_way: return !message.workings.empty();
+        case Sentence::second_way: return !message.worked_arithmetic.empty();
         case Sentence::two_force_body:
         case Sentence::two_force_guide:
         case Sentence::zero_forces: return true;
@@ -440,7 +441,7 @@ void Bands::collect_motion() {
             const bool again = relative && p > 0 && of_one_motion(protocol.polygons[p - 1], polygon) &&
                                band_of.contains(static_cast<int>(p) - 1);
             // The figure of an instantaneous motion shows the results of both polygons.
-            if (again || solution_.act_of_motion)
+            if (again || solution_.instantaneous_motion)
                 list.back().figures.push_back(*wanted_.named(polygon.id));
             else
                 add(polygon.id, {polygon.id});

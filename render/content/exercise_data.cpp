@@ -201,7 +201,7 @@ private:
                                   plain_words(mechanism_.body(point.body).name)});
     }
 
-    void add_motion(const ActOfMotion& motion) {
+    void add_motion(const InstantaneousMotion& motion) {
         for (const bool second : {false, true})
             for (const GivenMotion& given : second ? motion.accelerations : motion.velocities) {
                 const RichText symbol = typeset(

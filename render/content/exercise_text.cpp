@@ -43,7 +43,7 @@ public:
         return std::move(rows_);
     }
 
-    std::vector<RichText> sought(const std::vector<AskedValue>& found) && {
+    std::vector<RichText> sought(const std::vector<RequestedResult>& found) && {
         if (!asked_of(mechanism_).empty()) {
             add_asked(found);
             return std::move(rows_);
@@ -108,9 +108,9 @@ private:
     }
 
     /// Adds what only the results show: the joint with the least transmission angle.
-    void add_asked(const std::vector<AskedValue>& found) {
+    void add_asked(const std::vector<RequestedResult>& found) {
         for (const Column& column : asked_columns(mechanism_)) {
-            const auto is_it = [&](const AskedValue& each) {
+            const auto is_it = [&](const RequestedResult& each) {
                 return column.kind == Column::Kind::named && each.column.name == column.name;
             };
             const auto told = std::find_if(found.begin(), found.end(), is_it);
@@ -259,7 +259,7 @@ RichText given_amount(const Exact& si, const Unit& unit, Language language) {
     return with_powers(drawing::given_number((si / unit.si).to_double(), language) + " " + unit.symbol);
 }
 
-std::vector<RichText> sought_of(const DrawingContext& context, const std::vector<AskedValue>& found) {
+std::vector<RichText> sought_of(const DrawingContext& context, const std::vector<RequestedResult>& found) {
     return SoughtText(context).sought(found);
 }
 std::vector<RichText> signs_of(const DrawingContext& context) { return SoughtText(context).signs(); }

@@ -18,7 +18,7 @@ namespace kinegraph::render {
 std::vector<RichText> data_of(const DrawingContext& context);
 /// The results to find: those in `ask`, otherwise those in `find`, otherwise all that the data determine. `found`: the
 /// results in `ask`; with them the text names the joint with the least transmission angle.
-std::vector<RichText> sought_of(const DrawingContext& context, const std::vector<AskedValue>& found = {});
+std::vector<RichText> sought_of(const DrawingContext& context, const std::vector<RequestedResult>& found = {});
 /// Whether a result is positive counter-clockwise.
 bool has_turning_sense(const Mechanism& mechanism);
 /// For the key: the positive sense of sliding, of balancing loads and of the forces in bars; one paragraph each.

@@ -45,7 +45,7 @@ bool has_circle(const Solution& solution) {
 }
 bool has_some(const Solution& solution, Recorded<Vector> PointMotion::*vector) {
     // The figure of an instantaneous motion shows the centres itself.
-    return !solution.act_of_motion &&
+    return !solution.instantaneous_motion &&
            std::any_of(solution.points.begin(), solution.points.end(),
                        [&](const PointMotion& m) { return m.point != none && m.*vector && !(m.*vector)->is_zero(); });
 }
@@ -90,8 +90,8 @@ WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, Solu
 
 bool WantedFigures::shows_centres() const {
     const Find& find = context_.solution.mechanism.find;
-    const bool asked =
-        detail_ == SolutionDetail::full || (find.stated && find.instant_centres) || context_.solution.act_of_motion;
+    const bool asked = detail_ == SolutionDetail::full || (find.stated && find.instant_centres) ||
+                       context_.solution.instantaneous_motion;
     return asked && !context_.solution.centres.empty();
 }
 
@@ -125,7 +125,7 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
     const Box links = with_centres ? extent_of_mechanism(context_.solution, false) : extent;
     const double size = std::max(links.width(), links.height());
     mechanism.least = size > 0 ? least_of_links * std::max(extent.width(), extent.height()) / size : least_of_links;
-    mechanism.weight = context_.solution.act_of_motion ? 2 : 1.2;
+    mechanism.weight = context_.solution.instantaneous_motion ? 2 : 1.2;
     return mechanism;
 }
 
@@ -497,11 +497,11 @@ void WantedFigures::add_moving_axes() {
 void WantedFigures::add_mechanism() {
     const Solution& s = context_.solution;
     const bool centres = shows_centres();
-    Wanted wanted = mechanism(!centres || s.act_of_motion ? "mechanism" : "centres", centres);
+    Wanted wanted = mechanism(!centres || s.instantaneous_motion ? "mechanism" : "centres", centres);
     wanted.rim_x = 20;
     wanted.rim_y = 33;
     const auto draw = [centres](const DrawingContext& context, double x, double y) {
-        if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
+        if (context.solution.instantaneous_motion) return instantaneous_motion_figure(context, x, y);
         return mechanism_figure(context, x, y, centres);
     };
     wanted.draw = [this, draw](double x, double y) {
@@ -510,11 +510,11 @@ void WantedFigures::add_mechanism() {
         // If the scale in the file is too large for the paper, ours is used.
         return draw(unscaled(), x, y);
     };
-    if (!s.act_of_motion && !wanted.asked)
+    if (!s.instantaneous_motion && !wanted.asked)
         wanted.draw_or_refuse = [this, centres](Spot room, double coarsest) {
             return mechanism_figure(context_, room.x, room.y, centres, coarsest);
         };
-    if (!s.act_of_motion && detail_ == SolutionDetail::full)
+    if (!s.instantaneous_motion && detail_ == SolutionDetail::full)
         wanted.enrich = [this, centres](const Figure& plain, Spot room) {
             return mechanism_with_found_turnings(context_, plain, room, centres);
         };

@@ -96,7 +96,7 @@ private:
         return (1 / sketch_.scale()) * *place;
     }
     bool shows(std::optional<Spot> spot) const { return spot && contains(view_, *spot); }
-    std::string held(const std::string& what) const { return held_curvature(found_.body, what); }
+    std::string held(const std::string& what) const { return curvature_binding(found_.body, what); }
     static std::string held_of(const PathCentre& path) { return "of " + path.label; }
     void stroke(Path path, StatementIndex statement, const Holds& holds = {}) {
         sketch_.construction.emplace_back(std::move(path));
@@ -276,14 +276,14 @@ private:
         const Spot at = sketch_.spot(path.point);
         if (path.centre->at_infinity()) {
             const Spot ray = paper_direction(path.centre->place()), along{-ray.y, ray.x};
-            if (pole) draw_segment(*pole, at, sketch_.thin(), path.statement, held("pole"), held_point(path.point));
+            if (pole) draw_segment(*pole, at, sketch_.thin(), path.statement, held("pole"), point_binding(path.point));
             stroke(line(at - tick * along, at + tick * along, {theme_.outline, colour_.line, {}, false}),
                    path.statement);
             return;
         }
         const auto centre = on_paper(known_spot(path.centre));
         if (!centre) return;
-        const std::string here = held_point(path.point), about = held(held_of(path));
+        const std::string here = point_binding(path.point), about = held(held_of(path));
         if (pole) draw_segment(*pole, at, sketch_.thin(), path.statement, held("pole"), here);
         draw_segment(at, *centre, sketch_.thin(), path.statement, here, about);
         draw_osculating(path, at, *centre);
@@ -304,7 +304,7 @@ private:
         const Unit& unit_of = sketch_.mechanism.units.length;
         const Pen pen{1.4 * theme_.outline, colour_.line, {}, false};
         const std::size_t first = sketch_.construction.size();
-        const Holds holds{Form::arc, {held(held_of(path)), held_point(path.point)}};
+        const Holds holds{Form::arc, {held(held_of(path)), point_binding(path.point)}};
         sketch_.construction.emplace_back(GroupBegin{"osculating",
                                                      sketch_.id("osculating", path.label),
                                                      "",

@@ -153,7 +153,7 @@ private:
         const Spot from = sketch_.spot(spring.between[0]), to = sketch_.spot(spring.between[1]);
         sketch_.add_label(std::move(text), sketch_.theme.text, 0.5 * (from + to), 3.0).toward = to;
     }
-    void draw_motion(const ActOfMotion& motion) {
+    void draw_motion(const InstantaneousMotion& motion) {
         for (const GivenMotion& given : motion.velocities) {
             const Spot at = sketch_.spot(given.point);
             RichText text = named(mechanism_.point(given.point).name, Symbol::Letter::v);

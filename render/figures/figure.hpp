@@ -36,7 +36,7 @@ Figure accelerations_on_mechanism(const DrawingContext& context, double room_x, 
 /// the lines that meet in the centre; if no rigid body can move so, the two projections. Kind and id "mechanism";
 /// velocities are groups of class "velocity" with a scale of their own in the caption. Requires that the solution has
 /// such a motion.
-Figure act_of_motion_figure(const DrawingContext& context, double room_x, double room_y);
+Figure instantaneous_motion_figure(const DrawingContext& context, double room_x, double room_y);
 /// The curvature of the motion of a body (index into Solution::curvature): pole, pole tangent, inflection circle,
 /// Bresse's circles, osculating circles to scale. Kind "curvature", id "curvature-<body>".
 Figure curvature_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);

@@ -190,7 +190,7 @@ public:
                 action.marks.push_back(place);
             else
                 action.far_meets.push_back(meet.name);
-            action.places.push_back(held_meet(load_, meet.name));
+            action.places.push_back(meet_binding(load_, meet.name));
         }
         return action;
     }
@@ -216,7 +216,7 @@ public:
         for (std::size_t i = 0; i < funicular.vertices.size(); ++i)
             if (const Spot at = sketch_.spot(*funicular.vertices[i]);
                 std::abs(cross(action.along, at - action.at)) < 0.05)
-                action.reach(at, held_string(load_, funicular, i));
+                action.reach(at, string_binding(load_, funicular, i));
         action.statement =
             std::min(action.statement == none ? funicular.statement : action.statement, funicular.statement);
         if (action.marks.size() > 1) add(std::move(action));
@@ -225,7 +225,7 @@ public:
     void draw_meets(const Meets& meets) {
         for (const FreeBody::Meet& meet : meets)
             if (const Spot at = sketch_.spot(meet.place); contains(view_, at))
-                draw_meet(sketch_, meet.name, at, meet.statement, held_meet(load_, meet.name));
+                draw_meet(sketch_, meet.name, at, meet.statement, meet_binding(load_, meet.name));
             else
                 draw_far_meet(meet.name, at, meet.statement);
     }
@@ -252,7 +252,7 @@ private:
             belong(sketch_.construction, sketch_.construction.size() - 2, std::max(statement, action.statement));
             if (named) continue;
             named = true;
-            LabelRequest label = label_of_meet(sketch_, name, tip, 1.2, statement, held_meet(load_, name));
+            LabelRequest label = label_of_meet(sketch_, name, tip, 1.2, statement, meet_binding(load_, name));
             label.holds = {};  // the label at the edge shows the distance
             if (const auto from = name_of_point_at(sketch_, action.at))
                 append(label.text, how_far(sketch_, *from, label.text, length(meet - action.at)));
@@ -337,7 +337,7 @@ void draw_arm(Sketch& sketch, const FreeBody& body, std::size_t index, const std
     drawn.push_back({about, foot});
     sketch.over_bodies.emplace_back(line(about, foot, sketch.thin()));
     belong(sketch.over_bodies, sketch.over_bodies.size() - 1, arm.statement);
-    const Holds held{Form::segment, {held_arm(load, body, index, false), held_arm(load, body, index, true)}};
+    const Holds held{Form::segment, {arm_binding(load, body, index, false), arm_binding(load, body, index, true)}};
     hang(sketch.over_bodies, sketch.over_bodies.size() - 1, held);
     if (!name_of_point_at(sketch, about) && !arm.name.empty())
         draw_meet(sketch, arm.name, about, arm.statement, held.on.front());
@@ -410,7 +410,7 @@ public:
             draw_alone(sketch_, body_.body);
         else
             sketch_.pins.emplace_back(ring(sketch_.spot(body_.pin), 1.8, sketch_.theme.paper, sketch_.outline()));
-        if (body_.body == none) hang(sketch_.pins, sketch_.pins.size() - 1, at_place(held_point(body_.pin)));
+        if (body_.body == none) hang(sketch_.pins, sketch_.pins.size() - 1, at_place(point_binding(body_.pin)));
         name_points(sketch_);
         for (const Load& load : sketch_.mechanism.loads)
             if (const auto* distributed = std::get_if<DistributedLoad>(&load);
@@ -418,7 +418,7 @@ public:
                 draw_distributed(sketch_, *distributed, sketch_.over_bodies);
         clutter_.add(sketch_.bodies);
         for (const AppliedForce& applied : body_.forces) {
-            const std::string held = held_force(load_, body_, applied);
+            const std::string held = force_binding(load_, body_, applied);
             if (!applied.couple.is_zero())
                 draw_couple(sketch_, clutter_, couple_words(sketch_.context, applied), sketch_.spot(applied.at),
                             applied.couple.sign() > 0, colour_, applied.force_statement,
@@ -428,9 +428,9 @@ public:
         // A narrow room has only the line; the force is in the polygon.
         for (const AppliedForce& sum : body_.sums)
             if (scale_.says_values)
-                draw_force(beside_body(sum), held_sum(load_, body_, sum));
+                draw_force(beside_body(sum), sum_binding(load_, body_, sum));
             else
-                add_line_of(sum, held_sum(load_, body_, sum));
+                add_line_of(sum, sum_binding(load_, body_, sum));
         for (std::size_t i = 0; i < body_.arms.size(); ++i) draw_arm(sketch_, body_, i, load_, arms_);
         if (body_.funicular) draw_strings_of_body(*body_.funicular);
         lines_.draw_meets(meets_);
@@ -558,7 +558,7 @@ private:
             const FreeBody::Arm& arm = body_.arms[i];
             const Spot foot = sketch_.spot(arm.foot);
             if (std::abs(cross(action.along, foot - action.at)) > 0.05) continue;
-            action.reach(foot, held_arm(load_, body_, i, true));
+            action.reach(foot, arm_binding(load_, body_, i, true));
             action.statement = std::min(action.statement == none ? arm.statement : action.statement, arm.statement);
         }
         // Extends the line to where the force is added to another.
@@ -566,7 +566,7 @@ private:
             if (const Spot at = sketch_.spot(sum.at);
                 &sum != &applied && std::abs(cross(action.along, at - action.at)) < 0.05 &&
                 contains(sketch_.mechanism_box(), at) && length(at - action.at) > 1) {
-                action.reach(at, held_sum(load_, body_, sum));
+                action.reach(at, sum_binding(load_, body_, sum));
                 action.statement =
                     action.statement == none ? sum.force_statement : std::min(action.statement, sum.force_statement);
             }
@@ -580,7 +580,7 @@ private:
         draw_strings(sketch_, funicular, load_);
         for (const AppliedForce& applied : body_.forces)
             if (!applied.force.is_zero())
-                lines_.add_to_strings(applied, held_force(load_, body_, applied), meets_, funicular);
+                lines_.add_to_strings(applied, force_binding(load_, body_, applied), meets_, funicular);
     }
 
     /// Force and couple at the point of the pair, thin, and their distance from the equivalent single force: d = M/F.
@@ -589,7 +589,7 @@ private:
         const double aside = length(foot - at);
         AppliedForce couple = applied;
         couple.couple = *pair.couple;
-        const std::string point = held_point(sketch_.mechanism.joint(pair.joint).point), held = held_pair(pair);
+        const std::string point = point_binding(sketch_.mechanism.joint(pair.joint).point), held = pair_binding(pair);
         draw_couple(sketch_, clutter_, couple_words(sketch_.context, couple), at, pair.couple->sign() > 0, colour_,
                     applied.force_statement, {point, couple_of(held)}, unit_of_moment());
         constexpr double least = 2;
@@ -770,7 +770,7 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, cons
     for (const FreeBody& body : solution.free_bodies)
         for (const AppliedForce& applied : body.forces) {
             if (applied.force.is_zero()) continue;
-            ActionLine action = lines.line_of(applied, shown_meets(solution, body), held_force(load, body, applied));
+            ActionLine action = lines.line_of(applied, shown_meets(solution, body), force_binding(load, body, applied));
             if (action.joins() || applied.line_by_construction) lines.add(std::move(action));
         }
     const auto add_sum = [&](const AppliedForce& sum, std::string held) {
@@ -778,11 +778,11 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, cons
             lines.add(std::move(action));
     };
     for (const FreeBody& body : solution.free_bodies)
-        for (const AppliedForce& sum : body.sums) add_sum(sum, held_sum(load, body, sum));
+        for (const AppliedForce& sum : body.sums) add_sum(sum, sum_binding(load, body, sum));
     for (std::size_t i = 0; i < solution.taken_together.size(); ++i) {
         const TakenTogether& together = solution.taken_together[i];
         for (const AppliedForce& sum : together.sums) {
-            add_sum(sum, held_sum(load, i, sum));
+            add_sum(sum, sum_binding(load, i, sum));
             draw_shift(sketch, sum, view);
         }
         if (!together.funicular) continue;
@@ -790,11 +790,11 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, cons
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
                 if (!applied.force.is_zero() && acts_from_outside(applied, together))
-                    lines.add_to_strings(applied, held_force(load, body, applied), shown_meets(solution, body),
+                    lines.add_to_strings(applied, force_binding(load, body, applied), shown_meets(solution, body),
                                          *together.funicular);
         for (const AppliedForce& sum : together.sums)
             if (acts_from_outside(sum, together))
-                lines.add_to_strings(sum, held_sum(load, i, sum), meets, *together.funicular);
+                lines.add_to_strings(sum, sum_binding(load, i, sum), meets, *together.funicular);
     }
     lines.draw_meets(meets);
     lines.draw(sketch.construction);
@@ -899,11 +899,11 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
             for (const AppliedForce& applied : body.forces)
                 if (is_shown_on_mechanism(body, applied, !load.empty()))
                     draw_sense(sketch, clutter, applied, context.theme.colour_of(body.body), applied.force_statement,
-                               held_force(load, body, applied), standing);
+                               force_binding(load, body, applied), standing);
         for (std::size_t i = 0; i < solution.taken_together.size(); ++i)
             for (const AppliedForce& sum : solution.taken_together[i].sums)
                 draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement,
-                           held_sum(load, i, sum), standing);
+                           sum_binding(load, i, sum), standing);
         std::vector<Bar> arms;
         for (const FreeBody& body : solution.free_bodies)
             for (std::size_t i = 0; i < body.arms.size(); ++i)

@@ -14,7 +14,7 @@ namespace kinegraph::render {
 namespace {
 
 using namespace drawing;
-using Found = ActFigure::Found;
+using Found = InstantaneousMotionFigure::Found;
 
 constexpr double corner_mark = 1.8;      // of the mark of a right angle, mm
 constexpr double longest_velocity = 34;  // mm
@@ -30,12 +30,12 @@ struct VelocityArrow {
 };
 
 /// The content of the figure, independent of its scale.
-class ActScene {
+class InstantaneousMotionScene {
 public:
-    explicit ActScene(const DrawingContext& context)
+    explicit InstantaneousMotionScene(const DrawingContext& context)
         : context_(context),
           solution_(context.solution),
-          act_(*context.solution.act_of_motion),
+          act_(*context.solution.instantaneous_motion),
           unit_(context.solution.mechanism.units.velocity) {
         for (const InstantCentre& centre : solution_.centres)
             if (centre.first == frame && centre.second == act_.body) centre_ = &centre;
@@ -96,7 +96,7 @@ protected:
 
     const DrawingContext& context_;
     const Solution& solution_;
-    const ActFigure& act_;
+    const InstantaneousMotionFigure& act_;
     const Unit& unit_;
     const InstantCentre* centre_ = nullptr;
     std::vector<VelocityArrow> shown_;
@@ -106,9 +106,9 @@ protected:
 
 /// The centre with its construction: perpendiculars to the velocities or the line through their tips, its name, and ω
 /// about it.
-class CentreOfAct : ActScene {
+class CentreOfMotion : InstantaneousMotionScene {
 public:
-    explicit CentreOfAct(const ActScene& scene) : ActScene(scene) {}
+    explicit CentreOfMotion(const InstantaneousMotionScene& scene) : InstantaneousMotionScene(scene) {}
 
     void draw(Sketch& sketch, double scale) const {
         if (centre_ == nullptr || !centre_->at) return;
@@ -301,14 +301,14 @@ private:
     }
 };
 
-class Act : public ActScene {
+class InstantaneousMotionDrawing : public InstantaneousMotionScene {
 public:
-    using ActScene::ActScene;
+    using InstantaneousMotionScene::InstantaneousMotionScene;
 
     void draw(Sketch& sketch, double velocity_scale) const {
         draw_alone(sketch, act_.body);
         draw_directions(sketch);
-        CentreOfAct(*this).draw(sketch, velocity_scale);
+        CentreOfMotion(*this).draw(sketch, velocity_scale);
         draw_projections(sketch, velocity_scale);
         // The construction crosses the body and must be visible above it.
         std::swap(sketch.construction, sketch.over_bodies);
@@ -385,7 +385,7 @@ private:
     /// The projections on the line through both points, as arrows, with the perpendiculars that determine them.
     void draw_projections(Sketch& sketch, double scale) const {
         if (!act_.differing) return;
-        const ActFigure::Projections& differing = *act_.differing;
+        const InstantaneousMotionFigure::Projections& differing = *act_.differing;
         const Spot first = sketch.spot(differing.first), second = sketch.spot(differing.second);
         const Spot along = unit(second - first);
         double from = 0, to = length(second - first);
@@ -429,10 +429,10 @@ private:
 
 }  // namespace
 
-Figure act_of_motion_figure(const DrawingContext& context, double room_x, double room_y) {
-    KG_ASSERT(context.solution.act_of_motion, "the figure of an act of motion wants one");
+Figure instantaneous_motion_figure(const DrawingContext& context, double room_x, double room_y) {
+    KG_ASSERT(context.solution.instantaneous_motion, "the figure of an act of motion wants one");
     const Subject subject(context.solution);
-    const Act act(context);
+    const InstantaneousMotionDrawing act(context);
     const Mechanism& mechanism = context.solution.mechanism;
     Box extent = subject.box;
     if (const auto centre = act.centre_near(subject.box)) {

@@ -87,7 +87,7 @@ public:
         draw_forces(figure, arrows);
         figure.marks.emplace_back(
             ring({0, 0}, pole_radius, context_.theme.paper, {context_.theme.outline, context_.theme.text, {}, false}));
-        hang(figure.marks, figure.marks.size() - 1, {Form::at, {held_pole()}});
+        hang(figure.marks, figure.marks.size() - 1, {Form::at, {pole_binding()}});
         label_tips(figure);
         figure.box = box_of(figure.marks);
         draw_bars(figure);
@@ -166,7 +166,7 @@ private:
             const double from = dot(tail, along), to = dot(tip, along), place = dot(at, along);
             const double low = std::min({0.0, place, from}), high = std::max({0.0, place, to});
             const auto on_line = [&](double t) { return foot + t * along; };
-            const std::string force = held_work(*placed_[i].entry), held = held_foot(*placed_[i].entry);
+            const std::string force = work_binding(*placed_[i].entry), held = foot_binding(*placed_[i].entry);
             const std::size_t first = figure.marks.size();
             if (low < from)
                 figure.marks.emplace_back(line(on_line(low - (low == 0 ? past_the_foot : 0)), on_line(from), action));
@@ -179,13 +179,13 @@ private:
                 continue;
             done.emplace_back(foot, along);
             figure.marks.emplace_back(line({0, 0}, foot, arm));
-            hang(figure.marks, figure.marks.size() - 1, {Form::segment, {held_pole(), held}});
+            hang(figure.marks, figure.marks.size() - 1, {Form::segment, {pole_binding(), held}});
             if (length(foot) < 1.6 * corner_size) continue;
             // In the corner away from the arrow, if possible.
             const Spot back = -corner_size * unit(foot),
                        aside = (0.5 * (from + to) > 0 ? -corner_size : corner_size) * along;
             figure.marks.emplace_back(polyline({foot + back, foot + back + aside, foot + aside}, corner));
-            hang(figure.marks, figure.marks.size() - 1, {Form::with, {held, held_pole(), held}});
+            hang(figure.marks, figure.marks.size() - 1, {Form::with, {held, pole_binding(), held}});
         }
     }
 
@@ -199,9 +199,9 @@ private:
             if (std::any_of(done.begin(), done.end(), [&](Spot other) { return length(other - tip) < coincident; }))
                 continue;
             done.push_back(tip);
-            tips.push_back(held_work(*each.entry));
+            tips.push_back(work_binding(*each.entry));
             figure.marks.emplace_back(
-                GroupBegin{"ray", "", "", {}, each.motion, {Form::segment, {held_pole(), tips.back()}}});
+                GroupBegin{"ray", "", "", {}, each.motion, {Form::segment, {pole_binding(), tips.back()}}});
             figure.marks.emplace_back(Axis{{0, 0}, tip});
             figure.marks.emplace_back(line({0, 0}, tip, pen));
             figure.marks.emplace_back(GroupEnd{});
@@ -220,7 +220,7 @@ private:
             std::string name = base;
             for (int n = 2; !names.insert(name).second; ++n) name = base + "-" + std::to_string(n);
             const BodyColour colour = context_.theme.colour_of(entry.body);
-            const Holds holds{Form::arrow, {held_work(entry), held_work(entry)}};
+            const Holds holds{Form::arrow, {work_binding(entry), work_binding(entry)}};
             figure.marks.emplace_back(GroupBegin{"force",
                                                  figure.id + "-" + legal_id(name),
                                                  name + " = " + shortest(placed_[i].value) + " " + force_.symbol,
@@ -255,7 +255,7 @@ private:
             std::string place;  // binding
         };
         const Symbol pole{Symbol::Letter::pole, "v", ""};
-        std::vector<Cluster> clusters{{{0, 0}, typeset(pole, context_.language), {name_of(pole)}, held_pole()}};
+        std::vector<Cluster> clusters{{{0, 0}, typeset(pole, context_.language), {name_of(pole)}, pole_binding()}};
         for (const Placed& each : placed_) {
             const PointIndex point = point_of(*each.entry);
             if (point == none) continue;
@@ -265,7 +265,7 @@ private:
                                            [&](const Cluster& c) { return length(c.at - at) < coincident; });
             const RichText text = typeset(image, context_.language);
             if (same == clusters.end()) {
-                clusters.push_back({at, text, {name_of(image)}, held_work(*each.entry)});
+                clusters.push_back({at, text, {name_of(image)}, work_binding(*each.entry)});
             } else if (same->names.insert(name_of(image)).second) {
                 append(same->text, one_piece(" ≡ "));
                 append(same->text, text);

@@ -421,7 +421,7 @@ public:
                                .asked = asked,
                                .coarsest = coarsest_,
                                .extent = extent(),
-                               .least_shown = std::max(least_polygon, smallest_worth_lettering())};
+                               .least_shown = std::max(least_polygon, smallest_readable_lettering())};
         const double names = room_of_names(strokes_at(policy.first), context_.fonts) / (room_.x * room_.y);
         if (!policy.asked && names > crowded && coarsest_ < any_scale) return Figure::empty_at(any_scale);
         const bool may_have_details =
@@ -467,7 +467,7 @@ private:
     }
     double extent() const { return std::max(drawing_.width(), drawing_.height()); }
     /// The size at `most_steps` steps beyond the scale at which the strokes have room, mm.
-    double smallest_worth_lettering() const {
+    double smallest_readable_lettering() const {
         double scale = first_scale();
         while (extent() / scale > least_polygon && !fits(strokes_at(scale), letters_beyond)) scale = next_scale(scale);
         for (int step = 0; step < most_steps; ++step) scale = next_scale(scale);

@@ -12,7 +12,8 @@ void draw_strings(Sketch& sketch, const FreeBody::Funicular& funicular, const st
     const Theme& theme = sketch.theme;
     const auto& vertices = funicular.vertices;
     const auto held = [&](std::size_t from, std::size_t to) {
-        return Holds{Holds::Form::segment, {held_string(load, funicular, from), held_string(load, funicular, to)}};
+        return Holds{Holds::Form::segment,
+                     {string_binding(load, funicular, from), string_binding(load, funicular, to)}};
     };
     const auto string = [&](std::size_t from, std::size_t to, std::size_t number, std::vector<double> dashed) {
         const Spot a = sketch.spot(*vertices[from]), b = sketch.spot(*vertices[to]);

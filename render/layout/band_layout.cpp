@@ -12,7 +12,7 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double least_beside = 25;
-constexpr double price_of_columns = 0.05, worth_of_corner = 0.01;
+constexpr double price_of_columns = 0.05, score_of_corner = 0.01;
 constexpr int most_beside = 3;          // columns of text
 constexpr int most_columns_more = 2;    // beyond those of the format, for a page of short lines
 constexpr double room_of_a_name = 100;  // mm², with its distance from the strokes; with less, names are placed far away
@@ -51,7 +51,7 @@ std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format
         constexpr double as_asked = 6;
         if (wanted.asked) {
             sizes.push_back(at(*wanted.asked));
-            if (!wanted.spare) sizes.back().worth += as_asked;
+            if (!wanted.spare) sizes.back().score += as_asked;
             // A scale in the file is kept even if it costs a page, provided that the figure fits on a page.
             const bool holds = sizes.back().x <= format.content.width() && sizes.back().y <= format.content.height();
             if (holds && !crowded && !wanted.spare) return sizes;
@@ -221,7 +221,7 @@ double BandLayouts::wider_in(Spot room) const {
 double BandLayouts::scale_in(std::size_t figure, Spot room) const { return size_in(figure, room, false).scale; }
 
 bool BandLayouts::may_improve(const Best& best, const Arrangement& layout) const {
-    return layout.worth + best.most_of_figures > best.layout.worth;
+    return layout.score + best.most_of_figures > best.layout.score;
 }
 
 bool BandLayouts::improves(const Best& best, const Arrangement& layout, Spot room) const {
@@ -229,7 +229,7 @@ bool BandLayouts::improves(const Best& best, const Arrangement& layout, Spot roo
     for (const bool stacked : {false, true}) {
         if (stacked && figures_.sizes().size() < 2) break;
         const auto share = figures_.in(room, {stacked, layout.cornered});
-        if (share && layout.worth + share->worth > best.layout.worth) return true;
+        if (share && layout.score + share->score > best.layout.score) return true;
     }
     return false;
 }
@@ -240,11 +240,11 @@ void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, 
     for (const bool stacked : {false, true}) {
         if (stacked && figures_.sizes().size() < 2) break;
         const auto share = figures_.in(room, {stacked, layout.cornered});
-        if (!share || !(layout.worth + share->worth > best.layout.worth)) continue;
+        if (!share || !(layout.score + share->score > best.layout.score)) continue;
         best.layout = layout;
         best.room = room;
         best.layout.stacked = stacked;
-        best.layout.worth = layout.worth + share->worth;
+        best.layout.score = layout.score + share->score;
         best.spare = std::min(spare, share_of_height * (room.y - (stacked ? share->length : share->across)));
         // With several figures a lower room may have another division; with text below a figure the height is a result
         // of a search.
@@ -254,7 +254,7 @@ void BandLayouts::try_figures(Best& best, const Arrangement& layout, Spot room, 
 
 std::vector<Spot> BandLayouts::rooms_of(const Best& best) const {
     std::vector<Spot> rooms;
-    if (best.layout.worth < BandLayout::possible || figures_.sizes().empty()) return rooms;
+    if (best.layout.score < BandLayout::possible || figures_.sizes().empty()) return rooms;
     const FigureShares::Order order{best.layout.stacked, best.layout.cornered};
     const auto share = figures_.in(best.room, order);
     KG_ASSERT(share, "what was tried has room");
@@ -270,42 +270,42 @@ std::vector<Spot> BandLayouts::rooms_of(const Best& best) const {
     return rooms;
 }
 
-const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double step, int most) const {
-    const auto [found, fresh] = worth_.try_emplace(std::tuple(width, notch.left, notch.high));
+const WorthByHeight& BandLayouts::score(Width width, const Notch& notch, double step, int most) const {
+    const auto [found, fresh] = score_.try_emplace(std::tuple(width, notch.left, notch.high));
     if (!fresh) return found->second;
-    WorthByHeight& worth = found->second;
-    worth.assign(static_cast<std::size_t>(most) + 1, BandLayout::impossible);
+    WorthByHeight& score = found->second;
+    score.assign(static_cast<std::size_t>(most) + 1, BandLayout::impossible);
     struct Asked {
         std::size_t least;  ///< estimate of the least height with the same score
         bool is_certain;    ///< `least` is exact, and the heights between are filled in
     };
     const auto ask = [&](std::size_t height) -> Asked {
         const Best best = best_in(width, static_cast<double>(height) * step, notch);
-        worth[height] = best.layout.worth;
+        score[height] = best.layout.score;
         constexpr double rounding = 1e-6;
         const auto lower =
             static_cast<std::size_t>(std::max(0.0, best.spare / step + (best.lasts ? -rounding : rounding)));
         const std::size_t least = std::max<std::size_t>(height - std::min(lower, height), 1);
         if (best.lasts && least < height)
-            std::fill(worth.begin() + static_cast<std::ptrdiff_t>(least),
-                      worth.begin() + static_cast<std::ptrdiff_t>(height), worth[height]);
+            std::fill(score.begin() + static_cast<std::ptrdiff_t>(least),
+                      score.begin() + static_cast<std::ptrdiff_t>(height), score[height]);
         return {least, best.lasts};
     };
     // Fills the scores between two known heights by bisection.
     const std::function<void(std::size_t, std::size_t)> fill = [&](std::size_t low, std::size_t high) {
-        if (worth[low] == worth[high])
-            std::fill(worth.begin() + static_cast<std::ptrdiff_t>(low),
-                      worth.begin() + static_cast<std::ptrdiff_t>(high), worth[low]);
-        if (worth[low] == worth[high] || high - low < 2) return;
+        if (score[low] == score[high])
+            std::fill(score.begin() + static_cast<std::ptrdiff_t>(low),
+                      score.begin() + static_cast<std::ptrdiff_t>(high), score[low]);
+        if (score[low] == score[high] || high - low < 2) return;
         const std::size_t middle = (low + high) / 2;
         const Asked asked = ask(middle);
         fill(low, asked.is_certain ? std::max(asked.least, low) : middle);
         fill(middle, high);
     };
     // From the top down, each time to the height at which the score is expected to fall.
-    std::size_t high = worth.size() - 1, stride = 1;
+    std::size_t high = score.size() - 1, stride = 1;
     Asked asked = ask(high);
-    while (high > 1 && worth[high] > BandLayout::possible) {
+    while (high > 1 && score[high] > BandLayout::possible) {
         if (asked.is_certain && asked.least < high) {
             high = asked.least;
             stride = 1;
@@ -315,11 +315,11 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
         const std::size_t next = knows_where ? asked.least : high - std::min(stride, high - 1);
         asked = ask(next);
         fill(next, high);
-        if (!knows_where) stride = worth[next] == worth[high] ? 2 * stride : 1;
+        if (!knows_where) stride = score[next] == score[high] ? 2 * stride : 1;
         high = next;
     }
     fill(0, high);
-    return worth;
+    return score;
 }
 
 bool BandLayouts::is_like(const BandLayouts& other) const {
@@ -336,13 +336,13 @@ BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) 
     const double whole = format_.span(width.columns, width.of);
     Best best;
     if (height <= notch.high) return best;
-    best.most_of_figures = figures_.most_worth_in({whole, height});
+    best.most_of_figures = figures_.best_score_in({whole, height});
     if (best.most_of_figures < BandLayout::possible) return best;
     for (const bool cornered : {false, true}) {
         if (cornered && equations_ == nullptr) break;
         Arrangement base;
         base.cornered = cornered;
-        base.worth = cornered ? worth_of_corner : 0;
+        base.score = cornered ? score_of_corner : 0;
         for (base.divided = format_.columns; base.divided <= format_.columns + most_columns_more; ++base.divided)
             try_all(best, base, whole, height, notch);
     }
@@ -350,8 +350,8 @@ BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) 
 }
 
 void BandLayouts::try_all(Best& best, const Arrangement& base, double whole, double height, Notch notch) const {
-    constexpr double worth_of_beside = 0.02;
-    static_assert(worth_of_beside <= price_of_columns, "no layout of this text is worth more than the base of all");
+    constexpr double score_of_beside = 0.02;
+    static_assert(score_of_beside <= price_of_columns, "no layout of this text is worth more than the base of all");
     if (!may_improve(best, base)) return;
     const double above = height - notch.high;
     if (base.divided > format_.columns && !may_be_narrow(base.divided, base.cornered)) return;
@@ -364,8 +364,8 @@ void BandLayouts::try_all(Best& best, const Arrangement& base, double whole, dou
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
     if (layout.columns > 0 && words.height(layout.columns) <= above) {
         if (figures_.sizes().empty()) {
-            layout.worth -= price_of_columns * layout.columns;
-            if (!(layout.worth > best.layout.worth)) return;
+            layout.score -= price_of_columns * layout.columns;
+            if (!(layout.score > best.layout.score)) return;
             best.layout = layout;
             best.spare = above - words.height(layout.columns);
             best.lasts = true;
@@ -377,7 +377,7 @@ void BandLayouts::try_all(Best& best, const Arrangement& base, double whole, dou
     layout.beside = true;
     for (layout.columns = 1; layout.columns <= most_beside && !figures_.sizes().empty(); ++layout.columns) {
         // The penalty grows with the number of columns.
-        layout.worth = base.worth + worth_of_beside - price_of_columns * layout.columns;
+        layout.score = base.score + score_of_beside - price_of_columns * layout.columns;
         if (!may_improve(best, layout)) break;
         const double left = whole - layout.columns * (words.measure() + gap);
         if (left < least_beside || words.height(layout.columns) > above) continue;
@@ -408,7 +408,7 @@ void BandLayouts::try_round(Best& best, Arrangement layout, double whole, double
     const ColumnText& words = text(layout.divided, layout.cornered);
     layout.beside = true;
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
-    layout.worth = (layout.cornered ? worth_of_corner : 0) - price_of_columns * layout.columns;
+    layout.score = (layout.cornered ? score_of_corner : 0) - price_of_columns * layout.columns;
     if (!may_improve(best, layout) || layout.columns * height - least_beside < words.whole_height()) return;
     for (layout.under = 1; layout.under < layout.columns; ++layout.under) {
         const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);

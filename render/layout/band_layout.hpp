@@ -33,7 +33,7 @@ struct Notch {
 /// here allocates memory.
 struct Arrangement {
     static constexpr double impossible = -1e300, possible = 0.5 * impossible;
-    double worth = impossible;
+    double score = impossible;
     int divided = 0;        ///< number of columns that the page is divided into for the text; 0: no text
     int columns = 0;        ///< columns of text
     bool beside = false;    ///< the text stands right of the figures, otherwise below them
@@ -113,7 +113,7 @@ public:
     /// The arrangement with the highest score for this height, mm.
     BandLayout in(Width width, double height, Notch notch = {}) const;
     /// The scores for the heights 0, step, … most × step. Cached.
-    const WorthByHeight& worth(Width width, const Notch& notch, double step, int most) const;
+    const WorthByHeight& score(Width width, const Notch& notch, double step, int most) const;
     /// Estimate of the area that text and lettered figures cover in such a space, mm².
     double taken_in(Width width, double height, Notch notch) const;
     /// Whether `other` has the same figures and text, so that the cached scores are valid for both.
@@ -158,7 +158,7 @@ private:
     int times_forgotten_;                                                       // of its text, when this was made
     mutable std::vector<const ColumnText*> texts_;                              // by division and whether cornered
     mutable std::vector<std::optional<bool>> may_be_narrow_;                    // by the same index
-    mutable std::map<std::tuple<Width, double, double>, WorthByHeight> worth_;  // by width and notch
+    mutable std::map<std::tuple<Width, double, double>, WorthByHeight> score_;  // by width and notch
 };
 
 }  // namespace kinegraph::render

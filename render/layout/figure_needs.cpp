@@ -176,8 +176,8 @@ bool FigureNeeds::is_planned_as_it_came(const DrawnFigure& drawn) {
 
 bool FigureNeeds::take_less_than_thought() {
     constexpr int most_times = 2;
-    constexpr double worth_another_plan = 3;
-    return ++times_less_ <= most_times && spared_ > worth_another_plan;
+    constexpr double deserves_another_plan = 3;
+    return ++times_less_ <= most_times && spared_ > deserves_another_plan;
 }
 
 }  // namespace kinegraph::render

@@ -18,13 +18,13 @@ FigureShares::FigureShares(std::vector<std::vector<FigureSize>> sizes) : sizes_(
     for (std::size_t order = 0; order < ways_.size(); ++order) ways_[order].resize(widths_[order / 2].size() + 1);
 }
 
-double FigureShares::most_worth_in(Spot room) const {
+double FigureShares::best_score_in(Spot room) const {
     constexpr double less_than_any = -1e300;
     double sum = 0;
     for (const std::vector<FigureSize>& figure : sizes_) {
         double most = less_than_any;
         for (const FigureSize& size : figure)
-            if (size.x <= room.x && size.y <= room.y) most = std::max(most, size.worth);
+            if (size.x <= room.x && size.y <= room.y) most = std::max(most, size.score);
         sum += most;
     }
     return sum;
@@ -47,7 +47,7 @@ std::optional<FigureShares::Share> FigureShares::of_one(Spot room, Order order) 
     for (const FigureSize& size : sizes_.front()) {
         const double own = along(size, order);
         if (own > whole || across(size, order) > wide) continue;
-        return Share{size.worth, std::max(own, 0.0), std::max(across(size, order), 0.0), own > 0 ? 1 : 0};
+        return Share{size.score, std::max(own, 0.0), std::max(across(size, order), 0.0), own > 0 ? 1 : 0};
     }
     return std::nullopt;
 }
@@ -96,7 +96,7 @@ void FigureShares::go_on(Way& way, double wide, Order order) const {
         if (coarser == sizes_[f].size()) continue;
         const FigureSize &now = sizes_[f][way.now[f]], &next = sizes_[f][coarser];
         const double given = along(now, order) - along(next, order);
-        const double price = (now.worth - next.worth) / std::max(given, 0.1);
+        const double price = (now.score - next.score) / std::max(given, 0.1);
         if (!smaller || price < least) smaller = f, size = coarser, least = price;
     }
     if (!smaller) {
@@ -118,7 +118,7 @@ void FigureShares::note(Way& way, Order order) const {
             ++share.shown;
         }
         share.across = std::max(share.across, across(size, order));
-        share.worth += size.worth;
+        share.score += size.score;
     }
     if (!way.shares.empty() && share.length >= way.shares.back().length) return;
     way.shares.push_back(share);

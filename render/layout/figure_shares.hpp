@@ -13,7 +13,7 @@ namespace kinegraph::render {
 
 /// Space that a figure needs at a scale, its caption included (mm), and the score of that scale.
 struct FigureSize {
-    double x = 0, y = 0, worth = 0, scale = 0;
+    double x = 0, y = 0, score = 0, scale = 0;
     double wider = 0;  ///< additional width for equations in a corner
     bool operator==(const FigureSize&) const = default;
 };
@@ -28,7 +28,7 @@ public:
         bool stacked = false, cornered = false;
     };
     struct Share {
-        double worth = 0, length = 0;
+        double score = 0, length = 0;
         double across = 0;  ///< extent in the other direction
         int shown = 0;      ///< number of figures that are not left out
     };
@@ -39,7 +39,7 @@ public:
     const std::vector<std::vector<FigureSize>>& sizes() const { return sizes_; }
     /// Upper bound of the score of any share of the room or of a part of it: the sum of the best scores of each figure
     /// alone. Below any score if the room is too small for one of them.
-    double most_worth_in(Spot room) const;
+    double best_score_in(Spot room) const;
     /// Empty if the room is too small.
     std::optional<Share> in(Spot room, Order order) const;
     /// The index of the size of each figure in that share. It repeats the search, because few calls need it.

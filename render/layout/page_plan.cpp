@@ -90,11 +90,11 @@ public:
         if (!rest[0].is_reached) return {};
         for (std::size_t first = n; first-- > 0;)
             if (rest[first].is_reached)
-                for_each_page(rest, first, [&](std::size_t end, double worth) {
-                    const double all = worth + rest[end].worth - (end < n ? price_of_emptiness(first, end) : 0);
-                    if (all > rest[first].worth) rest[first].worth = all, rest[first].end = end;
+                for_each_page(rest, first, [&](std::size_t end, double score) {
+                    const double all = score + rest[end].score - (end < n ? price_of_emptiness(first, end) : 0);
+                    if (all > rest[first].score) rest[first].score = all, rest[first].end = end;
                 });
-        PagePlan plan{{}, rest[0].worth};
+        PagePlan plan{{}, rest[0].score};
         for (std::size_t first = 0; first < n; first = rest[first].end)
             plan.pages.push_back(page(first, rest[first].end));
         return plan;
@@ -110,24 +110,24 @@ private:
     /// Number of bands in each cell of a row.
     using Filling = std::vector<int>;
     struct Row {
-        double worth = impossible;
+        double score = impossible;
         const Split* split = nullptr;
         const Filling* filling = nullptr;
     };
     /// The score of a band in a stand, by height.
     struct Curve {
-        const WorthByHeight* worth = nullptr;
+        const WorthByHeight* score = nullptr;
         std::vector<int> changes{};  ///< heights at which the score differs from that of one step less
         bool never_falls = true;
     };
     /// Two bands, one below the other, by their total height.
     struct Pair {
-        WorthByHeight worth{};
+        WorthByHeight score{};
         std::vector<int> upper{};  ///< height of the upper one
     };
     /// The best rows that end before a given band, for a given height of all rows.
     struct State {
-        double worth = impossible;
+        double score = impossible;
         std::size_t count = 0;  // of bands in the last row
         int height = 0;         // of the last row
     };
@@ -137,7 +137,7 @@ private:
         static constexpr int none = 1 << 20;
         int pages = none;
         bool is_reached = false;  ///< a plan with the fewest pages has a page that begins here
-        double worth = impossible;
+        double score = impossible;
         std::size_t end = 0;  ///< end of the first of these pages
     };
 
@@ -146,8 +146,8 @@ private:
     void for_each_page(const std::vector<Rest>& rest, std::size_t first, Look look) const {
         const std::vector<State>& ends = tables_[first].second;
         for (std::size_t k = 1; k < ends.size(); ++k)
-            if (ends[k].worth >= possible && rest[first + k].pages == rest[first].pages - 1)
-                look(first + k, ends[k].worth);
+            if (ends[k].score >= possible && rest[first + k].pages == rest[first].pages - 1)
+                look(first + k, ends[k].score);
     }
     std::vector<Rest> fewest_pages() const {
         const std::size_t n = bands_.size();
@@ -156,7 +156,7 @@ private:
         for (std::size_t first = n; first-- > 0;) {
             const std::vector<State>& ends = tables_[first].second;
             for (std::size_t k = 1; k < ends.size(); ++k)
-                if (ends[k].worth >= possible && rest[first + k].pages + 1 < rest[first].pages)
+                if (ends[k].score >= possible && rest[first + k].pages + 1 < rest[first].pages)
                     rest[first].pages = rest[first + k].pages + 1;
         }
         rest[0].is_reached = rest[0].pages < Rest::none;
@@ -212,11 +212,11 @@ private:
     }
     const Curve& curve(std::size_t band, std::size_t stand) {
         Curve& known = curves_[band * stands_.size() + stand];
-        if (known.worth != nullptr) return known;
-        known.worth =
-            &layouts_[band].worth(stands_[stand].width, stands_[stand].notch, step, static_cast<int>(heights_) - 1);
+        if (known.score != nullptr) return known;
+        known.score =
+            &layouts_[band].score(stands_[stand].width, stands_[stand].notch, step, static_cast<int>(heights_) - 1);
         for (std::size_t height = 1; height < heights_; ++height) {
-            const double before = (*known.worth)[height - 1], here = (*known.worth)[height];
+            const double before = (*known.score)[height - 1], here = (*known.score)[height];
             if (here != before) known.changes.push_back(static_cast<int>(height));
             known.never_falls = known.never_falls && here >= before;
         }
@@ -225,16 +225,16 @@ private:
     /// A band and the next one below it.
     const Pair& pair(std::size_t first, std::size_t stand) {
         Pair& known = pairs_[first * stands_.size() + stand];
-        if (!known.worth.empty()) return known;
-        known.worth.assign(heights_, impossible);
+        if (!known.score.empty()) return known;
+        known.score.assign(heights_, impossible);
         known.upper.assign(heights_, 0);
         const Curve &over = curve(first, stands_[stand].upright), &under = curve(first + 1, stand);
         const auto offer = [&](int upper) {
-            const double above = (*over.worth)[at_index(upper)];
+            const double above = (*over.score)[at_index(upper)];
             if (above < possible) return;
             for (std::size_t height = at_index(upper + gap_steps + least_height); height < heights_; ++height) {
-                const double sum = above + (*under.worth)[height - at_index(upper + gap_steps)];
-                if (sum > known.worth[height]) known.worth[height] = sum, known.upper[height] = upper;
+                const double sum = above + (*under.score)[height - at_index(upper + gap_steps)];
+                if (sum > known.score[height]) known.score[height] = sum, known.upper[height] = upper;
             }
         };
         // A higher upper band with the same score only leaves less to the lower one: try only heights at which the
@@ -250,7 +250,7 @@ private:
     }
     /// A cell with one band or with two, one below the other.
     const WorthByHeight& cell(std::size_t first, int count, std::size_t stand) {
-        return count == 1 ? *curve(first, stand).worth : pair(first, stand).worth;
+        return count == 1 ? *curve(first, stand).score : pair(first, stand).score;
     }
     /// The best division of `count` bands into cells side by side, by height. `at_block`: in the lowest row of the
     /// first page.
@@ -272,8 +272,8 @@ private:
                 if (cells.size() < filling.size()) continue;
                 for (std::size_t height = 0; height < heights_; ++height) {
                     double sum = 0;
-                    for (const WorthByHeight* worth : cells) sum += (*worth)[height];
-                    if (sum > best[height].worth) best[height] = {sum, &split, &filling};
+                    for (const WorthByHeight* score : cells) sum += (*score)[height];
+                    if (sum > best[height].score) best[height] = {sum, &split, &filling};
                 }
             }
         return best;
@@ -285,14 +285,14 @@ private:
     /// The least height at which a row has a score. Heights between two of them are never useful.
     struct Rise {
         int height;
-        double worth;
+        double score;
     };
     std::vector<Rise> rises_of(std::size_t first, std::size_t count, int most) {
         std::vector<Rise> rises;
         for (int height = least_height; height <= most; ++height)
-            if (const double worth = row(first, count, height, false).worth;
-                worth > (rises.empty() ? possible : rises.back().worth))
-                rises.push_back({height, worth});
+            if (const double score = row(first, count, height, false).score;
+                score > (rises.empty() ? possible : rises.back().score))
+                rises.push_back({height, score});
         return rises;
     }
 
@@ -304,24 +304,24 @@ private:
         const std::size_t most = std::min(most_on_a_page, bands_.size() - first);
         Table table(most + 1, std::vector<State>(static_cast<std::size_t>(whole) + 1));
         std::vector<State> ends(most + 1);
-        table[0][0].worth = 0;
+        table[0][0].score = 0;
         for (std::size_t b = 0; b < most; ++b) {
             for (std::size_t count = 1; count <= most_in_a_row && b + count <= most; ++count) {
                 const std::vector<Rise> rises = rises_of(first + b, count, whole - (first_page ? block : 0));
                 for (int used = 0; used <= whole; ++used) {
-                    const double before = table[b][static_cast<std::size_t>(used)].worth;
+                    const double before = table[b][static_cast<std::size_t>(used)].score;
                     if (before < possible) continue;
                     const int top = used > 0 ? used + gap_steps : 0;
                     const auto offer = [](State& state, State other) {
-                        if (other.worth > state.worth + 1e-9) state = other;
+                        if (other.score > state.score + 1e-9) state = other;
                     };
                     // The last row takes the remaining height.
                     if (top < whole)
                         offer(ends[b + count],
-                              {before + row(first + b, count, whole - top, first_page).worth, count, whole - top});
-                    for (const auto& [height, worth] : rises) {
+                              {before + row(first + b, count, whole - top, first_page).score, count, whole - top});
+                    for (const auto& [height, score] : rises) {
                         if (top + height > whole - (first_page ? block : 0)) break;
-                        offer(table[b + count][at_index(top + height)], {before + worth, count, height});
+                        offer(table[b + count][at_index(top + height)], {before + score, count, height});
                     }
                 }
             }
@@ -389,10 +389,10 @@ Box content_of(const SheetFormat& format, bool first_page) {
     return box;
 }
 
-double worth_of_a_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page) {
+double score_of_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page) {
     const Width whole{format.columns, format.columns};
     const Notch notch = first_page ? notch_of(format, format.content.min.x, whole) : Notch{};
-    return layouts.in(whole, steps_of(format, first_page) * step, notch).worth;
+    return layouts.in(whole, steps_of(format, first_page) * step, notch).score;
 }
 
 PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands,

@@ -25,10 +25,10 @@ constexpr double row_gap = 6;  ///< between rows of bands, mm
 Box content_of(const SheetFormat& format, bool first_page);
 
 /// The score of a band that has a page to itself. Below BandLayout::possible if the page cannot hold it.
-double worth_of_a_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page);
+double score_of_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page);
 struct PagePlan {
     std::vector<PlannedPage> pages;  ///< empty if no page can hold some band
-    double worth = BandLayout::impossible;
+    double score = BandLayout::impossible;
 };
 PagePlan plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format);
 

@@ -150,18 +150,18 @@ void SheetChoice::offer(DrawnSheet sheet) {
     for (const Figure& figure : sheet.figures)
         sizes[{figure.id, times[figure.id]++}] = {std::max({figure.box.width(), figure.box.height(), dot}),
                                                   is_polygon(figure)};
-    double worth = -price_of_a_page * static_cast<double>(sheet.pages.size());
-    for (const auto& [id, own] : sizes) worth += use_of_square(own.size);
+    double score = -price_of_a_page * static_cast<double>(sheet.pages.size());
+    for (const auto& [id, own] : sizes) score += use_of_square(own.size);
     double least = 1;
     for (std::size_t p = 0; p + 1 < sheet.pages.size(); ++p) {
         const double fill = fill_of(sheet.pages[p], frame_);
         least = std::min(least, fill);
-        worth -= price_of_lack * std::max(0.0, full - fill);
+        score -= price_of_lack * std::max(0.0, full - fill);
     }
-    if (best_ && (is_much_smaller(sizes) || worth <= worth_)) return;
+    if (best_ && (is_much_smaller(sizes) || score <= score_)) return;
     if (!best_) first_ = std::move(sizes), told_by_first_ = told;
     best_ = std::move(sheet);
-    worth_ = worth;
+    score_ = score;
     is_settled_ = least >= well_filled || !best_->keeps_to_rooms;
 }
 

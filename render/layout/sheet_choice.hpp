@@ -42,7 +42,7 @@ private:
     std::optional<DrawnSheet> best_;
     Sizes first_;
     std::size_t told_by_first_ = 0;  // marks ✓ and ? in its tables of known and unknown quantities
-    double worth_ = 0;               // score of the best
+    double score_ = 0;               // score of the best
     bool is_settled_ = false;
 };
 

@@ -32,7 +32,7 @@ bool SheetPlan::makes_another() {
     const std::vector<PlannedPage> pages = pages_;
     std::vector<BandLayouts> layouts = layouts_;
     const int times_divided = times_divided_;
-    const double worth = worth_;
+    const double score = score_;
     const std::optional<double> force_scale = wanted_.force_scale;
     const bool keeps_force_scale = wanted_.keeps_force_scale;
     looks_again_ = true;
@@ -41,7 +41,7 @@ bool SheetPlan::makes_another() {
     if (pages_.size() <= pages.size() || times_divided_ != times_divided) return is_made_ = true;
     pages_ = pages;
     layouts_ = std::move(layouts);
-    worth_ = worth;
+    score_ = score;
     wanted_.force_scale = force_scale;
     wanted_.keeps_force_scale = keeps_force_scale;
     return false;
@@ -69,7 +69,7 @@ void SheetPlan::plan_all() {
     }
     PagePlan plan = plan_pages(layouts_, bands_.list, format_);
     pages_ = std::move(plan.pages);
-    worth_ = plan.worth;
+    score_ = plan.score;
 }
 
 // --- bands that no page can hold
@@ -100,7 +100,7 @@ void SheetPlan::give_each_a_page() {
     layouts_.clear();
     rejoin();
     for (std::size_t b = 0; b < bands_.list.size(); ++b)
-        while (worth_of(b, bands_.list[b].end_row) < BandLayout::possible)
+        while (score_of(b, bands_.list[b].end_row) < BandLayout::possible)
             if (const std::size_t rows = rows_for_a_page(b); rows > 0)
                 divide(b, rows);
             else if (!crowded_.insert(bands_.list[b].question).second)
@@ -108,10 +108,10 @@ void SheetPlan::give_each_a_page() {
 }
 
 /// The score of a band that has a page to itself, with its text up to row `end_row`.
-double SheetPlan::worth_of(std::size_t index, std::size_t end_row) {
+double SheetPlan::score_of(std::size_t index, std::size_t end_row) {
     Band band = bands_.list[index];
     band.end_row = end_row;
-    return worth_of_a_page(layouts_of(band), format_, index == 0);
+    return score_of_page(layouts_of(band), format_, index == 0);
 }
 
 /// The greatest number of rows with which a page shows the figures about as large as without text. 0: not even the
@@ -121,11 +121,11 @@ std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
     constexpr double one_step = 0.7;  // of the scale
     const Band& band = bands_.list[index];
     const std::size_t all = texts_.rows(band);
-    const auto worth = [&](std::size_t rows) { return worth_of(index, band.first_row + rows); };
-    const double best = all < fewest ? BandLayout::impossible : worth(fewest);
+    const auto score = [&](std::size_t rows) { return score_of(index, band.first_row + rows); };
+    const double best = all < fewest ? BandLayout::impossible : score(fewest);
     if (best < BandLayout::possible) return 0;
     const auto is_good = [&](std::size_t rows) {
-        return worth(rows) > (band.figures.empty() ? BandLayout::possible : best - one_step);
+        return score(rows) > (band.figures.empty() ? BandLayout::possible : best - one_step);
     };
     std::size_t good = fewest, bad = 2 * fewest;
     for (; bad < all && is_good(bad); bad *= 2) good = bad;
@@ -211,9 +211,9 @@ void SheetPlan::share_force_scale(double least) {
     for (; seeks_finest_force_scale_ && scale < coarsest * (1 + rounding); scale = next_scale(scale)) {
         plan_at(scale);
         if (pages_.empty() || pages_.size() > pages) continue;
-        if (chosen && !(worth_ > best + price_of_a_step)) break;  // a coarser scale does not help either
+        if (chosen && !(score_ > best + price_of_a_step)) break;  // a coarser scale does not help either
         chosen = scale;
-        best = worth_;
+        best = score_;
     }
     // The coarsest planned scale is possible for all.
     if (!chosen) chosen = coarsest;

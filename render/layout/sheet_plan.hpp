@@ -57,7 +57,7 @@ private:
     bool plans_at_same_force_scale();
     void plan_all();
     void give_each_a_page();
-    double worth_of(std::size_t index, std::size_t end_row);
+    double score_of(std::size_t index, std::size_t end_row);
     std::size_t rows_for_a_page(std::size_t index);
     BandLayouts layouts_of(const Band& band);
     void divide(std::size_t index, std::size_t rows);
@@ -75,7 +75,7 @@ private:
     std::set<std::string> wide_;        // bands whose tables are too wide for narrow columns
     std::vector<BandLayouts> layouts_;
     std::vector<PlannedPage> pages_;
-    double worth_ = BandLayout::impossible;  // score of the pages
+    double score_ = BandLayout::impossible;  // score of the pages
     bool seeks_finest_force_scale_ = true;
     int times_divided_ = 0;                    // number of calls of give_each_a_page()
     bool is_made_ = false;                     // the current plan is the one that make() would return

@@ -264,7 +264,7 @@ private:
             for (const ElementIndex point : line.points) json_.all(point);
             json_.close(']');
         });
-        json_.list("held", plan.held, [&](const MovingPlan::Held& held) {
+        json_.list("held", plan.held, [&](const MovingPlan::Binding& held) {
             json_.open('[').all(held.name, held.place, held.vector, held.couple).close(']');
         });
         json_.close('}');

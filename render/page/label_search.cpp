@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "render/page/label_prices.hpp"
 #include "render/page/label_fallbacks.hpp"
+#include "render/page/label_prices.hpp"
 
 namespace kinegraph::render::lettering {
 
@@ -114,15 +114,15 @@ void LabelSearch::repair(const std::vector<std::size_t>& order) {
     for (const std::size_t i : order)
         if (is_in_the_way(i)) waiting.push_back(i);
     if (waiting.empty()) return;
-    Refuges refuges(setting_, letters_, chosen_);
+    Refuges fallbacks(setting_, letters_, chosen_);
     std::size_t moves_left = 2 * chosen_.size();
     for (std::size_t next = 0; next < waiting.size() && moves_left > 0; ++next) {
         const std::size_t i = waiting[next];
         if (!is_in_the_way(i)) continue;
-        refuges.give_back(i);
-        const auto place = refuges.nearest(i);
+        fallbacks.give_back(i);
+        const auto place = fallbacks.nearest(i);
         if (place) chosen_[i] = *place;
-        refuges.take(i);
+        fallbacks.take(i);
         if (!place) continue;
         --moves_left;
         for (std::size_t j = 0; j < chosen_.size(); ++j)

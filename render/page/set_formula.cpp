@@ -206,7 +206,7 @@ std::vector<Typeset> lines_of(const Formula& formula, const Setter& setter, doub
 
 Block formula_block(const Formula& formula, const Fonts& fonts, double size, double measure, Colour colour) {
     const Setter setter(fonts, colour);
-    constexpr double least = 0.6, leading = 0.5, between = 1.2, hair = 0.995;
+    constexpr double least = 0.6, leading = 0.5, between = 1.2, slightly_less = 0.995;
     constexpr int most_trials = 4;
     std::vector<Typeset> lines;
     double own = size;
@@ -215,7 +215,7 @@ Block formula_block(const Formula& formula, const Fonts& fonts, double size, dou
         double widest = 0;
         for (const Typeset& line : lines) widest = std::max(widest, line.width);
         if (widest <= measure || own <= least * size) break;
-        own = std::max(least * size, own * hair * measure / widest);
+        own = std::max(least * size, own * slightly_less * measure / widest);
     }
     Block block;
     for (Typeset& box : lines) {

@@ -26,8 +26,8 @@ struct Choice {
 std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted) {
     std::vector<Choice> all;
     all.push_back({"mechanism", [&context](double x, double y) {
-                       return context.solution.act_of_motion ? act_of_motion_figure(context, x, y)
-                                                             : mechanism_figure(context, x, y, false);
+                       return context.solution.instantaneous_motion ? instantaneous_motion_figure(context, x, y)
+                                                                    : mechanism_figure(context, x, y, false);
                    }});
     for (Wanted& each : wanted.list)
         if (each.name != "mechanism") all.push_back({each.name, each.draw});

@@ -37,7 +37,7 @@ struct Stretch {
 
 class Handout {
 public:
-    Handout(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options,
+    Handout(const Solution& solution, const std::vector<RequestedResult>& asked, const SheetOptions& options,
             const Fonts& fonts)
         : asked_(asked),
           options_(options),
@@ -185,8 +185,8 @@ private:
         std::vector<Passage> passages;
         Topic section = Topic::unnamed;
         std::vector<Answer> group;
-        std::vector<AskedValue> asked = asked_;
-        for (AskedValue& each : asked) each.symbol = asked_text(context_, each.column).symbol;
+        std::vector<RequestedResult> asked = asked_;
+        for (RequestedResult& each : asked) each.symbol = asked_text(context_, each.column).symbol;
         const std::vector<Answer> answers = key_of(context_, drawn_.figures, asked);
         const auto close = [&] {
             if (group.empty()) return;
@@ -315,7 +315,7 @@ private:
 
     std::vector<Mark>& marks() { return sheets_.front(); }
 
-    const std::vector<AskedValue>& asked_;
+    const std::vector<RequestedResult>& asked_;
     const SheetOptions& options_;
     DrawingContext context_;
     SheetFormat format_;
@@ -330,11 +330,11 @@ private:
 }  // namespace
 
 std::vector<Page> lay_out_handout(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
-                                  const std::vector<AskedValue>& asked) {
+                                  const std::vector<RequestedResult>& asked) {
     return Handout(solution, asked, options, fonts).pages();
 }
 
-Key lay_out_key_of(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options,
+Key lay_out_key_of(const Solution& solution, const std::vector<RequestedResult>& asked, const SheetOptions& options,
                    const Fonts& fonts) {
     Handout handout(solution, asked, options, fonts);
     std::vector<Page> pages = handout.pages();

@@ -12,7 +12,7 @@ namespace kinegraph::render {
 /// The kind of handout in the options, which must not be the solution. `asked`: the results in `ask`; without them a
 /// question does not name the joint of a transmission angle.
 std::vector<Page> lay_out_handout(const Solution& solution, const SheetOptions& options, const Fonts& fonts,
-                                  const std::vector<AskedValue>& asked = {});
+                                  const std::vector<RequestedResult>& asked = {});
 
 /// The key, and remarks on it.
 struct Key {
@@ -21,7 +21,7 @@ struct Key {
 };
 /// `asked`: the values of the results in `ask`. Without them the key lists only answers that the solution contains as a
 /// vector, ω, α, a couple or an input effort.
-Key lay_out_key_of(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options,
+Key lay_out_key_of(const Solution& solution, const std::vector<RequestedResult>& asked, const SheetOptions& options,
                    const Fonts& fonts);
 
 }  // namespace kinegraph::render

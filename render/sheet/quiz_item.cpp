@@ -56,7 +56,7 @@ public:
           is_problem_(stands_for_joints(solution.mechanism)),
           format_(format_of(options.paper, options.orientation)) {}
 
-    QuizItem item(const std::vector<AskedValue>& asked) {
+    QuizItem item(const std::vector<RequestedResult>& asked) {
         item_.title = title_of(solution_, language());
         item_.language = code_of(language());
         item_.blanks_heading = word("sought", language());
@@ -143,9 +143,9 @@ private:
 
     // --- answers
 
-    void add_blanks(const std::vector<AskedValue>& asked) {
+    void add_blanks(const std::vector<RequestedResult>& asked) {
         bool turns = false, has_vectors = false;
-        for (const AskedValue& each : asked) {
+        for (const RequestedResult& each : asked) {
             const double off = is_problem_
                                    ? 0.01 * std::abs(each.value)
                                    : reading_tolerance(answers_, drawn_, each.column, each.value, solution_.mechanism);
@@ -200,7 +200,7 @@ private:
 
 }  // namespace
 
-QuizItem quiz_item_of(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options,
+QuizItem quiz_item_of(const Solution& solution, const std::vector<RequestedResult>& asked, const SheetOptions& options,
                       const Fonts& fonts) {
     return QuizWriter(solution, options, fonts).item(asked);
 }

@@ -12,7 +12,7 @@ namespace kinegraph::render {
 
 /// The question with figure 1 of the handout, data and scales; one blank for each of `asked`; the sentences and
 /// equations of the solution by section. `options`: those of the question.
-QuizItem quiz_item_of(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options,
+QuizItem quiz_item_of(const Solution& solution, const std::vector<RequestedResult>& asked, const SheetOptions& options,
                       const Fonts& fonts);
 
 }  // namespace kinegraph::render

@@ -282,7 +282,7 @@ private:
                                            room_x, room_y);
         for (Wanted& wanted : wanted_.list)
             if (wanted.name == name) return wanted.draw(room_x, room_y);
-        if (solution_.act_of_motion) return act_of_motion_figure(context, room_x, room_y);
+        if (solution_.instantaneous_motion) return instantaneous_motion_figure(context, room_x, room_y);
         return mechanism_figure(context, room_x, room_y, false);
     }
 
@@ -316,7 +316,7 @@ private:
             name = "lines" + step.figure.substr(std::string_view("forces").size());
         else if (!itself && step.section == Topic::forces)
             name = "lines-of-action";
-        else if (!itself && !solution_.act_of_motion)
+        else if (!itself && !solution_.instantaneous_motion)
             name = step.section == Topic::acceleration ? "alpha" : "omega";
         const auto [found, fresh] = small_figures_.try_emplace(name);
         if (!fresh || name.empty()) return found->second;

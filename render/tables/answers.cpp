@@ -72,7 +72,7 @@ public:
 private:
     void add_centres() {
         const Find& find = mechanism_.find;
-        if (find.stated && !find.instant_centres && !solution_.act_of_motion) return;
+        if (find.stated && !find.instant_centres && !solution_.instantaneous_motion) return;
         const Unit& unit = mechanism_.units.length;
         const double si = unit.si.to_double();
         for (const InstantCentre& centre : solution_.centres) {
@@ -436,7 +436,7 @@ Topic section_of(const Column& column) {
 }
 
 Answer told_by_name(const DrawingContext& context, const std::vector<Answer>& answers, const std::vector<Figure>& drawn,
-                    const AskedValue& asked) {
+                    const RequestedResult& asked) {
     Answer answer{{}, section_of(asked.column), asked.value / asked.unit_size, asked.unit};
     answer.tolerance =
         reading_tolerance(answers, drawn, asked.column, asked.value, context.solution.mechanism) / asked.unit_size;
@@ -512,7 +512,7 @@ std::vector<Answer> answers_sought(const Mechanism& mechanism, std::vector<Answe
 }
 
 std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figure>& drawn,
-                           const std::vector<AskedValue>& asked) {
+                           const std::vector<RequestedResult>& asked) {
     const Mechanism& mechanism = context.solution.mechanism;
     std::vector<Answer> answers = answers_of(context, drawn);
     const std::vector<Column> columns = asked_columns(mechanism);
@@ -530,7 +530,7 @@ std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figu
         const auto of = std::find_if(answers.begin(), answers.end(),
                                      [&](const Answer& each) { return is_of(each, column, mechanism); });
         const std::ptrdiff_t place = of == answers.end() ? -1 : of - answers.begin();
-        const auto has_name = [&](const AskedValue& each) { return each.column.name == column.name; };
+        const auto has_name = [&](const RequestedResult& each) { return each.column.name == column.name; };
         const auto value = std::find_if(asked.begin(), asked.end(), has_name);
         const bool is_whole =
             column.kind == Column::Kind::result && column.quantity.component == Quantity::Component::whole;

@@ -33,7 +33,7 @@ struct Answer {
 };
 
 /// A result requested by name, in SI, with the unit in which to print it.
-struct AskedValue {
+struct RequestedResult {
     Column column;
     double value = 0;
     std::string unit;      ///< symbol of the unit; empty: dimensionless
@@ -54,7 +54,7 @@ std::vector<Answer> answers_sought(const Mechanism& mechanism, std::vector<Answe
 /// only those, section by section in the order of the solution, with actions and reactions as requested. `asked`: their
 /// values, used where no vector of the solution gives the result as a whole (components, places, angles).
 std::vector<Answer> key_of(const DrawingContext& context, const std::vector<Figure>& drawn,
-                           const std::vector<AskedValue>& asked);
+                           const std::vector<RequestedResult>& asked);
 /// Answers that cannot be read meaningfully: the tolerance is as large as the value.
 std::vector<Answer> unreadable(const std::vector<Answer>& answers);
 /// Tolerance of a result requested by name, in SI (`value` too). An answer: its own tolerance; a component: that of its

@@ -62,8 +62,8 @@ std::optional<Reading> reading_of(const ResultRow& row) {
     // A length has no sign: apply that of compression or clockwise rotation.
     const double sign = row.drawing < 0 ? -1 : 1, scale = *known;
     // Halves round up, as by hand, although 0.23175 as a double is slightly less.
-    constexpr double a_hair_more = 1 + 1e-12;
-    return Reading{sign * std::round(*row.millimetres * 10) * scale / 10 * a_hair_more,
+    constexpr double slightly_more = 1 + 1e-12;
+    return Reading{sign * std::round(*row.millimetres * 10) * scale / 10 * slightly_more,
                    std::clamp(static_cast<int>(-std::floor(std::log10(0.1 * scale) + 1e-9)), 0, 9)};
 }
 /// A scale without trailing zeros: 0.005.

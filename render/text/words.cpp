@@ -617,7 +617,7 @@ constexpr std::array
             "repeat them, construct its point from the others or state the \"precision\".",
             "La coppia {0} quasi ripete vincoli delle altre, e la mobilità ne dipende; se deve ripeterli, si "
             "costruisca il suo punto dagli altri o si dichiari \"precision\"."},
-        Row{Sentence::hangs_on_a_hair, "{0} changes by {1} if {2} moves by {3}.", "{0} varia di {1} se {2} si sposta "
+        Row{Sentence::is_ill_conditioned, "{0} changes by {1} if {2} moves by {3}.", "{0} varia di {1} se {2} si sposta "
             "di {3}."},
         Row{Sentence::repeated_constraints,
             "Joint {0} repeats {1} {1|constraint|constraints} that the others impose already at this position.",
@@ -1963,13 +1963,14 @@ RichText worked_out(const Working& working, Language language) {
 }
 
 /// In sequence; the same quantity in another unit is appended, "… = −19.8 rad/s = −189 rpm".
-std::vector<RichText> worked_out(const std::vector<Working>& workings, Language language) {
+std::vector<RichText> worked_out(const std::vector<Working>& worked_arithmetic, Language language) {
     std::vector<RichText> all;
-    for (std::size_t i = 0; i < workings.size(); ++i)
-        if (i > 0 && workings[i].of == workings[i - 1].of)
-            append(all.back(), with_powers(" =" + std::string(unbroken_blank) + result_of(workings[i], language)));
+    for (std::size_t i = 0; i < worked_arithmetic.size(); ++i)
+        if (i > 0 && worked_arithmetic[i].of == worked_arithmetic[i - 1].of)
+            append(all.back(),
+                   with_powers(" =" + std::string(unbroken_blank) + result_of(worked_arithmetic[i], language)));
         else
-            all.push_back(worked_out(workings[i], language));
+            all.push_back(worked_out(worked_arithmetic[i], language));
     return all;
 }
 
@@ -1983,12 +1984,12 @@ RichText say(const Message& message, Language language) { return say(message, la
 RichText say(const Message& message, Language language, const BeforeLine& before_line) {
     RichText text =
         PatternSetter(message.arguments, language, Setting::typeset, before_line).set(pattern_of(message, language));
-    const std::vector<RichText> workings = worked_out(message.workings, language);
-    for (std::size_t i = 0; i < workings.size(); ++i) {
+    const std::vector<RichText> worked_arithmetic = worked_out(message.worked_arithmetic, language);
+    for (std::size_t i = 0; i < worked_arithmetic.size(); ++i) {
         text.push_back(piece(i == 0 ? " " : "; "));
-        append(text, workings[i]);
+        append(text, worked_arithmetic[i]);
     }
-    if (!message.workings.empty()) text.push_back(piece("."));
+    if (!message.worked_arithmetic.empty()) text.push_back(piece("."));
     return text;
 }
 
@@ -2000,8 +2001,8 @@ RichText say_likewise(const std::vector<const Message*>& messages, Language lang
             if (!std::exchange(first, false)) text.push_back(piece("; "));
             append(text, said);
         };
-        for (const RichText& working : worked_out(message->workings, language)) part(working);
-        if (!message->workings.empty()) continue;
+        for (const RichText& working : worked_out(message->worked_arithmetic, language)) part(working);
+        if (!message->worked_arithmetic.empty()) continue;
         // The body, and what it is connected to.
         RichText said = {piece(word("body", language) + unbroken_blank)};
         for (std::size_t i = 0; i < message->arguments.size(); ++i) {

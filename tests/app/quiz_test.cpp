@@ -152,9 +152,9 @@ TEST(Html, IsWellFormedWhateverANameHolds) {
 // --- items
 // --------------------------------------------------------------------------------------------------------------------
 
-std::vector<render::AskedValue> asked_of(const Variant& variant) {
+std::vector<render::RequestedResult> asked_of(const Variant& variant) {
     const Units& units = variant.solution.mechanism.units;
-    std::vector<render::AskedValue> asked;
+    std::vector<render::RequestedResult> asked;
     for (const NamedResult& each : variant.results) {
         const double size = each.unit.empty() ? unit_of(each.column.unit, units).si.to_double() : 1;
         asked.push_back({each.column, each.value, told(each, units).unit, size});

@@ -278,7 +278,7 @@ TEST(Examples, ASliderCannotDriveAtItsDeadPoint) {
     EXPECT_EQ(read.centre("2", "3").place(), read.place("A")) << "what could be found is there";
 }
 
-TEST(Examples, ActsOfMotionHaveTheirCentres) {
+TEST(Examples, InstantaneousMotionsHaveTheirCentres) {
     const auto mm = [](int x, int y) { return Vector{Exact::ratio(x, 1000), Exact::ratio(y, 1000)}; };
     // v_A = 0.4, v_B = 0.2 upwards, 60 mm apart: as 2 to 1 from the centre, beyond B.
     const Solution& same = example("act_of_motion_parallel_same_sense");

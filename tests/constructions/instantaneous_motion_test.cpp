@@ -41,7 +41,7 @@ Mechanism mechanism_of(const Data& data) {
         mechanism.bodies[1].points.push_back(PointIndex(mechanism.points.size()));
         mechanism.points.push_back({name, Coordinates{place}, "/points/" + name});
     }
-    ActOfMotion act;
+    InstantaneousMotion act;
     act.body = BodyIndex(1);
     for (const auto& [name, value] : data.velocities) act.velocities.push_back({index(name), value});
     for (const auto& [name, value] : data.accelerations) act.accelerations.push_back({index(name), value});
@@ -143,7 +143,7 @@ int rank_of(const Values& values, const std::vector<std::pair<std::string, Vecto
     return rank;
 }
 
-TEST(ActOfMotion, WhatIsGivenOfARigidMotionGivesItBackExactly) {
+TEST(InstantaneousMotion, WhatIsGivenOfARigidMotionGivesItBackExactly) {
     Chance chance(20260101);
     int whole = 0, with_accelerations = 0;
     for (int round = 0; round < 600; ++round) {
@@ -157,7 +157,7 @@ TEST(ActOfMotion, WhatIsGivenOfARigidMotionGivesItBackExactly) {
         SCOPED_TRACE("round " + std::to_string(round));
         for (const Unsolved& unsolved : solution.unsolved)
             EXPECT_EQ(english(unsolved.why).find("no rigid motion"), std::string::npos) << english_of(unsolved);
-        EXPECT_NE(solution.act_of_motion->found, ActFigure::Found::contradiction);
+        EXPECT_NE(solution.instantaneous_motion->found, InstantaneousMotionFigure::Found::contradiction);
         // Directions alone have no size; a vector that vanishes everywhere is then as good as any.
         const bool sized = std::any_of(data.velocities.begin(), data.velocities.end(),
                                        [](const auto& each) { return std::holds_alternative<Vector>(each.second); });
@@ -185,7 +185,7 @@ TEST(ActOfMotion, WhatIsGivenOfARigidMotionGivesItBackExactly) {
         EXPECT_EQ(solution.bodies[1].alpha, motion.alpha);
         for (std::size_t p = 0; p < data.points.size(); ++p)
             EXPECT_EQ(acceleration(solution, p), motion.acceleration(data.points[p].second)) << data.points[p].first;
-        if (const auto& pole = solution.act_of_motion->acceleration_centre) {
+        if (const auto& pole = solution.instantaneous_motion->acceleration_centre) {
             EXPECT_EQ(motion.acceleration(*pole), (Vector{}));
         }
     }
@@ -197,7 +197,7 @@ bool is_of_acceleration(const Quantity& quantity) {
     return quantity.kind == Quantity::Kind::acceleration || quantity.kind == Quantity::Kind::alpha;
 }
 
-TEST(ActOfMotion, AgreesWithTheCheck) {
+TEST(InstantaneousMotion, AgreesWithTheCheck) {
     Chance chance(7);
     int rows = 0;
     for (int round = 0; round < 200; ++round) {
@@ -227,7 +227,7 @@ struct Change {
     Vector place(const Vector& at) const { return vector(at) + shift; }
 };
 
-TEST(ActOfMotion, TurnedMirroredAndMovedItGivesTheSameTransformed) {
+TEST(InstantaneousMotion, TurnedMirroredAndMovedItGivesTheSameTransformed) {
     const Exact c = Exact::ratio(3, 5), s = Exact::ratio(4, 5);
     const Change changes[] = {
         {[=](const Vector& v) {
@@ -272,7 +272,7 @@ TEST(ActOfMotion, TurnedMirroredAndMovedItGivesTheSameTransformed) {
             const Solution after = solved(moved);
             SCOPED_TRACE("round " + std::to_string(round));
             ASSERT_EQ(after.unsolved.size(), before.unsolved.size());
-            EXPECT_EQ(after.act_of_motion->found, before.act_of_motion->found);
+            EXPECT_EQ(after.instantaneous_motion->found, before.instantaneous_motion->found);
             ASSERT_EQ(after.bodies[1].omega.has_value(), before.bodies[1].omega.has_value());
             if (before.bodies[1].omega) {
                 EXPECT_EQ(*after.bodies[1].omega, Exact(change.sense) * *before.bodies[1].omega);
@@ -298,7 +298,7 @@ TEST(ActOfMotion, TurnedMirroredAndMovedItGivesTheSameTransformed) {
     }
 }
 
-TEST(ActOfMotion, WhatNoRigidBodyHasIsRefusedWithBothProjections) {
+TEST(InstantaneousMotion, WhatNoRigidBodyHasIsRefusedWithBothProjections) {
     Chance chance(3);
     int refused = 0;
     for (int round = 0; round < 200; ++round) {
@@ -317,9 +317,9 @@ TEST(ActOfMotion, WhatNoRigidBodyHasIsRefusedWithBothProjections) {
         EXPECT_TRUE(says(solution, "instant centre 1,2"));
         EXPECT_FALSE(solution.bodies[1].omega);
         EXPECT_FALSE(centre_of(solution).at);
-        ASSERT_TRUE(solution.act_of_motion->differing);
-        const Vector of_first = *solution.act_of_motion->differing->of_first;
-        const Vector of_second = *solution.act_of_motion->differing->of_second;
+        ASSERT_TRUE(solution.instantaneous_motion->differing);
+        const Vector of_first = *solution.instantaneous_motion->differing->of_first;
+        const Vector of_second = *solution.instantaneous_motion->differing->of_second;
         EXPECT_EQ(dot(of_second - of_first, b - a), wrong);
         EXPECT_EQ(cross(of_first, b - a), Exact(0)) << "along the join";
         EXPECT_EQ(dot(motion.velocity(a) - of_first, b - a), Exact(0)) << "and at right angles below the tip";
@@ -329,32 +329,32 @@ TEST(ActOfMotion, WhatNoRigidBodyHasIsRefusedWithBothProjections) {
 
 const std::vector<std::pair<std::string, Vector>> triangle{{"A", {0, 0}}, {"B", {4, 0}}, {"D", {1, 2}}};
 
-TEST(ActOfMotion, EqualVelocitiesAreATranslation) {
+TEST(InstantaneousMotion, EqualVelocitiesAreATranslation) {
     const Solution solution = solved(Data{triangle, {{"A", Vector{2, 1}}, {"B", Vector{2, 1}}}, {}});
     EXPECT_TRUE(solution.unsolved.empty());
     EXPECT_EQ(solution.bodies[1].omega, Exact(0));
     EXPECT_EQ(velocity(solution, 2), (Vector{2, 1}));
     ASSERT_TRUE(centre_of(solution).at->at_infinity());
-    EXPECT_EQ(solution.act_of_motion->found, ActFigure::Found::translation);
+    EXPECT_EQ(solution.instantaneous_motion->found, InstantaneousMotionFigure::Found::translation);
     EXPECT_TRUE(has_sentence(solution, Sentence::act_translation));
 }
 
-TEST(ActOfMotion, TheJoinOfTheTipsMeetsThatOfThePoints) {
+TEST(InstantaneousMotion, TheJoinOfTheTipsMeetsThatOfThePoints) {
     const Solution same = solved(Data{triangle, {{"A", Vector{0, 3}}, {"B", Vector{0, 1}}}, {}});
-    EXPECT_EQ(same.act_of_motion->found, ActFigure::Found::tips);
+    EXPECT_EQ(same.instantaneous_motion->found, InstantaneousMotionFigure::Found::tips);
     EXPECT_EQ(centre_of(same).at->place(), (Vector{6, 0})) << "beyond the slower point";
     EXPECT_EQ(same.bodies[1].omega, Exact::ratio(-1, 2));
     const Solution opposite = solved(Data{triangle, {{"A", Vector{0, 3}}, {"B", Vector{0, -1}}}, {}});
-    EXPECT_EQ(opposite.act_of_motion->found, ActFigure::Found::tips);
+    EXPECT_EQ(opposite.instantaneous_motion->found, InstantaneousMotionFigure::Found::tips);
     EXPECT_EQ(centre_of(opposite).at->place(), (Vector{3, 0})) << "between them";
     EXPECT_EQ(opposite.bodies[1].omega, Exact(-1));
 }
 
-TEST(ActOfMotion, APointAtRestIsTheCentre) {
+TEST(InstantaneousMotion, APointAtRestIsTheCentre) {
     const Solution solution = solved(Data{triangle, {{"A", Vector{}}, {"B", Vector{0, 8}}}, {}});
     EXPECT_EQ(centre_of(solution).at->place(), (Vector{0, 0}));
     EXPECT_EQ(velocity(solution, 2), (Vector{-4, 2}));
-    EXPECT_EQ(solution.act_of_motion->found, ActFigure::Found::point_at_rest);
+    EXPECT_EQ(solution.instantaneous_motion->found, InstantaneousMotionFigure::Found::point_at_rest);
     // Alone it still says where the centre is.
     const Solution alone = solved(Data{triangle, {{"D", Vector{}}}, {}});
     EXPECT_EQ(centre_of(alone).at->place(), (Vector{1, 2}));
@@ -362,7 +362,7 @@ TEST(ActOfMotion, APointAtRestIsTheCentre) {
     EXPECT_TRUE(says(alone, "velocity of body 2"));
 }
 
-TEST(ActOfMotion, TwoPointsAtRestAreABodyAtRest) {
+TEST(InstantaneousMotion, TwoPointsAtRestAreABodyAtRest) {
     const Solution solution = solved(Data{triangle, {{"A", Vector{}}, {"B", Vector{}}}, {}});
     EXPECT_TRUE(solution.unsolved.empty());
     EXPECT_TRUE(centre_of(solution).everywhere);
@@ -375,7 +375,7 @@ TEST(ActOfMotion, TwoPointsAtRestAreABodyAtRest) {
     EXPECT_TRUE(has_sentence(lines, Sentence::act_rest_by_lines));
 }
 
-TEST(ActOfMotion, DirectionsAloneGiveTheCentreAndNoSize) {
+TEST(InstantaneousMotion, DirectionsAloneGiveTheCentreAndNoSize) {
     const Solution solution = solved(Data{triangle, {{"A", along({1, 0})}, {"B", along({1, 1})}}, {}});
     EXPECT_EQ(centre_of(solution).at->place(), (Vector{0, 4}));
     EXPECT_FALSE(solution.bodies[1].omega);
@@ -390,7 +390,7 @@ TEST(ActOfMotion, DirectionsAloneGiveTheCentreAndNoSize) {
     EXPECT_TRUE(says(one_line, "instant centre 1,2"));
 }
 
-TEST(ActOfMotion, TooLittleIsSaid) {
+TEST(InstantaneousMotion, TooLittleIsSaid) {
     for (const Values& values : {Values{}, Values{{"A", Vector{1, 2}}}, Values{{"A", along({1, 2})}},
                                  Values{{"A", Vector{0, 1}}, {"B", along({0, 1})}}}) {
         const Solution solution = solved(Data{triangle, values, {{"A", Vector{1, 1}}}});
@@ -404,14 +404,14 @@ TEST(ActOfMotion, TooLittleIsSaid) {
     EXPECT_FALSE(velocity(known, 1));
 }
 
-TEST(ActOfMotion, MoreThanNeededIsHeldAgainstTheRest) {
+TEST(InstantaneousMotion, MoreThanNeededIsHeldAgainstTheRest) {
     const Values fits{{"A", Vector{0, 0}}, {"B", Vector{0, 4}}, {"D", Vector{-2, 1}}};
     const Solution good = solved(Data{triangle, fits, {}});
     EXPECT_TRUE(good.unsolved.empty());
     EXPECT_TRUE(has_sentence(good, Sentence::act_agrees));
     const Solution bad = solved(Data{triangle, {{"A", Vector{0, 0}}, {"B", Vector{0, 4}}, {"D", Vector{-2, 3}}}, {}});
     EXPECT_TRUE(says(bad, "velocity of body 2"));
-    EXPECT_TRUE(bad.act_of_motion->differing) << "on AD or BD they differ";
+    EXPECT_TRUE(bad.instantaneous_motion->differing) << "on AD or BD they differ";
     const Solution astray =
         solved(Data{triangle, {{"A", Vector{0, 0}}, {"B", Vector{0, 4}}, {"D", along({1, 1})}}, {}});
     EXPECT_TRUE(says(astray, "velocity of body 2"));
@@ -421,11 +421,11 @@ TEST(ActOfMotion, MoreThanNeededIsHeldAgainstTheRest) {
                                       {{"A", Vector{0, 1}}, {"B", Vector{0, 2}}, {"D", Vector{0, 5}}},
                                       {}});
     EXPECT_TRUE(says(bent, "velocity of body 2"));
-    EXPECT_FALSE(bent.act_of_motion->differing);
+    EXPECT_FALSE(bent.instantaneous_motion->differing);
     EXPECT_FALSE(bent.bodies[1].omega || velocity(bent, 0)) << "nothing of what contradicts itself is a result";
 }
 
-TEST(ActOfMotion, TwoNamesOfOnePlaceMoveAlike) {
+TEST(InstantaneousMotion, TwoNamesOfOnePlaceMoveAlike) {
     const std::vector<std::pair<std::string, Vector>> points{{"A", {0, 0}}, {"A'", {0, 0}}, {"B", {4, 0}}};
     EXPECT_TRUE(says(solved(Data{points, {{"A", Vector{1, 2}}, {"A'", Vector{1, 2}}}, {}}), "velocity of body 2"))
         << "two names of one point say no more than one";
@@ -436,14 +436,14 @@ TEST(ActOfMotion, TwoNamesOfOnePlaceMoveAlike) {
     EXPECT_TRUE(says(unlike, "velocity of body 2"));
     const Solution crossing = solved(Data{points, {{"A", Vector{1, 2}}, {"A'", along({2, 1})}}, {}});
     EXPECT_TRUE(says(crossing, "velocity of body 2"));
-    EXPECT_EQ(crossing.act_of_motion->found, ActFigure::Found::contradiction);
+    EXPECT_EQ(crossing.instantaneous_motion->found, InstantaneousMotionFigure::Found::contradiction);
     // Two directions at one place: it can only be at rest.
     const Solution still = solved(Data{points, {{"A", along({1, 2})}, {"A'", along({2, 1})}}, {}});
     EXPECT_EQ(centre_of(still).at->place(), (Vector{0, 0}));
     EXPECT_EQ(velocity(still, 0), (Vector{}));
 }
 
-TEST(ActOfMotion, AccelerationsByDirectionsAlone) {
+TEST(InstantaneousMotion, AccelerationsByDirectionsAlone) {
     // ω = 0, α = 2 about the origin: a = 2 z∧r. Three directions and no size have no answer but zero; with ω they do.
     const Rigid motion{{0, 0}, {1, -1}, {3, 1}, 2, -1};
     Values velocities{{"A", motion.velocity({0, 0})}, {"B", motion.velocity({4, 0})}};
@@ -465,7 +465,7 @@ TEST(ActOfMotion, AccelerationsByDirectionsAlone) {
     for (std::size_t p = 0; p < 3; ++p) EXPECT_EQ(acceleration(other, p), parallel.acceleration(triangle[p].second));
 }
 
-TEST(ActOfMotion, AccelerationsThatDoNotDifferByTheNormalPartAreRefused) {
+TEST(InstantaneousMotion, AccelerationsThatDoNotDifferByTheNormalPartAreRefused) {
     const Values velocities{{"A", Vector{0, 0}}, {"B", Vector{0, 4}}};
     EXPECT_TRUE(solved(Data{triangle, velocities, {{"A", Vector{1, 1}}, {"B", Vector{-3, 9}}}}).unsolved.empty());
     const Solution bad = solved(Data{triangle, velocities, {{"A", Vector{1, 1}}, {"B", Vector{-2, 9}}}});
@@ -475,7 +475,7 @@ TEST(ActOfMotion, AccelerationsThatDoNotDifferByTheNormalPartAreRefused) {
     EXPECT_EQ(velocity(bad, 2), (Vector{-2, 1}));
 }
 
-TEST(ActOfMotion, OfTheLargestAndTheSmallestNumbers) {
+TEST(InstantaneousMotion, OfTheLargestAndTheSmallestNumbers) {
     const Exact tiny = Exact::from_decimal("1e-60").value(), huge = Exact::from_decimal("1e60").value();
     for (const Exact& length : {tiny, Exact(1), huge})
         for (const Exact& speed : {tiny, Exact(1), huge}) {
@@ -492,7 +492,7 @@ TEST(ActOfMotion, OfTheLargestAndTheSmallestNumbers) {
         }
 }
 
-TEST(ActOfMotion, FindsWhatIsAsked) {
+TEST(InstantaneousMotion, FindsWhatIsAsked) {
     Mechanism mechanism = mechanism_of({triangle, {{"A", along({1, 0})}, {"B", along({1, 1})}}, {}});
     mechanism.find.stated = mechanism.find.instant_centres = true;
     const Solution centre = solved(mechanism);
@@ -531,16 +531,16 @@ std::map<std::string, std::pair<double, double>> lengths_of(const render::Figure
     return lengths;
 }
 
-TEST(ActOfMotion, WhatIsMeasuredOnTheFigureIsTheVelocity) {
+TEST(InstantaneousMotion, WhatIsMeasuredOnTheFigureIsTheVelocity) {
     const Solution solution = solved(Data{triangle, {{"A", Vector{2, 1}}, {"B", along({1, 1})}}, {}});
     const render::Theme theme;
     const auto lengths =
-        lengths_of(render::act_of_motion_figure({solution, theme, fonts(), render::Language::en}, 150, 120));
+        lengths_of(render::instantaneous_motion_figure({solution, theme, fonts(), render::Language::en}, 150, 120));
     ASSERT_EQ(lengths.size(), 3U);
     for (const auto& [name, length] : lengths) EXPECT_NEAR(length.first, length.second, 1e-6) << name;
 }
 
-TEST(ActOfMotion, EveryCaseIsDrawnInBothLanguages) {
+TEST(InstantaneousMotion, EveryCaseIsDrawnInBothLanguages) {
     const std::vector<Data> cases{
         {triangle, {}, {}},
         {triangle, {{"A", Vector{}}, {"B", Vector{}}}, {}},

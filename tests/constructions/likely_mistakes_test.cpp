@@ -23,47 +23,47 @@ const std::string pin_o4 = R"({"revolute": "O4", "bodies": [1, 4]})";
 std::vector<std::string> remarks(const std::string& text) {
     const Solution solution = solved(text);
     std::vector<std::string> all;
-    for (const Message& each : oversights(solution.mechanism, solution.pose, solution.mobility))
+    for (const Message& each : likely_mistakes(solution.mechanism, solution.pose, solution.mobility))
         all.push_back(english(each));
     return all;
 }
 using Lines = std::vector<std::string>;
 
-TEST(Oversights, NoneWhereAllIsDriven) {
+TEST(LikelyMistakes, NoneWhereAllIsDriven) {
     EXPECT_EQ(remarks(four_bar(bodies, crank + "," + pin_b + "," + pin_o4)), Lines{});
     for (const std::string& name : example_names()) {
         const Solution& solution = example(name);
-        const auto said = oversights(solution.mechanism, solution.pose, solution.mobility);
+        const auto said = likely_mistakes(solution.mechanism, solution.pose, solution.mobility);
         EXPECT_TRUE(said.empty()) << name << ": " << english(said.front());
     }
 }
 
-TEST(Oversights, AFrameJointThatIsMissing) {
+TEST(LikelyMistakes, AFrameJointThatIsMissing) {
     EXPECT_EQ(remarks(four_bar(bodies, crank + "," + pin_b)),
               Lines{"Body 4 has one joint only, B, and nothing else holds or drives it; give it another, perhaps "
                     "{\"revolute\": \"O4\", \"bodies\": [\"1\", \"4\"]}."});
 }
 
-TEST(Oversights, APointThatTwoBodiesShareWithoutAPin) {
+TEST(LikelyMistakes, APointThatTwoBodiesShareWithoutAPin) {
     EXPECT_EQ(remarks(four_bar(bodies, crank + "," + pin_o4)),
               Lines{"Bodies 3 and 4 meet in B, but no joint joins them there; if they are pinned, add "
                     "{\"revolute\": \"B\", \"bodies\": [\"3\", \"4\"]}."});
 }
 
-TEST(Oversights, TwoPointsAtOnePlace) {
+TEST(LikelyMistakes, TwoPointsAtOnePlace) {
     EXPECT_EQ(
         remarks(four_bar(R"("2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "C"])", crank + "," + pin_o4)),
         Lines{"Bodies 3 and 4 meet in B, where C lies too, but no joint joins them there; if they are pinned, add "
               "{\"revolute\": \"B\", \"bodies\": [\"3\", \"4\"]}."});
 }
 
-TEST(Oversights, ABodyWithoutAJoint) {
+TEST(LikelyMistakes, ABodyWithoutAJoint) {
     EXPECT_EQ(remarks(four_bar(bodies + R"(, "5": ["D"])", crank + "," + pin_b + "," + pin_o4)),
               Lines{"Body 5 has no joint, so nothing holds it; give it one, perhaps "
                     "{\"revolute\": \"D\", \"bodies\": [\"1\", \"5\"]}."});
 }
 
-TEST(Oversights, BodiesThatNothingConnectsWithTheFrame) {
+TEST(LikelyMistakes, BodiesThatNothingConnectsWithTheFrame) {
     const std::string ring = R"({"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
                                 {"revolute": "D", "bodies": [2, 4]})";
     EXPECT_EQ(remarks(four_bar(bodies, ring)),
@@ -115,7 +115,7 @@ TEST(Lengths, ALinkWhosePinsCoincideIsNamed) {
         EXPECT_EQ(said(example(name), render::Language::en), Lines{}) << name;
 }
 
-TEST(Oversights, ComeBeforeTheCallForDrivers) {
+TEST(LikelyMistakes, ComeBeforeTheCallForDrivers) {
     const Solution forgotten = solved(four_bar(bodies, crank + "," + pin_b));
     ASSERT_FALSE(forgotten.remarks.empty());
     EXPECT_EQ(forgotten.remarks.front().sentence, Sentence::body_of_one_joint);
@@ -123,7 +123,7 @@ TEST(Oversights, ComeBeforeTheCallForDrivers) {
     EXPECT_EQ(english(forgotten.unsolved.front().why), "the mechanism has 3 freedoms and 1 of them driven");
 }
 
-TEST(Oversights, TheDriversThatLackAreCounted) {
+TEST(LikelyMistakes, TheDriversThatLackAreCounted) {
     // Two cranks more, each driven by nothing but held by both its joints.
     const std::string five = R"("2": ["O2", "A"], "3": ["A", "B"], "4": ["B", "D"], "5": ["D", "O4"])";
     const std::string joints = crank + R"(, {"revolute": "B", "bodies": [3, 4]}, {"revolute": "D", "bodies": [4, 5]},

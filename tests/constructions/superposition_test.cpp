@@ -185,13 +185,13 @@ TEST_P(Superposed, SaysItsSums) {
     const Solution& solution = example(GetParam());
     const Message& said = solution.protocol.statements[at_index(solution.superposition->statement)].message;
     ASSERT_EQ(said.sentence, Sentence::superposition_sum);
-    const auto couple = std::find_if(said.workings.begin(), said.workings.end(),
+    const auto couple = std::find_if(said.worked_arithmetic.begin(), said.worked_arithmetic.end(),
                                      [](const Working& each) { return each.of.letter == Symbol::Letter::M; });
-    ASSERT_NE(couple, said.workings.end());
+    ASSERT_NE(couple, said.worked_arithmetic.end());
     double sum = 0;
     for (const double part : couple->summands) sum += part;
     EXPECT_NEAR(sum, couple->result.value, 1e-12);
-    EXPECT_GE(said.workings.size(), 4U);
+    EXPECT_GE(said.worked_arithmetic.size(), 4U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Superposed, testing::Values("four_bar_weights", "four_bar_inertia"),
@@ -258,7 +258,7 @@ bool names_lines(Sentence sentence) {
 }
 /// Whether it vanishes: then there is nothing to be drawn.
 bool vanishes(const Message& message, const Symbol& symbol) {
-    return std::any_of(message.workings.begin(), message.workings.end(),
+    return std::any_of(message.worked_arithmetic.begin(), message.worked_arithmetic.end(),
                        [&](const Working& each) { return each.of == symbol && each.result.value == 0; });
 }
 bool is_of_a_force(const Solution& solution, const Symbol& symbol) {
@@ -348,7 +348,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, ForceSentence, testing::ValuesIn(with_forces(
 TEST(CoupleOfTwoForces, SaysForceTimesArm) {
     const Solution& solution = example("gas_force");
     for (const Statement& statement : solution.protocol.statements)
-        for (const Working& working : statement.message.workings) {
+        for (const Working& working : statement.message.worked_arithmetic) {
             if (working.of.letter != Symbol::Letter::M) continue;
             ASSERT_EQ(working.factors.size(), 2U);
             EXPECT_NEAR(working.factors[0].value * working.factors[1].value, -101.678108, 1e-5);

@@ -1,4 +1,4 @@
-// Workings: the arithmetic beside the sentences comes out, and nothing is said of what vanishes.
+// WorkedArithmetic: the arithmetic beside the sentences comes out, and nothing is said of what vanishes.
 #include "constructions/verdicts/verdicts.hpp"
 
 #include <gtest/gtest.h>
@@ -31,12 +31,12 @@ bool has(const std::string& text, std::string words) {
     return text.find(words) != std::string::npos;
 }
 
-TEST(Workings, ComeOutInEveryExample) {
+TEST(WorkedArithmetic, ComeOutInEveryExample) {
     int multiplied = 0;
     for (const std::string& name : tests::example_names()) {
         const Solution& solution = example(name);
         for (const Statement& statement : solution.protocol.statements)
-            for (const Working& working : statement.message.workings) {
+            for (const Working& working : statement.message.worked_arithmetic) {
                 EXPECT_TRUE(std::isfinite(working.result.value)) << name << ' ' << name_of(working.of);
                 if (working.factors.empty()) continue;
                 ++multiplied;
@@ -55,7 +55,7 @@ TEST(Workings, ComeOutInEveryExample) {
 
 /// An inertia in kg mm² is told in kg m², so that no power of ten divides; an angular velocity in the file's unit as
 /// well.
-TEST(Workings, UnitsOfTheFileAreBridged) {
+TEST(WorkedArithmetic, UnitsOfTheFileAreBridged) {
     const Solution solution = tests::solved(R"({"kinegraph": 1,
         "units": {"length": "mm", "moment": "N m", "inertia": "kg mm²", "angular velocity": "rpm"},
         "points": {"O": [0, 0], "A": [30, 40], "B": [230, 40]},
@@ -74,7 +74,7 @@ TEST(Workings, UnitsOfTheFileAreBridged) {
 
 /// M = ΣF·b in the units of the file's forces and lengths, and F = M/b of the same number; across parallel bars F
 /// alone.
-TEST(Workings, MomentsOfCutsAreSumsOfForcesTimesArms) {
+TEST(WorkedArithmetic, MomentsOfCutsAreSumsOfForcesTimesArms) {
     const Solution solution = tests::solved(R"({"kinegraph": 1, "units": {"length": "m", "force": "kN"},
         "points": {"A": [0, 0], "B": [3, 0], "C": [6, 0], "D": [3, 4], "E": [6, 4], "F": [9, 0]},
         "bodies": {"1": ["A", "B"], "2": ["B", "C"], "3": ["C", "F"], "4": ["A", "D"], "5": ["D", "B"], "6": ["D", "C"],
@@ -94,14 +94,14 @@ TEST(Workings, MomentsOfCutsAreSumsOfForcesTimesArms) {
 }
 
 /// Neither is a divisor written with a power of ten parted from it, nor a product with one broken over a line.
-TEST(Workings, APowerOfTenIsReadWithItsNumber) {
+TEST(WorkedArithmetic, APowerOfTenIsReadWithItsNumber) {
     const Message message{Sentence::no_force, {}, {{{Symbol::Letter::M, "C", {}}, {{3}}, 2e6, {1.5e-6, "N m"}}}};
     const std::string words = plain(say(message, render::Language::en));
     EXPECT_TRUE(has(words, "M_C~=~3/(2~×~10^6) =~1.50~×~10^−6~N~m")) << words;
 }
 
 /// What is said to be turned, and with which ω, gives the term: 2 ω × v_rel.
-TEST(Workings, ACoriolisTermHasTheDirectionThatIsTold) {
+TEST(WorkedArithmetic, ACoriolisTermHasTheDirectionThatIsTold) {
     int told = 0;
     for (const std::string& name : tests::example_names()) {
         const Solution& solution = example(name);
@@ -112,7 +112,7 @@ TEST(Workings, ACoriolisTermHasTheDirectionThatIsTold) {
             return drawn == protocol.vectors.end() ? Vector{} : protocol.value_of(*drawn);
         };
         for (const Statement& statement : protocol.statements)
-            for (const Working& working : statement.message.workings) {
+            for (const Working& working : statement.message.worked_arithmetic) {
                 if (!working.turned) continue;
                 SCOPED_TRACE(name + " " + name_of(working.of));
                 const Vector velocity = vector_named(working.turned->velocity), coriolis = vector_named(working.of);
@@ -127,7 +127,7 @@ TEST(Workings, ACoriolisTermHasTheDirectionThatIsTold) {
     EXPECT_GT(told, 5);
 }
 
-TEST(Workings, OfTheFourBarAreThoseOfTheBlackboard) {
+TEST(WorkedArithmetic, OfTheFourBarAreThoseOfTheBlackboard) {
     const Solution& solution = example("four_bar");  // ω = −120 rpm, O2A 40 mm, AB 150 mm, O4B 80 mm
     EXPECT_TRUE(has(said(solution, Sentence::crank_velocity), "v_A~=~12.57~·~0.04 =~0.503~m/s"));
     EXPECT_TRUE(has(said(solution, Sentence::crank_acceleration), "a_A^n~=~12.57²~·~0.04 =~6.32~m/s^2") ||
@@ -140,11 +140,11 @@ TEST(Workings, OfTheFourBarAreThoseOfTheBlackboard) {
         << said(solution, Sentence::second_way);
 }
 
-TEST(Workings, AUniformCrankHasNoTangentialPart) {
+TEST(WorkedArithmetic, AUniformCrankHasNoTangentialPart) {
     EXPECT_FALSE(has(said(example("four_bar"), Sentence::crank_acceleration), "tangential"));
 }
 
-TEST(Workings, ABodyThatTranslatesHasNoOmegaSquared) {
+TEST(WorkedArithmetic, ABodyThatTranslatesHasNoOmegaSquared) {
     int images = 0;
     for (const std::string& name : tests::example_names()) {
         const Solution& solution = example(name);
@@ -159,21 +159,21 @@ TEST(Workings, ABodyThatTranslatesHasNoOmegaSquared) {
     EXPECT_GT(images, 0);
 }
 
-TEST(Workings, ATriangleIsOfThreeForces) {
+TEST(WorkedArithmetic, ATriangleIsOfThreeForces) {
     const Solution& solution = example("exam_2001");  // body 5: weight, inertia, the rod's force and the guide's
     EXPECT_TRUE(has(said(solution, Sentence::polygon_at), "body 5"));
     EXPECT_FALSE(has(said(solution, Sentence::triangle), "body 5"));
     EXPECT_FALSE(has(said(solution, Sentence::triangle_at), "body 5"));
 }
 
-TEST(Workings, TheInertiaForceIsAStep) {
+TEST(WorkedArithmetic, TheInertiaForceIsAStep) {
     const Solution& solution = example("exam_2001");
     EXPECT_TRUE(has(said(solution, Sentence::inertia_force), "10~·~1.468 =~14.7~N"))
         << said(solution, Sentence::inertia_force);
 }
 
 // Area and centroid of a trapezium; the forces' resultant, and by how much a couple moves it aside.
-TEST(Workings, ADistributedLoadAndACoupleHaveTheirNumbers) {
+TEST(WorkedArithmetic, ADistributedLoadAndACoupleHaveTheirNumbers) {
     const Solution solution =
         tests::solved(R"({"kinegraph": 1, "units": {"length": "m", "force": "kN", "moment": "kN m"},
         "frame": 0, "points": {"A": [0, 0], "C": [2, 0], "B": [6, 0], "D": [8, 0]}, "bodies": {"1": ["A", "C", "B",
@@ -192,7 +192,7 @@ TEST(Workings, ADistributedLoadAndACoupleHaveTheirNumbers) {
 }
 
 // M and F stand as they are told, so that d has the unit of their quotient; then that of the file.
-TEST(Workings, AForceMovedAsideIsToldInTheUnitsOfTheFile) {
+TEST(WorkedArithmetic, AForceMovedAsideIsToldInTheUnitsOfTheFile) {
     const auto moved = [](const std::string& units, const std::string& couple) {
         return said(tests::solved(R"({"kinegraph": 1, "units": )" + units + R"(,
             "frame": 0, "points": {"A": [0, 0], "C": [2, 0], "B": [6, 0], "D": [8, 0]}, "bodies": {"1": ["A", "C",
@@ -216,7 +216,7 @@ TEST(Workings, AForceMovedAsideIsToldInTheUnitsOfTheFile) {
 
 // A body whose ω a driver gives relative to another has no polygon yet: the first link of its image is set off, and
 // closes it.
-TEST(Workings, TheFirstLinkOfAnImageIsDrawnAndValued) {
+TEST(WorkedArithmetic, TheFirstLinkOfAnImageIsDrawnAndValued) {
     const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
         "points": {"O": [0, 0], "A": {"from": "O", "distance": 300, "angle": 40},
                    "B": {"from": "A", "distance": 200, "angle": -30, "relative to": ["O", "A"]},
@@ -237,7 +237,7 @@ TEST(Workings, TheFirstLinkOfAnImageIsDrawnAndValued) {
     for (const char* name : {"v_BA", "a_BA_n", "a_BA_t"}) EXPECT_EQ(drawn(name), 1) << name;
 }
 
-TEST(Workings, AnAuxiliaryPointHasItsPlaceAndItsLever) {
+TEST(WorkedArithmetic, AnAuxiliaryPointHasItsPlaceAndItsLever) {
     const Solution solution =
         tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm", "velocity": "mm/s"},
         "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 80, "angle": 70}, "O4": [150, 20],
@@ -254,7 +254,7 @@ TEST(Workings, AnAuxiliaryPointHasItsPlaceAndItsLever) {
 }
 
 /// F = M/h of a couple, ΣM/h of several.
-TEST(Workings, ParallelForcesHaveTheirMomentAndArm) {
+TEST(WorkedArithmetic, ParallelForcesHaveTheirMomentAndArm) {
     const auto told = [](const std::string& loads) {
         return said(tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
             "points": {"O": [0, 0], "P": [100, 0], "B": [250, 0], "C": [250, 90]}, "bodies": {"2": ["O", "P", "B"],
@@ -272,7 +272,7 @@ TEST(Workings, ParallelForcesHaveTheirMomentAndArm) {
 }
 
 // What is moved aside once, with its couple, is not moved again with the resultant.
-TEST(Workings, AnInertiaForceIsMovedOnce) {
+TEST(WorkedArithmetic, AnInertiaForceIsMovedOnce) {
     const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"},
         "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 50, "angle": 75}, "O4": [160, 10], "O6": [-40, 190],
                    "B": {"meet": [{"circle": "A", "radius": 150}, {"circle": "O4", "radius": 110}], "side": "left"},
@@ -305,7 +305,7 @@ TEST(Workings, AnInertiaForceIsMovedOnce) {
 }
 
 /// Every ✓ of an equation came from a sentence that a brief solution tells.
-TEST(Workings, KnownTermsOfEquationsAreToldInBrief) {
+TEST(WorkedArithmetic, KnownTermsOfEquationsAreToldInBrief) {
     int known = 0;
     for (const std::string& name : tests::example_names()) {
         const Solution& solution = example(name);
@@ -327,14 +327,14 @@ TEST(Workings, KnownTermsOfEquationsAreToldInBrief) {
     EXPECT_GT(known, 0);
 }
 
-TEST(Workings, AnImageTellsTheVelocityThatIsReadOff) {
+TEST(WorkedArithmetic, AnImageTellsTheVelocityThatIsReadOff) {
     const Solution& solution = example("watt_six_bar");
     const std::string text = said(solution, Sentence::image_velocity);
     EXPECT_TRUE(has(text, "v_E~=~0.0421~m/s")) << text;
 }
 
 // In pounds and inches the mass is divided by g_c = 386.09 lb in/(lbf s²).
-TEST(Workings, AnInertiaForceInPoundsIsDividedByTheirConstant) {
+TEST(WorkedArithmetic, AnInertiaForceInPoundsIsDividedByTheirConstant) {
     const Solution solution =
         tests::solved(R"({"kinegraph": 1, "units": {"length": "in", "force": "lbf", "moment": "lbf in",
         "mass": "lb", "acceleration": "in/s²"}, "frame": 1, "points": {"O": [0, 0], "A": [10, 0]},

@@ -368,12 +368,12 @@ TEST(ClosedForm, RollingDiscsLowestPointAcceleratesUpwards) {
     expect_near(motion.acceleration(BodyIndex(1), {0, decimal("0.5")}), 0, 0, 1e-13);
 }
 
-TEST(ClosedForm, ActOfMotion) {
+TEST(ClosedForm, InstantaneousMotion) {
     Sketch s;
     s.point("A", "0", "0").point("B", "2", "0");
     s.body("2");
     s.mechanism.bodies[1].points = {PointIndex(0), PointIndex(1)};
-    ActOfMotion act;
+    InstantaneousMotion act;
     act.body = BodyIndex(1);
     act.velocities = {{PointIndex(0), Vector{1, 1}}, {PointIndex(1), at_angle("0")}};
     act.accelerations = {{PointIndex(0), Vector{0, 0}}, {PointIndex(1), at_angle("90")}};

@@ -183,13 +183,13 @@ TEST(Mobility, ABodyMayBeDeterminedWhileAnotherIsFree) {
     for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(motion.bodies[i].velocity_known, found.determined[i]);
 }
 
-TEST(Mobility, OfAnActOfMotionIsThree) {
+TEST(Mobility, OfAnInstantaneousMotionIsThree) {
     Sketch s;
     s.point("A", "0", "0").point("B", "2", "0");
     s.body("2");
     s.mechanism.bodies[1].points = {PointIndex(0), PointIndex(1)};
-    s.mechanism.motion =
-        ActOfMotion{BodyIndex(1), {{PointIndex(0), Vector{1, 1}}, {PointIndex(1), at_angle("0")}}, {}, "/motion"};
+    s.mechanism.motion = InstantaneousMotion{
+        BodyIndex(1), {{PointIndex(0), Vector{1, 1}}, {PointIndex(1), at_angle("0")}}, {}, "/motion"};
     const Mobility found = mobility(s);
     EXPECT_EQ(found.effective, 3);
     EXPECT_EQ(found.driven, 3);

@@ -294,7 +294,7 @@ TEST(Reader, OneEffortMayStandAlone) {
     EXPECT_EQ(read(with(R"("effort": {"couple": "C", "body": 2})")).efforts.size(), 1U);
 }
 
-TEST(Reader, ActOfMotionStandsForJoints) {
+TEST(Reader, InstantaneousMotionStandsForJoints) {
     const Mechanism m = read(R"({"kinegraph": 1, "points": {"A": [0, 0], "B": [1, 0]}, "bodies": {"1": ["A", "B"]},
         "motion": {"body": 1, "velocities": {"A": [1, "20 cm/s"], "B": {"along": 30}}, "accelerations": {"A": [0,
         0]}}})");

@@ -238,7 +238,7 @@ TEST(Rounded, ANearMissIsMeasured) {
         EXPECT_NEAR(std::get<Amount>(remark.arguments.at(2)).value, 0.02, 1e-9);
         EXPECT_EQ(std::get<PointName>(remark.arguments.at(0)).name, "B");
     }
-    EXPECT_TRUE(says(solution.remarks, Sentence::hangs_on_a_hair));
+    EXPECT_TRUE(says(solution.remarks, Sentence::is_ill_conditioned));
     const Solution far = tests::solved(four_bar("[30, 40]", "[110, 60]", "[190, 40]"));
     EXPECT_TRUE(far.remarks.empty()) << english(far.remarks.front());
 }
@@ -250,10 +250,10 @@ TEST(Rounded, WhatTheLastDigitDoesIsTold) {
         return *tests::solved(four_bar("[30, 40]", b, "[190, 40]")).bodies.at(3).omega;
     };
     const Solution solution = tests::solved(four_bar("[30, 40]", "[110, 40.05]", "[190, 40]"));
-    ASSERT_TRUE(says(solution.remarks, Sentence::hangs_on_a_hair));
+    ASSERT_TRUE(says(solution.remarks, Sentence::is_ill_conditioned));
     const double now = solution.bodies.at(3).omega->to_double(), moved = omega_of("[110, 40.0501]").to_double();
     for (const Message& remark : solution.remarks) {
-        if (remark.sentence != Sentence::hangs_on_a_hair) continue;
+        if (remark.sentence != Sentence::is_ill_conditioned) continue;
         const double percent = std::get<Amount>(remark.arguments.at(1)).value,
                      by = std::get<Amount>(remark.arguments.at(3)).value;
         EXPECT_NEAR(percent / by, 100 * std::abs(moved / now - 1) / 0.0001, 0.05 * percent / by);

@@ -363,7 +363,7 @@ TEST(MechanismFigure, says_which_centres_it_leaves_out) {
     for (const std::string& name : example_names())
         for (const Language language : {Language::en, Language::it}) {
             const Solution& solution = example(name);
-            if (solution.act_of_motion) continue;
+            if (solution.instantaneous_motion) continue;
             const std::set<std::string> all = centres_of(solution, language);
             for (const Spot room : {Spot{70, 60}, Spot{250, 180}}) {
                 const Figure figure = mechanism_figure({solution, theme, fonts(), language}, room.x, room.y, true);

@@ -343,9 +343,9 @@ TEST(ForceSheet, ShowsByHowMuchAResultantIsMovedAside) {
         }
         if (said.sentence == Sentence::inertia_moved && statements[i].bodies.size() > 1) {
             ++moved;
-            EXPECT_EQ(name_of(said.workings.front().of), "d");
+            EXPECT_EQ(name_of(said.worked_arithmetic.front().of), "d");
             // Both factors as they are told before, N m and N: the quotient is in m, then in the file's unit.
-            const Working &in_metres = said.workings.at(0), &in_own_unit = said.workings.at(1);
+            const Working &in_metres = said.worked_arithmetic.at(0), &in_own_unit = said.worked_arithmetic.at(1);
             EXPECT_EQ(in_metres.result.unit, "m");
             EXPECT_NEAR(in_metres.factors.at(0).value, 21.36, 0.01);
             EXPECT_NEAR(in_own_unit.result.value, 24.9, 0.05);

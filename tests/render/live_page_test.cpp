@@ -119,7 +119,7 @@ TEST(Moving, ForcesAndPlacesOfAPlanHaveNamesThatComeOnce) {
         for (const MovingPlan& plan : moving.plans) {
             EXPECT_FALSE(plan.held.empty()) << name;
             std::set<std::string> names;
-            for (const MovingPlan::Held& held : plan.held) {
+            for (const MovingPlan::Binding& held : plan.held) {
                 EXPECT_TRUE(names.insert(held.name).second || held.name[0] == 'M')
                     << held.name;  // a point of concurrency is of several bodies
                 for (const ElementIndex element : {held.place, held.vector, held.couple}) {

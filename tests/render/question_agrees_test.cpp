@@ -43,10 +43,10 @@ std::string data_in(const Solution& solution, Language language) {
     const Theme theme;
     return plainly(data_of({solution, theme, fonts(), language}));
 }
-std::vector<AskedValue> values_asked(const Solution& solution) {
+std::vector<RequestedResult> values_asked(const Solution& solution) {
     const Theme theme;
     const DrawingContext context{solution, theme, fonts()};
-    std::vector<AskedValue> asked;
+    std::vector<RequestedResult> asked;
     const std::vector<NamedResult> results = *asked_results(solution);
     for (const NamedResult& each : results) {
         const Unit unit = unit_of(each.column.unit, solution.mechanism.units);

@@ -217,7 +217,7 @@ TEST(Key, TellsComponentsAndAnglesByTheirValues) {
     const SheetOptions options;
     const DrawingContext context{solution, options.theme, fonts()};
     const DrawnSheet sheet = draw_solution(solution, options, fonts());
-    std::vector<AskedValue> asked_for;
+    std::vector<RequestedResult> asked_for;
     for (const Column& column : asked_columns(solution.mechanism)) asked_for.push_back({column, 0.25, "m/s"});
     const std::vector<render::Answer> key = key_of(context, sheet.figures, asked_for);
     ASSERT_EQ(key.size(), 2U);
@@ -266,8 +266,8 @@ std::string plain_of(std::string words) {
     return words;
 }
 /// The results by name with their values, as a program hands them to the key.
-std::vector<AskedValue> values_asked(const Solution& solution) {
-    std::vector<AskedValue> asked;
+std::vector<RequestedResult> values_asked(const Solution& solution) {
+    std::vector<RequestedResult> asked;
     const Theme theme;
     const DrawingContext context{solution, theme, fonts()};
     const std::vector<NamedResult> results = *asked_results(solution);

@@ -242,7 +242,7 @@ TEST(StepsOfForces, EndWithTheClosedPolygon) {
     EXPECT_TRUE(says(pages.back(), "esterne sono in"));
 }
 
-TEST(StepsOfAnActOfMotion, FindTheCentreBeforeTheVelocitiesAboutIt) {
+TEST(StepsOfAnInstantaneousMotion, FindTheCentreBeforeTheVelocitiesAboutIt) {
     const auto pages = lay_out_steps(example("act_of_motion_general"), {}, fonts());
     const Page* centre = page_that_says(pages, "the perpendiculars at A and B meet");
     ASSERT_TRUE(centre);

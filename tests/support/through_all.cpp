@@ -85,7 +85,7 @@ HowFar through_all(std::string_view text, const Fonts& fonts) {
     if (!solution) return far;
     far.solved = true;
     through_exercise(*solution);
-    oversights(solution->mechanism, solution->pose, solution->mobility);
+    likely_mistakes(solution->mechanism, solution->pose, solution->mobility);
     // JSON has no NaN and no infinity.
     const std::string results =
         results_json(*solution, false, [](const Message& said) { return tell(said, Language::en); });

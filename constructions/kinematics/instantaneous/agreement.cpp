@@ -30,7 +30,7 @@ void Agreement<plane>::differ(State<plane>& state, NodeIndex first, NodeIndex se
     state.contradicted = true;
     const Segment segment{act_.node(first).label, act_.node(second).label};
     if constexpr (is_velocity<plane>) {
-        act_.result.figure.found = ActFigure::Found::contradiction;
+        act_.result.figure.found = InstantaneousMotionFigure::Found::contradiction;
         act_.result.figure.points = {act_.node(first).point, act_.node(second).point};
         const StatementIndex statement = act_.begin<plane>(Sentence::act_unequal_projections, {}, "Rivals");
         const auto from = act_.place(first), to = act_.place(second);
@@ -68,7 +68,7 @@ void Agreement<plane>::miss(State<plane>& state, NodeIndex index, NodeIndex agai
     state.contradicted = true;
     act_.begin<plane>(Sentence::act_misses, {act_.absolute<plane>(index)}, "Rivals");
     if constexpr (is_velocity<plane>) {
-        act_.result.figure.found = ActFigure::Found::contradiction;
+        act_.result.figure.found = InstantaneousMotionFigure::Found::contradiction;
         act_.result.figure.points = {act_.node(index).point};
     }
     const bool same_place = against != none && board_.coincide(act_.place(index), act_.place(against));

@@ -8,7 +8,7 @@ namespace kinegraph::act {
 template <Plane plane>
 class Agreement {
 public:
-    explicit Agreement(ActDraft& act) : act_(act), board_(act.board) {}
+    explicit Agreement(InstantaneousMotionDraft& act) : act_(act), board_(act.board) {}
 
     /// Compares a given vector or direction with the one that the body has there.
     void verify(State<plane>& state, std::size_t index);
@@ -24,7 +24,7 @@ private:
     /// The vector given at a point. A direction ⟂ to the join has no projection on it.
     VectorOn<Plane::velocity> vector_of(const State<Plane::velocity>& state, NodeIndex index);
 
-    ActDraft& act_;
+    InstantaneousMotionDraft& act_;
     Board& board_;
 };
 

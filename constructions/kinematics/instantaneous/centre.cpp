@@ -12,7 +12,7 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
     const bool base_rests = board_.is_zero(v_base);
     const bool still = act_.turns(state) && board_.is_zero(state.track.spin(act_.body_index));
     if (still && base_rests) {
-        act_.result.figure.found = ActFigure::Found::rest;
+        act_.result.figure.found = InstantaneousMotionFigure::Found::rest;
         act_.result.figure.points.clear();
         act_.result.centre.everywhere = true;
         act_.result.centre.how = InstantCentre::How::velocities;
@@ -28,7 +28,7 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
             Sentence::act_translation,
             {act_.body(), act_.absolute<Plane::velocity>(base.node), act_.absolute<Plane::velocity>(second)}, "Rivals");
         act_.settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(v_base))),
-                           ActFigure::Found::translation, {base.node, second});
+                           InstantaneousMotionFigure::Found::translation, {base.node, second});
         return;
     }
     if (board_.is_zero(v_second)) return centre_at_rest(second);
@@ -42,7 +42,7 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
         const auto met =
             board_.meet(board_.join(tip(base.place, v_base), tip(other, v_second)), board_.join(base.place, other));
         KG_ASSERT(met && !board_.is_at_infinity(*met), "velocities of different size have no parallel joins");
-        act_.settle_centre(*met, ActFigure::Found::tips, {base.node, second});
+        act_.settle_centre(*met, InstantaneousMotionFigure::Found::tips, {base.node, second});
         board_.statement(statement).message.arguments = {
             act_.symbol_of_centre(), act_.absolute<Plane::velocity>(base.node), act_.absolute<Plane::velocity>(second),
             Segment{base.label, act_.node(second).label}};
@@ -54,7 +54,7 @@ void Centre::locate_centre(State<Plane::velocity>& state) {
     };
     const auto met = board_.meet(perpendicular(base.place, v_base), perpendicular(other, v_second));
     KG_ASSERT(met && !board_.is_at_infinity(*met), "velocities that are not parallel have perpendiculars that meet");
-    act_.settle_centre(*met, ActFigure::Found::perpendiculars, {base.node, second});
+    act_.settle_centre(*met, InstantaneousMotionFigure::Found::perpendiculars, {base.node, second});
     board_.statement(statement).message.arguments = {act_.symbol_of_centre(), act_.name(base.node), act_.name(second)};
 }
 
@@ -76,7 +76,7 @@ void Centre::locate_acceleration_centre(const State<Plane::acceleration>& state)
 }
 
 void Centre::centre_at_rest(NodeIndex index) {
-    act_.settle_centre(act_.place(index), ActFigure::Found::point_at_rest, {index});
+    act_.settle_centre(act_.place(index), InstantaneousMotionFigure::Found::point_at_rest, {index});
     act_.begin_centre(Sentence::act_point_at_rest, {act_.symbol_of_centre(), act_.name(index)}, "Euler–Chasles");
 }
 

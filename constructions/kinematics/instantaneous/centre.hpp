@@ -7,7 +7,7 @@ namespace kinegraph::act {
 
 class Centre {
 public:
-    explicit Centre(ActDraft& act) : act_(act), board_(act.board) {}
+    explicit Centre(InstantaneousMotionDraft& act) : act_(act), board_(act.board) {}
 
     /// The place of the body with zero velocity.
     void locate_centre(State<Plane::velocity>& state);
@@ -17,7 +17,7 @@ public:
 private:
     void centre_at_rest(NodeIndex index);
 
-    ActDraft& act_;
+    InstantaneousMotionDraft& act_;
     Board& board_;
 };
 

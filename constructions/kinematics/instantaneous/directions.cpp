@@ -73,7 +73,7 @@ template <Plane plane>
 void Directions<plane>::auxiliary_place(State<plane>& state, const Given<plane>& first, const Given<plane>& second,
                                         PointOn<Plane::drawing> met_at) {
     if constexpr (is_velocity<plane>) {
-        act_.settle_centre(met_at, ActFigure::Found::perpendiculars, {first.node, second.node});
+        act_.settle_centre(met_at, InstantaneousMotionFigure::Found::perpendiculars, {first.node, second.node});
         if (act_.wishes.centre)
             act_.begin_centre(Sentence::act_perpendiculars,
                               {act_.symbol_of_centre(), act_.name(first.node), act_.name(second.node)},
@@ -110,7 +110,7 @@ void Directions<plane>::spin_from_parallels(State<plane>& state, const Given<pla
     if constexpr (is_velocity<plane>) {
         state.track.spins[at(act_.body_index)] = board_.number(0);
         act_.settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(first.vector))),
-                           ActFigure::Found::translation, {first.node, second.node});
+                           InstantaneousMotionFigure::Found::translation, {first.node, second.node});
         act_.begin_centre(Sentence::act_parallels, {act_.body(), act_.name(first.node), act_.name(second.node)},
                           "Rivals");
     } else {

@@ -9,7 +9,8 @@ namespace kinegraph::act {
 template <Plane plane>
 class Directions {
 public:
-    Directions(ActDraft& act, Agreement<plane>& agreement) : act_(act), board_(act.board), agreement_(agreement) {}
+    Directions(InstantaneousMotionDraft& act, Agreement<plane>& agreement)
+        : act_(act), board_(act.board), agreement_(agreement) {}
 
     /// Two directions. If their perpendiculars meet, both projections of that place are known: for velocities it is the
     /// instant centre, for accelerations Assur's auxiliary point. If they are parallel, they give the spin.
@@ -24,7 +25,7 @@ private:
                          PointOn<Plane::drawing> met_at);
     void spin_from_parallels(State<plane>& state, const Given<plane>& first, const Given<plane>& second);
 
-    ActDraft& act_;
+    InstantaneousMotionDraft& act_;
     Board& board_;
     Agreement<plane>& agreement_;
     NodeIndex parallel_base_ = none;  ///< the first of two parallel directions

@@ -47,11 +47,11 @@ struct State {
     explicit State(Track<plane>& of) : track(of) {}
 };
 
-class ActDraft {
+class InstantaneousMotionDraft {
 public:
-    using Found = ActFigure::Found;
+    using Found = InstantaneousMotionFigure::Found;
 
-    ActDraft(Structure& of, Board& on, const ActWishes& what)
+    InstantaneousMotionDraft(Structure& of, Board& on, const InstantaneousMotionWishes& what)
         : structure(of),
           board(on),
           diagram(of, on),
@@ -67,8 +67,8 @@ public:
     SpaceDiagram diagram;
     const Mechanism& mechanism;
     BodyIndex body_index;
-    ActWishes wishes;
-    ActOfMotionResult result;
+    InstantaneousMotionWishes wishes;
+    InstantaneousMotionResult result;
     std::optional<PointOn<Plane::drawing>> centre;
 
     const Node& node(NodeIndex index) const { return structure.node(index); }

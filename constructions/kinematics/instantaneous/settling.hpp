@@ -9,7 +9,8 @@ namespace kinegraph::act {
 template <Plane plane>
 class Settling {
 public:
-    explicit Settling(ActDraft& act) : act_(act), board_(act.board), agreement_(act), directions_(act, agreement_) {}
+    explicit Settling(InstantaneousMotionDraft& act)
+        : act_(act), board_(act.board), agreement_(act), directions_(act, agreement_) {}
 
     void settle(State<plane>& state);
 
@@ -27,7 +28,7 @@ private:
     /// v_Y = v_X + v_YX, a_Y = a_X + a_YX^n + a_YX^t, with known direction of v_Y (a_Y).
     Equation equation(const State<plane>& state, const Given<plane>& given, bool has_normal) const;
 
-    ActDraft& act_;
+    InstantaneousMotionDraft& act_;
     Board& board_;
     Agreement<plane> agreement_;
     Directions<plane> directions_;

@@ -7,7 +7,7 @@
 
 namespace kinegraph::statics {
 
-void LooseResultants::resultant(const Loose& loose) {
+void UnsupportedResultants::resultant(const Unsupported& loose) {
     const Group& group = loose.group;
     std::vector<const Load*> loads;
     for (const Load& load : model_.loads())
@@ -48,8 +48,8 @@ void LooseResultants::resultant(const Loose& loose) {
     results_.resultants.push_back(std::move(result));
 }
 
-void LooseResultants::find_residual(const Loose& loose, Force force, const std::vector<const Load*>& loads,
-                                    Resultant& result) {
+void UnsupportedResultants::find_residual(const Unsupported& loose, Force force, const std::vector<const Load*>& loads,
+                                          Resultant& result) {
     if (loose.centre) {
         std::optional<ScalarHandle> turn;
         const auto turn_by = [&](ScalarHandle moment) { turn = turn ? board_.sum(*turn, moment) : moment; };
@@ -70,7 +70,7 @@ void LooseResultants::find_residual(const Loose& loose, Force force, const std::
     result.residual_force = recorded(std::optional<Force>(board_.vector(start, *foot)));
 }
 
-void LooseResultants::turn_by_resultant(const Resultant& result, PlaceOnDrawing centre, Force force) {
+void UnsupportedResultants::turn_by_resultant(const Resultant& result, PlaceOnDrawing centre, Force force) {
     FreeBody& body = results_.bodies.back();
     const AppliedForce& applied = body.forces.back();
     const PlaceOnDrawing place{applied.elements.at};
@@ -78,12 +78,12 @@ void LooseResultants::turn_by_resultant(const Resultant& result, PlaceOnDrawing 
     body.arms.push_back(way_.arm_about(centre, force, place, result.statement, true));
 }
 
-Symbol LooseResultants::resultant_symbol(bool is_force) {
+Symbol UnsupportedResultants::resultant_symbol(bool is_force) {
     return {is_force ? Symbol::Letter::F : Symbol::Letter::M, is_force ? "F_R" : "M_R", {}};
 }
 
-void LooseResultants::say_resultant(Resultant& result, const std::optional<Force>& force,
-                                    const std::optional<ScalarHandle>& couple) {
+void UnsupportedResultants::say_resultant(Resultant& result, const std::optional<Force>& force,
+                                          const std::optional<ScalarHandle>& couple) {
     std::string names;
     for (const BodyIndex body : result.bodies) names += (names.empty() ? "" : " + ") + mechanism_.body(body).name;
     Statement statement;
@@ -109,8 +109,9 @@ void LooseResultants::say_resultant(Resultant& result, const std::optional<Force
     result.statement = board_.state(std::move(statement));
 }
 
-void LooseResultants::cut_unbalanced(const Group& group, const std::vector<const Load*>& loads, Resultant& result,
-                                     const std::optional<Force>& force, const std::optional<ScalarHandle>& couple) {
+void UnsupportedResultants::cut_unbalanced(const Group& group, const std::vector<const Load*>& loads, Resultant& result,
+                                           const std::optional<Force>& force,
+                                           const std::optional<ScalarHandle>& couple) {
     const bool alone = group.size() == 1;
     std::vector<Side> sides;
     for (const MemberIndex member : group) {
@@ -132,9 +133,9 @@ void LooseResultants::cut_unbalanced(const Group& group, const std::vector<const
     if (alone) results_.bodies.back().polygon = result.polygon;
 }
 
-AppliedForce LooseResultants::applied_resultant(const Load& first, StatementIndex statement,
-                                                const std::optional<Force>& force,
-                                                const std::optional<ScalarHandle>& couple) {
+AppliedForce UnsupportedResultants::applied_resultant(const Load& first, StatementIndex statement,
+                                                      const std::optional<Force>& force,
+                                                      const std::optional<ScalarHandle>& couple) {
     AppliedForce applied;
     applied.kind = AppliedForce::Kind::resultant;
     applied.symbol = resultant_symbol(force.has_value());
@@ -152,8 +153,8 @@ AppliedForce LooseResultants::applied_resultant(const Load& first, StatementInde
     return applied;
 }
 
-void LooseResultants::draw_open_polygon(int polygon, const Group& group, const std::vector<Side>& sides,
-                                        const std::optional<Force>& force) {
+void UnsupportedResultants::draw_open_polygon(int polygon, const Group& group, const std::vector<Side>& sides,
+                                              const std::optional<Force>& force) {
     const Corner start = board_.pole<Plane::force>();
     Face face;
     face.body = model_.body_of(group.front());

@@ -10,22 +10,22 @@
 
 namespace kinegraph::statics {
 
-class LooseResultants {
+class UnsupportedResultants {
 public:
-    LooseResultants(ForceModel& model, Board& board, const Mechanism& mechanism, ForcePolygons& polygons, Way& way,
-                    ForceResults& results)
+    UnsupportedResultants(ForceModel& model, Board& board, const Mechanism& mechanism, ForcePolygons& polygons,
+                          Way& way, ForceResults& results)
         : model_(model), board_(board), mechanism_(mechanism), polygons_(polygons), way_(way), results_(results) {}
 
     /// Floating members whose given forces do not balance.
     const std::set<MemberIndex>& unbalanced() const { return unbalanced_; }
 
     /// Reduces the given forces on a group to a force along a line, a couple, or zero.
-    void resultant(const Loose& loose);
+    void resultant(const Unsupported& loose);
 
 private:
     /// The part that works in the one freedom left by the joints: the moment about the centre, or the component along
     /// the guide.
-    void find_residual(const Loose& loose, Force force, const std::vector<const Load*>& loads, Resultant& result);
+    void find_residual(const Unsupported& loose, Force force, const std::vector<const Load*>& loads, Resultant& result);
     /// Adds the arm of the resultant about the place about which the body can turn.
     void turn_by_resultant(const Resultant& result, PlaceOnDrawing centre, Force force);
     template <class Handle>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kinegraph::workings {
+namespace kinegraph::worked_arithmetic {
 namespace {
 
 constexpr double rounding = 1e-9;
@@ -12,8 +12,9 @@ const Unit per_second{"rad/s", 1};
 }  // namespace
 
 bool Telling::is_told(StatementIndex statement, const Symbol& of) {
-    const auto& workings = message(statement).workings;
-    return std::any_of(workings.begin(), workings.end(), [&](const Working& each) { return each.of == of; });
+    const auto& worked_arithmetic = message(statement).worked_arithmetic;
+    return std::any_of(worked_arithmetic.begin(), worked_arithmetic.end(),
+                       [&](const Working& each) { return each.of == of; });
 }
 
 void Telling::tell(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor, double value,
@@ -24,13 +25,14 @@ void Telling::tell(StatementIndex statement, Symbol of, Factors factors, std::op
     if (divisor) product /= *divisor;
     if (!(std::abs(product - value) <= rounding * std::abs(value))) factors.clear();
     if (factors.empty()) divisor.reset();
-    message(statement).workings.push_back({std::move(of), std::move(factors), divisor, {value, unit.symbol}});
+    message(statement).worked_arithmetic.push_back({std::move(of), std::move(factors), divisor, {value, unit.symbol}});
 }
 
 void Telling::tell_also(StatementIndex statement, const Symbol& of, double value, const Unit& unit) {
-    auto& workings = message(statement).workings;
-    const bool is_last = !workings.empty() && workings.back().of == of && workings.back().result.unit != unit.symbol;
-    if (is_last) workings.push_back({of, {}, std::nullopt, {value, unit.symbol}});
+    auto& worked_arithmetic = message(statement).worked_arithmetic;
+    const bool is_last = !worked_arithmetic.empty() && worked_arithmetic.back().of == of &&
+                         worked_arithmetic.back().result.unit != unit.symbol;
+    if (is_last) worked_arithmetic.push_back({of, {}, std::nullopt, {value, unit.symbol}});
 }
 
 void Telling::tell_sum(StatementIndex statement, Symbol of, const std::vector<Product>& products, double value,
@@ -47,7 +49,7 @@ void Telling::tell_sum(StatementIndex statement, Symbol of, const std::vector<Pr
             working.factors.push_back({each.one});
             working.summands.push_back(each.other);
         }
-    message(statement).workings.push_back(std::move(working));
+    message(statement).worked_arithmetic.push_back(std::move(working));
 }
 
 void Telling::tell_turning(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor,
@@ -56,14 +58,14 @@ void Telling::tell_turning(StatementIndex statement, Symbol of, Factors factors,
     tell(statement, of, std::move(factors), divisor, value, per_second);
     const Unit& own = solution_.mechanism.units.angular_velocity;
     if (value == 0 || own.si == per_second.si) return;
-    message(statement).workings.push_back({std::move(of), {}, std::nullopt, {in(value, own), own.symbol}});
+    message(statement).worked_arithmetic.push_back({std::move(of), {}, std::nullopt, {in(value, own), own.symbol}});
 }
 
 void Telling::tell_given_turning(StatementIndex statement, Symbol of, double value) {
     const Unit& own = solution_.mechanism.units.angular_velocity;
     if (value == 0 || own.si == per_second.si || is_told(statement, of)) return;
     tell(statement, of, {}, std::nullopt, in(value, own), own);
-    message(statement).workings.push_back({std::move(of), {}, std::nullopt, {value, per_second.symbol}});
+    message(statement).worked_arithmetic.push_back({std::move(of), {}, std::nullopt, {value, per_second.symbol}});
 }
 
 double Telling::spin(BodyIndex body, Symbol::Letter letter) const {
@@ -73,4 +75,4 @@ double Telling::spin(BodyIndex body, Symbol::Letter letter) const {
     return value ? value->to_double() : 0;
 }
 
-}  // namespace kinegraph::workings
+}  // namespace kinegraph::worked_arithmetic

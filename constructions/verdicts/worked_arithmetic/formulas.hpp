@@ -7,7 +7,7 @@
 #include "engine/solution/magnitudes.hpp"
 #include "engine/solution/solution.hpp"
 
-namespace kinegraph::workings {
+namespace kinegraph::worked_arithmetic {
 
 using Factors = std::vector<Working::Factor>;
 
@@ -47,4 +47,4 @@ private:
     Magnitudes magnitudes_;
 };
 
-}  // namespace kinegraph::workings
+}  // namespace kinegraph::worked_arithmetic

@@ -9,7 +9,7 @@
 #include "engine/number/geometry.hpp"
 #include "engine/solution/shifts.hpp"
 
-namespace kinegraph::workings {
+namespace kinegraph::worked_arithmetic {
 
 void OfForces::force_found(StatementIndex statement, const FreeBody& body, const AppliedForce& applied, bool in_all) {
     if (body.in_parts) return;
@@ -35,7 +35,7 @@ void OfForces::by_moments_of_parallels(StatementIndex statement, const FreeBody&
     const Message& said = telling_.message(statement);
     if (said.sentence != Sentence::parallel_forces || std::get<Symbol>(said.arguments[1]) != found.symbol) return;
     const auto is_of_it = [&](const Working& told) { return told.of == found.symbol; };
-    if (std::any_of(said.workings.begin(), said.workings.end(), is_of_it)) return;
+    if (std::any_of(said.worked_arithmetic.begin(), said.worked_arithmetic.end(), is_of_it)) return;
     const auto other = std::find_if(body.forces.begin(), body.forces.end(), [&](const AppliedForce& each) {
         return each.symbol == std::get<Symbol>(said.arguments[2]) && each.joint != none;
     });
@@ -54,7 +54,7 @@ void OfForces::by_moments_of_parallels(StatementIndex statement, const FreeBody&
         const std::string& about = solution_.mechanism.point(solution_.mechanism.joint(other->joint).point).name;
         Working of_all{{Symbol::Letter::M, about, {}}, {}, std::nullopt, {sum, units_.moment.symbol}};
         of_all.summands = moments;
-        telling_.message(statement).workings.push_back(std::move(of_all));
+        telling_.message(statement).worked_arithmetic.push_back(std::move(of_all));
     }
     telling_.tell(statement, found.symbol, {{std::abs(sum)}}, in(h * units_.force.si.to_double(), units_.moment),
                   in(force, units_.force), units_.force);
@@ -314,7 +314,7 @@ void OfForces::superposed(const Superposition& superposition) {
             couple.symbol, {}, std::nullopt, {in(couple.total->to_double(), units_.moment), units_.moment.symbol}};
         for (const Recorded<Exact>& part : couple.parts)
             working.summands.push_back(in(part->to_double(), units_.moment));
-        telling_.message(superposition.statement).workings.push_back(std::move(working));
+        telling_.message(superposition.statement).worked_arithmetic.push_back(std::move(working));
     }
 }
 
@@ -355,4 +355,4 @@ void OfForces::by_virtual_work(const VirtualMotion& motion) {
     if (!ratios.empty()) said.arguments.emplace_back(std::move(ratios));
 }
 
-}  // namespace kinegraph::workings
+}  // namespace kinegraph::worked_arithmetic

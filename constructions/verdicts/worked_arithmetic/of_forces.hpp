@@ -6,7 +6,7 @@
 
 #include "constructions/verdicts/worked_arithmetic/formulas.hpp"
 
-namespace kinegraph::workings {
+namespace kinegraph::worked_arithmetic {
 
 class OfForces {
 public:
@@ -60,4 +60,4 @@ private:
     const Magnitudes& magnitudes_;
 };
 
-}  // namespace kinegraph::workings
+}  // namespace kinegraph::worked_arithmetic

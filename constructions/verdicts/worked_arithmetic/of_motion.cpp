@@ -5,7 +5,7 @@
 
 #include "engine/number/geometry.hpp"
 
-namespace kinegraph::workings {
+namespace kinegraph::worked_arithmetic {
 
 using Role = DrawnVector::Role;
 
@@ -88,7 +88,7 @@ std::optional<Vector> OfMotion::auxiliary_named(const std::string& name) const {
 }
 
 void OfMotion::tell_direction(const DrawnVector& coriolis) {
-    Working& told = telling_.message(coriolis.statement).workings.back();
+    Working& told = telling_.message(coriolis.statement).worked_arithmetic.back();
     const BodyIndex turning = coriolis.seen.to.body;
     if (told.of != coriolis.symbol || told.factors.empty() || turning == none) return;
     const bool observed = protocol_.polygons[at_index(coriolis.polygon)].kind == Polygon::Kind::relative_motion;
@@ -223,4 +223,4 @@ void OfMotion::of_curvature(const Curvature& curvature) {
     }
 }
 
-}  // namespace kinegraph::workings
+}  // namespace kinegraph::worked_arithmetic
