@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <kinegraph/version.hpp>
+
 #include <CLI/CLI.hpp>
 #include <array>
 #include <charconv>
@@ -20,20 +22,22 @@
 
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
-#include "engine/number/assert.hpp"
 
 namespace kinegraph::app {
 namespace {
 
-constexpr const char* version = "kinegraph " KINEGRAPH_VERSION;
+const std::string& program_version() {
+    static const std::string text = "kinegraph " + std::string(version());
+    return text;
+}
 constexpr const char* statuses =
     "Exit status: 0 done; 1 diff found a difference; 2 the command line or the file is wrong, nothing is written; 3 no "
     "unique answer\n"
     "(locked, dead point): what could be found is written; 4 the output can't be written, or the font or a\n"
     "module of the program is missing, or the port can't be had; 70 a fault of ours.";
 
-/// Translations of the messages of the option parser.
-constexpr std::array<Translation, 17> option_faults{{
+/// The English fragments of the option parser's messages, and their translations.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> option_faults{{
     {"The following argument was not expected: ", "argomento inatteso: "},
     {"The following arguments were not expected: ", "argomenti inattesi: "},
     {" is required", " è obbligatorio"},
@@ -54,13 +58,21 @@ constexpr std::array<Translation, 17> option_faults{{
     {"A subcommand is required", "manca un comando"},
 }};
 
+/// A message of the option parser in Italian: its fragments are replaced in the table's order; other text stays.
+std::string translated(std::string text) {
+    for (const auto& [en, it] : option_faults)
+        for (std::size_t at = text.find(en); at != std::string::npos; at = text.find(en, at + it.size()))
+            text.replace(at, en.size(), it);
+    return text;
+}
+
 /// The command that was typed, ready to run.
 using Action = std::function<Status()>;
 
 CLI::App* add_command(CLI::App& program, const char* name, const char* purpose) {
     CLI::App* command = program.add_subcommand(name, purpose);
     command->set_help_flag("-h,--help", "Print this help");
-    command->set_version_flag("--version", version, "Print the version");
+    command->set_version_flag("--version", program_version(), "Print the version");
     command->footer(statuses);
     return command;
 }
@@ -118,17 +130,17 @@ Language language_asked_for(int count, char** arguments) {
         if (argument.starts_with("--lang=")) word = argument.substr(7);
         if (argument == "--lang" && i + 1 < count) word = arguments[i + 1];
     }
-    return render::language_of(word);
+    return language_named(word);
 }
 
 void add_language(CLI::App& command, std::string& chosen, const char* help) {
     std::vector<std::string> codes;
-    for (const Language language : render::languages) codes.push_back(render::code_of(language));
+    for (const Language language : languages) codes.push_back(code_of(language));
     add_choice(command, "--lang", chosen, help, std::move(codes), "LANG");
 }
 
 /// The option that replaces values of the file's parameters.
-void add_settings(CLI::App& command, std::vector<Setting>& set) {
+void add_settings(CLI::App& command, std::vector<ParameterValue>& set) {
     command
         .add_option_function<std::vector<std::string>>(
             "--set",
@@ -155,15 +167,17 @@ struct SolveWords {
 
     SolveRequest meant() const {
         SolveRequest full = request;
-        full.language = render::language_of(language);
-        if (paper == "A3") full.paper = render::Paper::a3;
-        if (paper == "letter") full.paper = render::Paper::letter;
-        if (dimensions == "on") full.dimensions = render::Dimensions::on;
-        if (dimensions == "off") full.dimensions = render::Dimensions::off;
-        if (orientation == "portrait") full.orientation = render::Orientation::portrait;
-        if (detail == "brief") full.detail = render::SolutionDetail::brief;
-        if (sheet == "question") full.sheet = render::SheetKind::question;
-        if (sheet == "answers") full.sheet = render::SheetKind::answers;
+        DrawingOptions& drawing = full.drawing;
+        using Options = DrawingOptions;
+        drawing.language = language_named(language);
+        if (paper == "A3") drawing.paper = Options::Paper::a3;
+        if (paper == "letter") drawing.paper = Options::Paper::letter;
+        if (dimensions == "on") drawing.dimensions = Options::Dimensions::on;
+        if (dimensions == "off") drawing.dimensions = Options::Dimensions::off;
+        if (orientation == "portrait") drawing.orientation = Options::Orientation::portrait;
+        if (detail == "brief") drawing.detail = Options::Detail::brief;
+        if (sheet == "question") drawing.sheet = Options::Sheet::question;
+        if (sheet == "answers") drawing.sheet = Options::Sheet::answers;
         return full;
     }
 };
@@ -193,7 +207,7 @@ void add_paper(CLI::App& command, SolveWords& words) {
 void add_sheet(CLI::App& command, SolveWords& words) {
     command
         .add_option(
-            "--figure", words.request.figure,
+            "--figure", words.request.drawing.figure,
             "One figure alone, on a page of its size: mechanism, centres, velocity, acceleration, forces, closure, "
             "body-3 …; of a wrong name the message lists those there are")
         ->type_name("NAME");
@@ -210,10 +224,10 @@ void add_sheet(CLI::App& command, SolveWords& words) {
         "What is handed out: the solution, the question (the mechanism with its data, what is sought, scales) or the "
         "answers (the key, with tolerances)",
         {"solution", "question", "answers"}, "WHICH");
-    command.add_flag("--grid", words.request.grid,
+    command.add_flag("--grid", words.request.drawing.grid,
                      "With --sheet question: blank rooms for the polygons, with pole and grid");
     command
-        .add_flag("--steps", words.request.steps,
+        .add_flag("--steps", words.request.drawing.steps,
                   "The solution as a sequence, each page adding one step: pages of a PDF, or OUT.svg, OUT-2.svg …")
         ->excludes("--figure");
 }
@@ -234,10 +248,11 @@ void add_print(CLI::App& command, std::string& date, std::string& author, std::s
         ->capture_default_str();
 }
 
-void add_text(CLI::App& command, bool& live) {
+void add_text(CLI::App& command, Lettering& lettering) {
     command
         .add_option_function<std::string>(
-            "--text", [&live](const std::string& how) { live = how == "live"; },
+            "--text",
+            [&lettering](const std::string& how) { lettering = how == "live" ? Lettering::live : Lettering::outlines; },
             "How SVG and PDF carry their words: outlines, or live (they can be selected, searched and read aloud)")
         ->transform(CLI::IsMember({"outlines", "live"}, CLI::ignore_case))
         ->type_name("HOW")
@@ -246,8 +261,8 @@ void add_text(CLI::App& command, bool& live) {
 
 /// Options for the theme and additional figures.
 void add_look(CLI::App& command, SolveRequest& request) {
-    add_print(command, request.date, request.author, request.theme, request.dpi);
-    add_text(command, request.live_text);
+    add_print(command, request.drawing.date, request.drawing.author, request.theme, request.dpi);
+    add_text(command, request.lettering);
     command
         .add_option(
             "--with", request.with,
@@ -290,13 +305,13 @@ void add_solve(CLI::App& program, Action& action) {
     add_look(*command, words->request);
     command
         ->add_option(
-            "--at", words->request.at,
+            "--at", words->request.positions.at,
             "The position in which it is solved: the driver's turn or slide from the drawn one, 30°, 0.5 rad, 20 mm; "
             "may be given again, a sheet each; every 30° for a whole turn")
         ->allow_extra_args(false)
         ->type_name("TURN");
-    add_driver(*command, words->request.driver);
-    add_branch(*command, words->request.branch);
+    add_driver(*command, words->request.positions.driver);
+    add_branch(*command, words->request.positions.branch);
     command->callback([&action, words] { action = [words] { return solve_command(words->meant()); }; });
 }
 
@@ -334,9 +349,9 @@ struct WordsOf {
     Request meant() const {
         Request full = request;
         const SolveRequest words = sheet.meant();
-        full.sheet.language = words.language;
-        full.sheet.paper = words.paper;
-        full.sheet.orientation = words.orientation;
+        full.sheet.language = words.drawing.language;
+        full.sheet.paper = words.drawing.paper;
+        full.sheet.orientation = words.drawing.orientation;
         return full;
     }
 };
@@ -396,7 +411,7 @@ void add_plots(CLI::App& command, SweepRequest& request) {
         ->check(whole_number(0, 360))
         ->type_name("N");
     add_print(command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
-    add_text(command, request.live_text);
+    add_text(command, request.lettering);
 }
 
 void add_sweep(CLI::App& program, Action& action) {
@@ -473,7 +488,7 @@ void add_variants(CLI::App& program, Action& action) {
     command->callback([&action, words] {
         action = [words] {
             VariantsRequest meant = words->meant();
-            meant.sheet.detail = words->sheet.meant().detail;
+            meant.sheet.detail = words->sheet.meant().drawing.detail;
             return variants_command(meant);
         };
     });
@@ -505,7 +520,7 @@ void add_cam(CLI::App& program, Action& action) {
         ->type_name("N")
         ->capture_default_str();
     add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
-    add_text(*command, request.live_text);
+    add_text(*command, request.lettering);
     add_paper(*command, words->sheet);
     command->callback([&action, words] { action = [words] { return cam_command(words->meant()); }; });
 }
@@ -519,7 +534,7 @@ void add_check(CLI::App& program, Action& action) {
     add_settings(*command, request->set);
     add_language(*command, *language, "Language of messages: en or it");
     command->callback([&action, request, language] {
-        request->language = render::language_of(*language);
+        request->language = language_named(*language);
         action = [request] { return check_command(*request); };
     });
 }
@@ -561,7 +576,7 @@ void add_diff(CLI::App& program, Action& action) {
     auto language = std::make_shared<std::string>("en");
     add_language(*command, *language, "Language of messages: en or it");
     command->callback([&action, request, language] {
-        request->language = render::language_of(*language);
+        request->language = language_named(*language);
         action = [request] { return diff_command(*request); };
     });
 }
@@ -570,11 +585,7 @@ void add_pairs(CLI::App& program, Action& action) {
     CLI::App* command = add_command(
         program, "pairs",
         "The catalogue of pairs, printed or drawn; with FILE, its pairs, its chain, freedoms counted, and the verdict");
-    struct PairsWords {
-        PairsRequest request;
-        SolveWords sheet;  // language and paper
-    };
-    auto words = std::make_shared<PairsWords>();
+    auto words = std::make_shared<WordsOf<PairsRequest>>();
     PairsRequest& request = words->request;
     command->add_option("FILE", request.file, "The mechanism file; - is standard input");
     command
@@ -590,13 +601,7 @@ void add_pairs(CLI::App& program, Action& action) {
         ->capture_default_str();
     add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
     add_paper(*command, words->sheet);
-    command->callback([&action, words] {
-        const SolveRequest meant = words->sheet.meant();
-        words->request.sheet.language = meant.language;
-        words->request.sheet.paper = meant.paper;
-        words->request.sheet.orientation = meant.orientation;
-        action = [words] { return pairs_command(words->request); };
-    });
+    command->callback([&action, words] { action = [words] { return pairs_command(words->meant()); }; });
 }
 
 void add_equations(CLI::App& program, Action& action) {
@@ -612,7 +617,7 @@ void add_equations(CLI::App& program, Action& action) {
     add_choice(*command, "--format", request->format,
                "text, latex (a document) or json (matrices and unknowns by name)", {"text", "latex", "json"}, "FORMAT");
     command->callback([&action, request, language] {
-        request->language = render::language_of(*language);
+        request->language = language_named(*language);
         action = [request] { return equations_command(*request); };
     });
 }
@@ -635,7 +640,7 @@ void add_watch(CLI::App& program, Action& action) {
         ->type_name("THEME")
         ->capture_default_str();
     command->callback([&action, request, language] {
-        request->language = render::language_of(*language);
+        request->language = language_named(*language);
         action = [request] { return watch_command(*request); };
     });
 }
@@ -643,7 +648,7 @@ void add_watch(CLI::App& program, Action& action) {
 Status run(int count, char** arguments, Language language) {
     CLI::App program("Planar mechanisms solved as at the drawing board, exactly.", "kinegraph");
     program.set_help_flag("-h,--help", "Print this help; after a command, its own");
-    program.set_version_flag("--version", version, "Print the version");
+    program.set_version_flag("--version", program_version(), "Print the version");
     program.footer(statuses);
     program.require_subcommand(1);
     Action action;
@@ -688,13 +693,13 @@ Status run(int count, char** arguments, Language language) {
     } catch (const CLI::CallForHelp&) {
         return print(program.help(), language);
     } catch (const CLI::CallForVersion&) {
-        return print(std::string(version) + '\n', language);
+        return print(program_version() + '\n', language);
     } catch (const CLI::ParseError& error) {
         const auto given = program.get_subcommands();
         const std::string command = given.empty() ? "kinegraph" : "kinegraph " + given.front()->get_name();
         const std::string english = error.what();
         return refuse({"{0} ({1} --help says more)", "{0} ({1} --help dice di più)",
-                       Words(english, translated(english, option_faults)), command},
+                       Words(english, translated(english)), command},
                       language);
     }
     return action();
@@ -712,16 +717,17 @@ void hold_standard_streams() {
 
 int main(int count, char** arguments) {
     using namespace kinegraph::app;
+    using kinegraph::Language;
     hold_standard_streams();
     // A closed pipe and a file size limit are reported as write errors.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const Language language = language_asked_for(count, arguments);
-    const kinegraph::Words ours("this is a fault of ours", "questo è un errore nostro");
+    const Words ours("this is a fault of ours", "questo è un errore nostro");
     try {
         return static_cast<int>(run(count, arguments, language));
     } catch (const std::bad_alloc&) {
-        refuse(ours + kinegraph::Words(": out of memory", ": memoria esaurita"), language);
+        refuse(ours + Words(": out of memory", ": memoria esaurita"), language);
     } catch (const std::exception& fault) {
         refuse(ours + std::string(": ") + std::string(fault.what()), language);
     } catch (...) {

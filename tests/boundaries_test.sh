@@ -89,6 +89,9 @@ check() {
         floor app commands files server late library
         floor app modules late
         unordered
+        includes '["<](engine|constructions|render)/' app |
+            grep -E '^app/(main\.cpp|(commands|files|server)/[^:]*):' |
+            breach "the command line uses the public face and nothing below it"
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
         includes '"' $folders | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|kinegraph|tests|bench)/[a-z]' |
             breach "own headers are written from the root"
@@ -157,6 +160,8 @@ seen "ink knows itself alone" render/ink/a.hpp '"render/text/b.hpp"'
 seen "page knows ink text" render/page/a.hpp '"render/figures/b.hpp"'
 seen "figures knows" render/figures/a.cpp '"render/sheet/b.hpp"'
 seen "content knows" render/content/a.cpp '"render/layout/b.hpp"'
+seen "nothing below it" app/main.cpp '"render/page/page.hpp"'
+seen "nothing below it" app/commands/a.cpp '"engine/board/b.hpp"'
 seen "files knows" app/files/a.cpp '"app/commands/b.hpp"'
 seen "no place in the order" engine/elsewhere/a.cpp '<vector>'
 seen "folder of their subject" engine/a.cpp '<vector>'
@@ -179,7 +184,7 @@ seen "" engine/mechanism/pair.cpp 'JointKind::gear' engine/check/check_forces.cp
     tests/a_test.cpp 'JointKind::gear'
 seen "" engine/number/geometry.cpp '<CGAL/a.h>' engine/number/geometry.cpp '<CGAL/b.h>' \
     engine/check/check.cpp '<Eigen/QR>' engine/check/check_forces.cpp '"engine/check/a.hpp"' \
-    render/backends/cairo_backend.cpp '<cairo/cairo.h>' app/main.cpp '"render/page/page.hpp"' \
+    render/backends/cairo_backend.cpp '<cairo/cairo.h>' app/library/a.cpp '"render/page/page.hpp"' app/main.cpp '"kinegraph/mechanism.hpp"' \
     render/text/a.cpp '"render/ink/a.hpp"' render/figures/a.cpp '"render/tables/a.hpp"' \
     constructions/solving/a.cpp '"engine/check/a.hpp"' constructions/statics/forces/a.cpp '"constructions/kinematics/a.hpp"'
 exit $failed

@@ -2,14 +2,14 @@
 // returns the exit status. One file for each command; only main.cpp knows the spelling of the options.
 #pragma once
 
+#include <kinegraph/mechanism.hpp>
+#include <kinegraph/sheet.hpp>
+
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "app/files/messages.hpp"
-#include "render/sheet/sheet.hpp"
-#include "render/tables/pair_tables.hpp"
 
 namespace kinegraph::app {
 
@@ -17,27 +17,18 @@ namespace kinegraph::app {
 struct SolveRequest {
     std::string file;                  ///< "-" is standard input
     std::optional<std::string> text;   ///< the content of the file if already read; `file` is then only its name
-    std::vector<Setting> set;          ///< values that replace parameters of the file
+    std::vector<ParameterValue> set;   ///< values that replace parameters of the file
     std::vector<std::string> outputs;  ///< "-" is standard output
     std::string format;                ///< svg, png, pdf, json: for outputs without a known extension; may be empty
-    Language language = Language::en;
-    render::Paper paper = render::Paper::a4;
-    render::Orientation orientation = render::Orientation::landscape;
-    render::Dimensions dimensions = render::Dimensions::automatic;
-    std::string author, date;      ///< for the title block
-    std::string figure;            ///< draw this figure only; empty: the sheet
-    bool live_text = false;        ///< text of SVG and PDF can be selected, searched and read aloud
-    std::string theme = "colour";  ///< a built-in theme, or the path of a theme file
-    bool steps = false;            ///< the solution step by step, as a sequence of pages
-    render::SolutionDetail detail = render::SolutionDetail::full;
-    render::SheetKind sheet = render::SheetKind::solution;
-    bool grid = false;  ///< empty areas with pole and grid on a question
+    DrawingOptions drawing;            ///< without its theme
+    std::string theme = "colour";      ///< a built-in theme, or the path of a theme file
+    Lettering lettering = Lettering::outlines;
     double dpi = 150;
     bool exact = false;
-    std::vector<std::string> at;    ///< positions: "30°", "every 30°"; empty: the position of the file
-    std::string driver;             ///< the driver whose coordinate `at` gives; empty: the first of the file
-    int branch = 0;                 ///< branch to take out of a change point, from 1 as results list them; 0: none
-    std::vector<std::string> with;  ///< additional figures: "joukowsky"
+    PositionsWanted positions;      ///< none: the position of the file
+    std::vector<std::string> with;  ///< additions: "joukowsky", "equations", "virtual work"
+
+    Language language() const { return drawing.language; }
 };
 Status solve_command(const SolveRequest& request);
 
@@ -52,7 +43,7 @@ Status batch_command(const BatchRequest& request);
 /// sweep FILE: the results in a sequence of positions.
 struct SweepRequest {
     std::string file;
-    std::vector<Setting> set;  ///< values that replace parameters of the file
+    std::vector<ParameterValue> set;  ///< values that replace parameters of the file
     std::vector<std::string> outputs;
     std::string format;
     std::string over;                  ///< a parameter to vary in place of the driver; empty: none
@@ -65,9 +56,9 @@ struct SweepRequest {
     std::vector<std::string> traces;     ///< "P" or "P,on BODY"
     std::vector<std::string> centrodes;  ///< pairs of bodies, "i,j"
     int poses = 0;
-    render::SheetOptions sheet;
+    DrawingOptions sheet;
     std::string theme = "colour";
-    bool live_text = false;  ///< as in SolveRequest
+    Lettering lettering = Lettering::outlines;
     double dpi = 150;
 };
 Status sweep_command(const SweepRequest& request);
@@ -75,7 +66,7 @@ Status sweep_command(const SweepRequest& request);
 /// variants FILE: many variants of one exercise, each with its question, its solution and a line of the answer key.
 struct VariantsRequest {
     std::string file;
-    std::vector<Setting> set;            ///< values that replace parameters of the file
+    std::vector<ParameterValue> set;     ///< values that replace parameters of the file
     long count = 0;                      ///< number of variants; 0: one for each student of the roster
     unsigned long long seed = 1;         ///< seed of the random values
     std::string roster;                  ///< a file of names; empty: none
@@ -84,7 +75,7 @@ struct VariantsRequest {
     std::string format = "pdf";          ///< of the sheets: pdf, svg, png
     std::vector<std::string> platforms;  ///< moodle, qti, csv: additional files for learning platforms
     bool resume = false;                 ///< do not write files again that are complete and from the same request
-    render::SheetOptions sheet;
+    DrawingOptions sheet;
     std::string theme = "colour";
     double dpi = 150;
 };
@@ -97,9 +88,9 @@ struct CamRequest {
     std::string format;
     std::string at;  ///< the cam angle at which its mechanism is written and drawn; empty: where the law begins
     long steps = 360;
-    render::SheetOptions sheet;
+    DrawingOptions sheet;
     std::string theme = "colour";
-    bool live_text = false;  ///< as in SolveRequest
+    Lettering lettering = Lettering::outlines;
     double dpi = 150;
 };
 Status cam_command(const CamRequest& request);
@@ -107,7 +98,7 @@ Status cam_command(const CamRequest& request);
 /// check FILE: reads the file, finds its points and reports likely mistakes. Solves and writes nothing.
 struct CheckRequest {
     std::string file;
-    std::vector<Setting> set;
+    std::vector<ParameterValue> set;
     Language language = Language::en;
 };
 Status check_command(const CheckRequest& request);
@@ -128,7 +119,7 @@ struct PairsRequest {
     std::string file;  ///< "-" is standard input; empty: the catalogue
     std::vector<std::string> outputs;
     std::string format = "text";  ///< text, markdown, json; for drawings svg, png, pdf
-    render::SheetOptions sheet;
+    DrawingOptions sheet;
     std::string theme = "colour";
     double dpi = 150;
 };
@@ -136,8 +127,8 @@ Status pairs_command(const PairsRequest& request);
 
 /// equations FILE: the closure equations with their derivatives and values.
 struct EquationsRequest {
-    std::string file;          ///< "-" is standard input
-    std::vector<Setting> set;  ///< parameters in place of the file's
+    std::string file;                 ///< "-" is standard input
+    std::vector<ParameterValue> set;  ///< parameters in place of the file's
     Language language = Language::en;
     std::string format = "text";  ///< or "latex", "json"
 };
@@ -153,11 +144,9 @@ struct WatchRequest {
 /// Returns when interrupted (Ctrl-C).
 Status watch_command(const WatchRequest& request);
 
-/// The name of a file in messages: its path as given, or "standard input".
-Words spoken(const std::string& file);
 /// Reads a mechanism file; returns a status after errors were reported.
-tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language language,
-                                             std::span<const Setting> set = {});
+tl::expected<MechanismFile, Status> mechanism_of(const std::string& file, Language language,
+                                                 const std::vector<ParameterValue>& set = {});
 /// The file name without its folder, so that a sheet is the same wherever it is made.
 std::string bare_name(const std::string& file);
 /// The message for a command that needs joints when the file states a problem without joints.

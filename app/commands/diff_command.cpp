@@ -1,4 +1,6 @@
 // diff EXPECTED ACTUAL: compares two pictures, reports by how much they differ and draws the difference.
+#include <kinegraph/picture.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -7,13 +9,9 @@
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
 #include "app/files/svg_picture.hpp"
-#include "render/backends/picture_difference.hpp"
 
 namespace kinegraph::app {
 namespace {
-
-using render::Picture;
-using render::PictureDifference;
 
 /// True if the text begins like XML, possibly after a byte order mark.
 bool may_be_svg(std::string_view bytes) {
@@ -26,7 +24,7 @@ bool may_be_svg(std::string_view bytes) {
 struct Side {
     Words name;
     std::string bytes;
-    std::optional<Picture> picture;
+    std::optional<PngPicture> picture;
     Language language = Language::en;
 };
 
@@ -41,12 +39,12 @@ Status read_side(Side& side, const std::string& path) {
     auto bytes = read_whole(path, {"picture", "disegno"});
     if (!bytes) return fails(side, bytes.error());
     side.bytes = *std::move(bytes);
-    if (!render::is_png(side.bytes)) {
+    if (!PngPicture::is_png(side.bytes)) {
         if (!may_be_svg(side.bytes)) return fails(side, {"is neither PNG nor SVG", "non è né PNG né SVG"});
         return Status::done;
     }
-    auto picture = render::decode_png(side.bytes);
-    if (!picture) return fails(side, picture.error());
+    auto picture = PngPicture::decode(side.bytes);
+    if (!picture) return fails(side, picture.error().front().text);
     side.picture = *std::move(picture);
     return Status::done;
 }
@@ -54,10 +52,10 @@ Status read_side(Side& side, const std::string& path) {
 Status draw(Side& side, double dpi) {
     const auto png = svg_to_png(side.bytes, dpi);
     if (!png) return fails(side, png.error().why, png.error().status);
-    auto picture = render::decode_png(*png);
+    auto picture = PngPicture::decode(*png);
     if (!picture)
         return fails(side, {"drawn at {0} dpi {1}", "disegnato a {0} dpi {1}", std::to_string(std::lround(dpi)),
-                            picture.error()});
+                            picture.error().front().text});
     side.picture = *std::move(picture);
     return Status::done;
 }
@@ -71,17 +69,21 @@ std::string digits(double value) {
     return written;
 }
 
-std::string size_of(const Picture& picture) {
-    return std::to_string(picture.width) + " × " + std::to_string(picture.height);
+std::string size_of(const PngPicture& picture) {
+    return std::to_string(picture.width()) + " × " + std::to_string(picture.height());
+}
+
+bool have_same_size(const PngPicture& a, const PngPicture& b) {
+    return a.width() == b.width() && a.height() == b.height();
 }
 
 /// The result as one line.
-std::string verdict(const Side& expected, const Side& actual, const PictureDifference& difference, double threshold) {
+std::string verdict(const Side& expected, const Side& actual, const PictureComparison& difference, double threshold) {
     const Language language = expected.language;
     Words line(one_line(in(expected.name, language)) + ", " + one_line(in(actual.name, language)) + ": ");
-    const Picture &a = *expected.picture, &b = *actual.picture;
+    const PngPicture &a = *expected.picture, &b = *actual.picture;
     const auto text = [](auto number) { return std::to_string(number); };
-    if (a.width != b.width || a.height != b.height)
+    if (!have_same_size(a, b))
         line += {"{0} pixels became {1}; ", "{0} pixel sono diventati {1}; ", size_of(a), size_of(b)};
     if (difference.differing == 0) {
         line += {"the same", "uguali"};
@@ -93,7 +95,7 @@ std::string verdict(const Side& expected, const Side& actual, const PictureDiffe
                  "il {0} % dei pixel è diverso ({1} su {2}), colonne da {3} a {4}, righe da {5} a {6}",
                  digits(100 * difference.share()),
                  text(difference.differing),
-                 text(difference.verdicts.size()),
+                 text(static_cast<long>(difference.width) * difference.height),
                  text(difference.left),
                  text(difference.right),
                  text(difference.top),
@@ -129,21 +131,20 @@ Status diff_command(const DiffRequest& request) {
     if (const Status status = read_side(actual, request.actual); status != Status::done) return status;
     double dpi = request.dpi;
     for (const Side* side : {&expected, &actual})
-        if (dpi == 0 && side->picture && side->picture->dpi) dpi = std::min(*side->picture->dpi, 1200.0);
+        if (dpi == 0 && side->picture && side->picture->dpi()) dpi = std::min(*side->picture->dpi(), 1200.0);
     if (dpi == 0) dpi = 150;
     for (Side* side : {&expected, &actual})
         if (!side->picture)
             if (const Status status = draw(*side, dpi); status != Status::done) return status;
 
-    const PictureDifference difference = render::compare(*expected.picture, *actual.picture, request.tolerance);
+    const PictureComparison difference =
+        compare_pictures(*expected.picture, *actual.picture, request.tolerance, !request.output.empty());
     std::vector<Output> outputs{{"-", verdict(expected, actual, difference, request.threshold)}};
-    if (!request.output.empty())
-        outputs.push_back(
-            {request.output, encode_png(render::side_by_side(*expected.picture, *actual.picture, difference))});
+    if (!request.output.empty()) outputs.push_back({request.output, difference.side_by_side});
     if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language);
-    const bool same_size =
-        expected.picture->width == actual.picture->width && expected.picture->height == actual.picture->height;
-    return same_size && difference.share() <= request.threshold ? Status::done : Status::difference;
+    return have_same_size(*expected.picture, *actual.picture) && difference.share() <= request.threshold
+               ? Status::done
+               : Status::difference;
 }
 
 }  // namespace kinegraph::app

@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "app/commands/commands.hpp"
-#include "render/backends/backends.hpp"
 
 namespace kinegraph::app {
+
+using namespace std::string_literals;
+
 namespace {
 
 /// In the order of Format.
@@ -82,26 +84,32 @@ tl::expected<std::vector<Target>, Words> targets_of(const std::vector<std::strin
     return targets;
 }
 
-tl::expected<render::Theme, Status> theme_of(const std::string& name, const std::string& file, Language language) {
-    if (name == "-" && file == "-") {
-        return tl::unexpected(refuse({"standard input can be the mechanism file or the theme, not both",
-                                      "l’ingresso standard può essere il file del meccanismo o il tema, non entrambi"},
-                                     language));
-    }
-    if (auto built_in = render::built_in_theme(name)) return *std::move(built_in);
-    const auto text = read_whole(name, {"theme file", "file di tema"});
+bool any_drawn(const std::vector<Target>& targets) {
+    return std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+}
+
+std::optional<Status> set_theme(DrawingOptions& options, const std::string& name, const std::string& file) {
+    const Language language = options.language;
+    if (name == "-" && file == "-")
+        return refuse({"standard input can be the mechanism file or the theme, not both",
+                       "l’ingresso standard può essere il file del meccanismo o il tema, non entrambi"},
+                      language);
+    const std::vector<std::string> names = theme_names();
+    options.theme = name;
+    if (std::find(names.begin(), names.end(), name) != names.end()) return std::nullopt;
+    auto text = read_whole(name, {"theme file", "file di tema"});
     if (!text) {
         std::string known;
-        for (const std::string_view each : render::theme_names()) known.append(known.empty() ? "" : ", ").append(each);
+        for (const std::string& each : names) known.append(known.empty() ? "" : ", ").append(each);
         say(spoken(name),
             {"{0} (--theme is one of {1}, or the path of a theme file)",
              "{0} (--theme è uno fra {1}, o il percorso di un file di tema)", text.error(), known},
             language);
-        return tl::unexpected(Status::bad_input);
+        return Status::bad_input;
     }
-    auto theme = render::read_theme(*text);
-    if (!theme) return tl::unexpected(say(spoken(name), theme.error(), language));
-    return *std::move(theme);
+    if (const auto fits = check_theme(*text); !fits) return say(spoken(name), fits.error(), language);
+    options.theme_file = *std::move(text);
+    return std::nullopt;
 }
 
 bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language) {
@@ -123,92 +131,38 @@ bool names_clash(const std::vector<Output>& outputs, const std::string& file, La
     return false;
 }
 
-std::optional<render::Theme> dark_beside(const std::string& theme) {
-    return theme == "colour" ? render::built_in_theme("dark") : std::nullopt;
+Status cannot_draw(const Words& file, const Diagnostics& faults, Language language) {
+    if (faults.front().kind != Diagnostic::Kind::output) return say(file, faults, language);
+    refuse(faults.front().text, language);
+    return Status::output;
 }
 
-namespace {
-
-tl::unexpected<Status> lacks(const Words& why, Language language) {
-    refuse(why, language);
-    return tl::unexpected(Status::output);
-}
-
-}  // namespace
-
-tl::expected<OutputWriter, Status> OutputWriter::open(const std::vector<Target>& targets, Language language,
-                                                      Lettering lettering) {
-    std::optional<OutputWriter> press;
-    const auto ready = prepare(press, language, lettering).and_then([&] { return press->prepare_to_print(targets); });
-    if (!ready) return tl::unexpected(ready.error());
-    return *std::move(press);
-}
-
-tl::expected<void, Status> OutputWriter::prepare(std::optional<OutputWriter>& press, Language language,
-                                                 Lettering lettering) {
-    if (press) {
-        press->fonts_->start_anew();
-    } else {
-        auto fonts = render::Fonts::open();
-        if (!fonts) return lacks(fonts.error(), language);
-        press.emplace(OutputWriter());
-        press->fonts_.emplace(*std::move(fonts));
-    }
-    press->language_ = language;
-    press->lettering_ = lettering;
-    return {};
-}
-
-tl::expected<void, Status> OutputWriter::prepare_to_print(const std::vector<Target>& targets) {
-    const bool needs_cairo = std::any_of(targets.begin(), targets.end(), [](const Target& target) {
-        return target.format == Format::png || target.format == Format::pdf;
-    });
-    if (!needs_cairo) return {};
-    if (const auto opened = render::open_painter(); !opened) return lacks(opened.error(), language_);
-    return {};
-}
-
-std::vector<std::string> OutputWriter::svg_of(std::span<const render::Page> pages) const {
-    if (lettering_ == Lettering::live) return render::to_live_svg(pages, *fonts_);
-    return render::to_svg(pages, *fonts_, glyph_paths_);
-}
-
-void OutputWriter::print(const std::vector<render::Page>& pages, const Target& target, double dpi,
-                         std::vector<Output>& outputs, std::vector<std::string>& remarks) const {
-    if (target.format == Format::pdf) {
-        const bool live = lettering_ == Lettering::live;
-        outputs.push_back({target.path, live ? render::to_live_pdf(pages, *fonts_) : render::to_pdf(pages, *fonts_)});
-        return;
-    }
-    if (target.format == Format::tex) {
-        outputs.push_back({target.path, render::to_tex(pages, *fonts_)});
-        return;
-    }
-    const std::size_t count = target.standard() ? std::min<std::size_t>(pages.size(), 1) : pages.size();
+std::optional<Status> print(const Drawing& drawing, const Target& target, const Printing& printing,
+                            std::vector<Output>& outputs, std::vector<Text>& remarks) {
+    const auto add = [&](const std::string& path, Expected<std::string> bytes) -> std::optional<Status> {
+        if (!bytes) return cannot_draw("kinegraph"s, bytes.error(), printing.language);
+        outputs.push_back({path, *std::move(bytes)});
+        return std::nullopt;
+    };
+    if (target.format == Format::pdf) return add(target.path, drawing.pdf(printing.lettering));
+    if (target.format == Format::tex) return add(target.path, drawing.tex());
+    const std::size_t count = target.standard() ? 1 : drawing.pages();
     if (target.format == Format::svg) {
-        std::vector<std::string> texts = svg_of(std::span(pages).first(count));
+        std::vector<std::string> pages = drawing.svg(printing.lettering);
         for (std::size_t page = 0; page < count; ++page)
-            outputs.push_back({target.path_of_page(page), std::move(texts[page])});
+            outputs.push_back({target.path_of_page(page), std::move(pages[page])});
     } else {
         for (std::size_t page = 0; page < count; ++page)
-            outputs.push_back({target.path_of_page(page), render::to_png(pages[page], *fonts_, dpi)});
+            if (const auto failed = add(target.path_of_page(page), drawing.png(page, printing.dpi))) return failed;
     }
-    if (count < pages.size())
-        remarks.push_back(in({"the sheet has {0} pages and standard output carries the first only; a PDF has them all, "
-                              "and so has -o with a name",
-                              "il foglio ha {0} pagine e l’uscita standard porta solo la prima; un PDF le ha tutte, e "
-                              "così -o con un nome",
-                              std::to_string(pages.size())},
-                             language_));
-}
-
-void OutputWriter::remark_missing(std::vector<std::string>& remarks) const {
-    std::string absent;
-    for (const std::string& character : fonts_->missing()) absent += (absent.empty() ? "" : ", ") + character;
-    if (!absent.empty())
-        remarks.push_back(in({"the font has no {0}: drawn as its code in a box",
-                              "il font non ha {0}: disegnato come codice in un riquadro", absent},
-                             language_));
+    if (count < drawing.pages())
+        remarks.push_back(
+            Words("the sheet has {0} pages and standard output carries the first only; a PDF has them "
+                  "all, and so has -o with a name",
+                  "il foglio ha {0} pagine e l’uscita standard porta solo la prima; un PDF le ha tutte, "
+                  "e così -o con un nome",
+                  std::to_string(drawing.pages())));
+    return std::nullopt;
 }
 
 }  // namespace kinegraph::app

@@ -1,6 +1,7 @@
-// Outputs: reads -o and --format, and writes drawings: themes, typefaces, pages as bytes. Shared by the commands that
-// draw.
+// Outputs: reads -o, --format and --theme, and gives drawings as bytes. Shared by the commands that draw.
 #pragma once
+
+#include <kinegraph/sheet.hpp>
 
 #include <optional>
 #include <span>
@@ -8,16 +9,10 @@
 #include <vector>
 
 #include "app/files/files.hpp"
-#include "render/backends/backends.hpp"
-#include "render/page/theme.hpp"
-#include "render/text/text.hpp"
 
 namespace kinegraph::app {
 
 enum class Format { svg, png, pdf, tex, json, csv, html };
-
-/// How SVG and PDF contain text: as outlines only, or so that it can be selected, searched and read aloud.
-enum class Lettering { outlines, live };
 
 struct Target {
     std::string path;
@@ -27,46 +22,31 @@ struct Target {
     bool is_page() const { return format == Format::html; }  ///< a live page, which has its own layout
     std::string path_of_page(std::size_t page) const;        ///< OUT.svg, OUT-2.svg, OUT-3.svg …
 };
+/// Whether a drawing is asked for.
+bool any_drawn(const std::vector<Target>& targets);
 
 /// The output files, or why the options are wrong. Without `outputs`, a given `format` goes to standard output.
 tl::expected<std::vector<Target>, Words> targets_of(const std::vector<std::string>& outputs, const std::string& format,
                                                     const std::string& file, std::span<const Format> formats);
 
-/// A built-in theme or that of a file; a status after an error was reported.
-tl::expected<render::Theme, Status> theme_of(const std::string& name, const std::string& file, Language language);
-
-/// The theme of a live page on dark screens: the dark theme for a built-in theme in colours, none for any other theme.
-std::optional<render::Theme> dark_beside(const std::string& theme);
+/// Sets the theme of the options to a built-in one or to that of a file; a status after an error was reported.
+std::optional<Status> set_theme(DrawingOptions& options, const std::string& name, const std::string& file);
 
 /// The names of further pages are known only after layout. Returns true, and reports it, if one of them is another
 /// output or the mechanism file.
 bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language);
 
-/// The output writer: owns the typefaces, and cairo if PNG or PDF is requested.
-class OutputWriter {
-public:
-    /// Opens all that the targets need; a status after an error was reported. `language`: of errors and remarks.
-    static tl::expected<OutputWriter, Status> open(const std::vector<Target>& targets, Language language,
-                                                   Lettering lettering = Lettering::outlines);
-    /// Opens what layout needs, unless already open. Call before each sheet: it clears the remarks of the sheet before.
-    static tl::expected<void, Status> prepare(std::optional<OutputWriter>& press, Language language,
-                                              Lettering lettering = Lettering::outlines);
-    /// Loads what printing needs. Separate from prepare(), because loading takes longer than the layout of a sheet.
-    tl::expected<void, Status> prepare_to_print(const std::vector<Target>& targets);
-    const render::Fonts& fonts() const { return *fonts_; }
-    /// Adds the bytes of the pages for a target, and to `remarks` what standard output cannot contain.
-    void print(const std::vector<render::Page>& pages, const Target& target, double dpi, std::vector<Output>& outputs,
-               std::vector<std::string>& remarks) const;
-    /// Adds a remark on the characters that the font lacks.
-    void remark_missing(std::vector<std::string>& remarks) const;
-
-private:
-    std::vector<std::string> svg_of(std::span<const render::Page> pages) const;
-
-    Language language_ = Language::en;
-    std::optional<render::Fonts> fonts_;
-    mutable render::GlyphPaths glyph_paths_;  ///< a cache of outlines of these fonts
-    Lettering lettering_ = Lettering::outlines;
+/// How a drawing is written.
+struct Printing {
+    Language language = Language::en;           ///< of messages
+    Lettering lettering = Lettering::outlines;  ///< of SVG and PDF
+    double dpi = 150;                           ///< of PNG
 };
+/// Adds the bytes of a drawing for a target, and to `remarks` what standard output cannot contain. A status after an
+/// error was reported.
+std::optional<Status> print(const Drawing& drawing, const Target& target, const Printing& printing,
+                            std::vector<Output>& outputs, std::vector<Text>& remarks);
+/// Reports why something cannot be drawn: a missing library or font is the program's fault, all else the file's.
+Status cannot_draw(const Words& file, const Diagnostics& faults, Language language);
 
 }  // namespace kinegraph::app

@@ -2,7 +2,6 @@
 // execute many requests in one run.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,22 +12,21 @@
 
 namespace kinegraph::app {
 
-struct Solved {
-    /// A result that could not be found: the file or position, the name, the reason.
+struct Outcome {
+    /// A result that could not be found: the file or position, the result, the reason.
     struct Missing {
         Words where;
-        std::string line;
+        Text what, why;
     };
     std::vector<Output>
-        outputs;  ///< the targets' files with their bytes; without targets the table, for standard output
-    std::vector<std::string> remarks;  ///< in the language of the request, each once
+        outputs;                ///< the targets' files with their bytes; without targets the table, for standard output
+    std::vector<Text> remarks;  ///< each once
     std::vector<Missing> unsolved;
     Status status() const { return unsolved.empty() ? Status::done : Status::unsolved; }
 };
 
-/// Reads, solves and draws `request` for `targets` (the caller has already resolved its outputs and theme). Opens the
-/// output writer if something is drawn and it is not open yet. A status after an error was reported.
-tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vector<Target>& targets,
-                                    const render::Theme& theme, std::optional<OutputWriter>& press);
+/// Reads, solves and draws `request` for `targets`. The caller has resolved its outputs, and its theme by set_theme().
+/// A status after an error was reported.
+tl::expected<Outcome, Status> outcome_of(const SolveRequest& request, const std::vector<Target>& targets);
 
 }  // namespace kinegraph::app

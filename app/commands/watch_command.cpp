@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "app/commands/commands.hpp"
@@ -18,11 +19,6 @@
 #include "app/files/json_text.hpp"
 #include "app/server/local_server.hpp"
 #include "app/server/watched_file.hpp"
-#include "constructions/moving/moving.hpp"
-#include "constructions/positions/conditions.hpp"
-#include "constructions/solving/solve.hpp"
-#include "engine/number/assert.hpp"
-#include "render/live/live_page.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -38,7 +34,7 @@ public:
         for (const int each : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&signals, each);
         ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
         descriptor_ = ::signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC);
-        KG_ASSERT(descriptor_ >= 0, "signals can be waited for");
+        if (descriptor_ < 0) throw std::runtime_error("signals cannot be waited for");
     }
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
@@ -57,8 +53,8 @@ private:
 /// A secret path for the page: other users of this machine can reach its ports too.
 std::string secret_name() {
     std::array<unsigned char, 16> random{};
-    KG_ASSERT(::getrandom(random.data(), random.size(), 0) == static_cast<ssize_t>(random.size()),
-              "there is randomness");
+    if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size()))
+        throw std::runtime_error("the system gives no random numbers");
     constexpr const char* digits = "0123456789abcdef";
     std::string name;
     for (const unsigned char byte : random) {
@@ -76,8 +72,10 @@ std::string as_json(const Watched& watched) {
         if (fault.place)
             faults += "\"line\": " + std::to_string(fault.place->line) +
                       ", \"column\": " + std::to_string(fault.place->column) + ", ";
-        faults += "\"where\": " + json_quoted(fault.error.where) + ", \"en\": " + json_quoted(fault.error.message.en) +
-                  ", \"it\": " + json_quoted(fault.error.message.it) + "}";
+        faults += "\"where\": " + json_quoted(fault.fault.place);
+        for (const Language language : languages)
+            faults += ", \"" + code_of(language) + "\": " + json_quoted(fault.fault.text.in(language));
+        faults += '}';
     }
     return "{\"page\": " + std::to_string(watched.pages) + ", \"faults\": [" + faults + "]}\n";
 }
@@ -115,42 +113,28 @@ private:
     std::shared_ptr<const std::string> page_, news_;
 };
 
-/// Fonts and theme, shared by all pages.
-struct Tools {
-    const WatchRequest& request;
-    const render::Theme& theme;
-    std::optional<OutputWriter> press = std::nullopt;
-
-    render::SheetOptions options() const {
-        render::SheetOptions options;
-        options.language = request.language;
-        options.theme = theme;
-        return options;
-    }
-    Result<std::string> page(const std::string& text, int number) {
-        auto mechanism = read_mechanism(text, bare_name(request.file));
-        if (!mechanism) return tl::unexpected(mechanism.error());
-        const auto solution = solve(*std::move(mechanism));
-        if (!solution) return tl::unexpected(solution.error());
-        if (Errors missing = missing_in(*solution); !missing.empty()) return tl::unexpected(std::move(missing));
-        const auto ready = OutputWriter::prepare(press, request.language);
-        KG_ASSERT(ready.has_value(), "the press was opened before");
-        const auto moving = moving_of(*solution, rereading_of(text, bare_name(request.file), {}));
-        return render::live_page(*solution, moving, options(), dark_beside(request.theme), press->fonts(), number);
-    }
-};
+/// The live page of a file's text.
+Expected<std::string> page_of(const std::string& text, const std::string& name, const DrawingOptions& options,
+                              int version) {
+    const auto file = MechanismFile::parse(text, name);
+    if (!file) return tl::unexpected(file.error());
+    const auto solved = file->solve();
+    if (!solved) return tl::unexpected(solved.error());
+    auto page = live_page(*solved, options, version);
+    if (!page) return tl::unexpected(page.error());
+    return std::move(page->html);
+}
 
 /// Reports faults on the terminal too, as other commands do.
 void tell(const WatchRequest& request, const Watched& watched) {
-    Errors errors;
+    Diagnostics faults;
     for (const FileFault& fault : watched.faults) {
-        Error& error = errors.emplace_back(fault.error);
+        Diagnostic& said = faults.emplace_back(fault.fault);
         if (fault.place)
-            error.message =
-                Words("line {0}, column {1}: {2}", "riga {0}, colonna {1}: {2}", std::to_string(fault.place->line),
-                      std::to_string(fault.place->column), fault.error.message);
+            said.text = Words("line {0}, column {1}: {2}", "riga {0}, colonna {1}: {2}",
+                              std::to_string(fault.place->line), std::to_string(fault.place->column), fault.fault.text);
     }
-    say(spoken(request.file), errors, request.language);
+    say(spoken(request.file), faults, request.language);
 }
 
 /// Serves until interrupted.
@@ -184,10 +168,12 @@ Status watch_command(const WatchRequest& request) {
         say(spoken(request.file), why, language);
         return Status::bad_input;
     }
-    const auto theme = theme_of(request.theme, request.file, language);
-    if (!theme) return theme.error();
-    Tools tools{request, *theme};
-    if (const auto ready = OutputWriter::prepare(tools.press, language); !ready) return ready.error();
+    DrawingOptions options;
+    options.language = language;
+    if (const auto status = set_theme(options, request.theme, request.file)) return *status;
+    const std::string name = bare_name(request.file);
+    auto waiting = waiting_page(name, options);
+    if (!waiting) return cannot_draw(spoken(request.file), waiting.error(), language);
     auto server = LocalServer::open(request.port);
     if (!server) {
         refuse({"port {0} of 127.0.0.1 cannot be had: {1}; choose another, or none",
@@ -197,12 +183,11 @@ Status watch_command(const WatchRequest& request) {
         return Status::output;
     }
     const Interruption interruption;
-    Site site(secret_name(),
-              render::waiting_page(bare_name(request.file), tools.options(), dark_beside(request.theme)));
+    Site site(secret_name(), *std::move(waiting));
     const std::string address = "http://127.0.0.1:" + std::to_string(server->port()) + site.path() + "\n";
     if (const Status printed = print(address, language); printed != Status::done) return printed;
     auto file = std::make_unique<WatchedFile>(
-        request.file, [&tools](const std::string& text, int number) { return tools.page(text, number); });
+        request.file, [&](const std::string& text, int number) { return page_of(text, name, options, number); });
     serve(*server, site, *file, interruption, request);
     // Does not wait for a long solution: its result would be discarded.
     if (file->is_busy()) std::_Exit(static_cast<int>(Status::done));

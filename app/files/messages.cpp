@@ -2,9 +2,8 @@
 #include "app/files/messages.hpp"
 
 #include <cstdio>
+#include <stdexcept>
 #include <utility>
-
-#include "engine/number/assert.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -15,7 +14,7 @@ thread_local Hearing* hearing = nullptr;
 }  // namespace
 
 Hearing::Hearing() {
-    KG_ASSERT(hearing == nullptr, "one listens at a time");
+    if (hearing != nullptr) throw std::logic_error("the messages of a thread are collected once at a time");
     hearing = this;
 }
 Hearing::~Hearing() { hearing = nullptr; }
@@ -41,6 +40,10 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
+Words spoken(const std::string& file) {
+    return file == "-" ? Words("standard input", "ingresso standard") : Words(file);
+}
+
 void say(const Words& subject, const Words& message, Language language) {
     std::string line = one_line(in(subject, language)) + ": " + one_line(in(message, language));
     if (hearing != nullptr) {
@@ -57,14 +60,22 @@ Status refuse(const Words& message, Language language) {
     return Status::bad_input;
 }
 
-Status say(const Words& file, const Errors& errors, Language language) {
+Status say(const Words& file, const Diagnostics& faults, Language language) {
     Status status = Status::bad_input;
-    for (const Error& error : errors) {
-        say(file, error.where.empty() ? error.message : Words(error.where + ": ") + error.message, language);
-        if (error.code == ErrorCode::output) status = Status::output;
-        if (error.code == ErrorCode::no_unique_answer) status = Status::unsolved;
+    for (const Diagnostic& fault : faults) {
+        say(file, fault.place.empty() ? Words(fault.text) : Words(fault.place + ": ") + fault.text, language);
+        if (fault.kind == Diagnostic::Kind::output) status = Status::output;
+        if (fault.kind == Diagnostic::Kind::no_unique_answer) status = Status::unsolved;
     }
     return status;
+}
+
+void remark(const Words& subject, const std::vector<Text>& remarks, Language language) {
+    for (const Text& each : remarks) say(subject, Words("remark: {0}", "osservazione: {0}", each), language);
+}
+
+void say_unsolved(const Words& subject, const Text& what, const Text& why, Language language) {
+    say(subject, Words("unsolved: {0}: {1}", "non determinato: {0}: {1}", what, why), language);
 }
 
 }  // namespace kinegraph::app

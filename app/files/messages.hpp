@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/file/error.hpp"
-#include "render/text/words.hpp"
+#include "app/files/wording.hpp"
 
 namespace kinegraph::app {
 
@@ -23,9 +22,14 @@ enum class Status {
 
 /// Control characters as \n, \t or \x1b, so that a message stays one line.
 std::string one_line(std::string_view text);
-using render::Language;
+/// The name of a file in messages: its path as given, or "standard input".
+Words spoken(const std::string& file);
 /// Writes "SUBJECT: MESSAGE" to standard error; the subject is the name of a file or of the program.
 void say(const Words& subject, const Words& message, Language language);
+/// Writes "SUBJECT: remark: MESSAGE" for each remark.
+void remark(const Words& subject, const std::vector<Text>& remarks, Language language);
+/// Writes "SUBJECT: unsolved: WHAT: WHY".
+void say_unsolved(const Words& subject, const Text& what, const Text& why, Language language);
 /// While it exists, the messages of its thread are collected instead of going to standard error. At most one for each
 /// thread.
 class Hearing {
@@ -43,7 +47,7 @@ private:
 };
 /// Reports a command line that cannot be executed.
 Status refuse(const Words& message, Language language);
-/// Reports every error of a file, one on each line, and returns the exit status.
-Status say(const Words& file, const Errors& errors, Language language);
+/// Reports every fault of a file, one on each line, and returns the exit status.
+Status say(const Words& file, const Diagnostics& faults, Language language);
 
 }  // namespace kinegraph::app

@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "engine/file/words.hpp"
+#include "app/files/wording.hpp"
 
 namespace kinegraph::app {
 

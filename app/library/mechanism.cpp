@@ -62,6 +62,10 @@ Expected<std::vector<Text>> check_exercise(const Mechanism& mechanism) {
     return remarks;
 }
 
+bool is_point_motion(const Mechanism& mechanism) {
+    return mechanism.problem && std::holds_alternative<PointProblem>(mechanism.problem->of);
+}
+
 /// The mechanism with what the options ask for besides.
 Mechanism with_wishes(Mechanism mechanism, const SolveOptions& options) {
     if (options.equations) mechanism.find.equations = true;
@@ -92,6 +96,12 @@ Expected<MechanismFile> MechanismFile::open(const std::string& path, const std::
 Text MechanismFile::title() const { return text_of(state().mechanism.title); }
 bool MechanismFile::has_joints() const { return !stands_for_joints(state().mechanism); }
 
+bool MechanismFile::has_equations() const { return has_joints() || is_point_motion(state().mechanism); }
+MechanismFile::Counts MechanismFile::counts() const {
+    const Mechanism& mechanism = state().mechanism;
+    return {mechanism.bodies.size(), mechanism.joints.size(), mechanism.drivers.size()};
+}
+
 Expected<std::vector<Text>> MechanismFile::check() const {
     const Mechanism& mechanism = state().mechanism;
     const auto pose = draw_pose(mechanism);
@@ -113,10 +123,7 @@ Expected<std::vector<Text>> MechanismFile::check() const {
 }
 
 Expected<Solved> MechanismFile::solve(const SolveOptions& options) const {
-    Mechanism mechanism = state().mechanism;
-    if (options.equations) mechanism.find.equations = true;
-    if (options.virtual_work) mechanism.find.virtual_work = true;
-    auto solution = kinegraph::solve(std::move(mechanism), options.sentences ? Arithmetic::told : Arithmetic::left_out);
+    auto solution = kinegraph::solve(with_wishes(state().mechanism, options), arithmetic_of(options));
     if (!solution) return tl::unexpected(diagnostics_of(solution.error()));
     if (const Errors missing = missing_in(*solution); !missing.empty()) return tl::unexpected(diagnostics_of(missing));
     return solved(*std::move(solution), SourceFile{state().text, state().name, state().set});
@@ -154,7 +161,7 @@ Expected<std::string> MechanismFile::pairs(TextForm form, Language language) con
 
 Expected<std::string> MechanismFile::equations(TextForm form, Language language) const {
     Mechanism mechanism = state().mechanism;
-    const bool of_point = mechanism.problem && std::holds_alternative<PointProblem>(mechanism.problem->of);
+    const bool of_point = is_point_motion(mechanism);
     mechanism.find.equations = !of_point;
     const auto solution = kinegraph::solve(std::move(mechanism));
     if (!solution) return tl::unexpected(diagnostics_of(solution.error()));

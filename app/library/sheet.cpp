@@ -38,6 +38,11 @@ Expected<const render::Fonts*> fonts_of_thread() {
     fonts.emplace(*std::move(opened));
     return &*fonts;
 }
+/// The outlines of the thread's fonts: most letters of a sheet were on the sheet before.
+render::GlyphPaths& glyph_paths_of_thread() {
+    thread_local render::GlyphPaths paths;
+    return paths;
+}
 
 /// The fonts for pages that are already laid out.
 const render::Fonts* fonts_that_drew() {
@@ -57,6 +62,12 @@ Expected<render::Theme> theme_of(const DrawingOptions& options) {
     for (const std::string_view each : render::theme_names()) known.append(known.empty() ? "" : ", ").append(each);
     return refused(Diagnostic::Kind::bad_input, Words("there is no theme {0}; there are {1}",
                                                       "non c’è il tema {0}; ci sono {1}", options.theme, known));
+}
+
+/// The theme of a live page on dark screens. The built-in colour theme is combined with the dark one; any other choice
+/// is used as it is.
+std::optional<render::Theme> dark_beside(const DrawingOptions& options) {
+    return options.theme_file.empty() && options.theme == "colour" ? render::built_in_theme("dark") : std::nullopt;
 }
 
 std::vector<Text> remarks_on(const render::Fonts& fonts) {
@@ -89,8 +100,8 @@ Expected<std::vector<render::Page>> pages_of(const Solution& solution, const Dra
     std::string names;
     for (const std::string& each : render::figure_names(solution, options, fonts))
         names += (names.empty() ? "" : ", ") + each;
-    return refused(Diagnostic::Kind::bad_input, Words("there is no figure {0}; there are {1}",
-                                                      "non c’è la figura {0}; ci sono {1}", wanted.figure, names));
+    return refused(Diagnostic::Kind::bad_input, Words("{0}: there is no such figure; there are {1}",
+                                                      "{0}: non c’è questa figura; ci sono {1}", wanted.figure, names));
 }
 
 Drawing drawing(std::vector<render::Page> pages, std::vector<Text> remarks) {
@@ -140,7 +151,7 @@ std::vector<Text> Drawing::remarks() const { return state().remarks; }
 std::vector<std::string> Drawing::svg(Lettering lettering) const {
     const auto fonts = fonts_that_drew();
     if (lettering == Lettering::live) return render::to_live_svg(state().pages, *fonts);
-    return render::to_svg(state().pages, *fonts);
+    return render::to_svg(state().pages, *fonts, glyph_paths_of_thread());
 }
 
 Expected<std::string> Drawing::png(std::size_t page, double dpi) const {
@@ -193,18 +204,32 @@ Expected<std::vector<std::string>> figure_names(const Solved& solved, const Draw
     return render::figure_names(solved.state().solution, *sheet, **fonts);
 }
 
-Expected<std::string> live_page(const Solved& solved, const DrawingOptions& options) {
+Expected<LivePage> live_page(const Solved& solved, const DrawingOptions& options, int version) {
     const auto fonts = fonts_of_thread();
     if (!fonts) return tl::unexpected(fonts.error());
     const auto sheet = sheet_options_of(options);
     if (!sheet) return tl::unexpected(sheet.error());
     const auto& source = solved.state().source;
     const Rereading file = source ? rereading_of(source->text, source->name, source->set) : Rereading{};
-    // The built-in colour theme is combined with the dark one for dark screens; any other choice is used as it is.
-    const bool by_screen = options.theme_file.empty() && options.theme == "colour";
     const Solution& solution = solved.state().solution;
-    return render::live_page(solution, moving_of(solution, file), *sheet,
-                             by_screen ? render::built_in_theme("dark") : std::nullopt, **fonts);
+    std::string html =
+        render::live_page(solution, moving_of(solution, file), *sheet, dark_beside(options), **fonts, version);
+    return LivePage{std::move(html), remarks_on(**fonts)};
+}
+
+Expected<std::string> waiting_page(const std::string& name, const DrawingOptions& options) {
+    const auto sheet = sheet_options_of(options);
+    if (!sheet) return tl::unexpected(sheet.error());
+    return render::waiting_page(name, *sheet, dark_beside(options));
+}
+
+std::vector<std::string> theme_names() {
+    const auto& names = render::theme_names();
+    return {names.begin(), names.end()};
+}
+Expected<void> check_theme(std::string_view theme_file) {
+    if (const auto theme = render::read_theme(theme_file); !theme) return tl::unexpected(diagnostics_of(theme.error()));
+    return {};
 }
 
 Expected<Drawing> draw_pair_catalogue(const DrawingOptions& options) {

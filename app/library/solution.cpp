@@ -5,9 +5,11 @@
 #include "app/library/state.hpp"
 #include "engine/equations/equations.hpp"
 #include "engine/results/quantity_name.hpp"
+#include "engine/solution/displacements.hpp"
 #include "engine/solution/problem_solution.hpp"
 #include "render/equations/chapters.hpp"
 #include "render/equations/equation_text.hpp"
+#include "render/figures/figure.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/text/words.hpp"
 
@@ -23,6 +25,22 @@ Solved solved(Solution solution, std::optional<SourceFile> source) {
 }
 
 namespace {
+
+/// Why Joukowsky's lever cannot be drawn; none if it can.
+std::optional<Text> why_no_lever(const Solution& solution) {
+    switch (render::no_lever(solution)) {
+        case render::NoLever::drawn: break;
+        case render::NoLever::no_forces:
+            return text_of(Words("no forces act, or none are asked for", "nessuna forza agisce o è richiesta"));
+        case render::NoLever::no_velocities:
+            return text_of(Words("forces have powers only where something is driven and its velocities are known",
+                                 "le forze hanno potenza solo dove qualcosa è comandato e le sue velocità sono note"));
+        case render::NoLever::nothing_moves:
+            return text_of(
+                Words("no force acts at a point that moves", "nessuna forza agisce in un punto che si muove"));
+    }
+    return std::nullopt;
+}
 
 std::optional<ExactNumber> exact_of(const Exact& value) {
     ExactNumber number{value.to_fraction(), "1", value.to_double()};
@@ -90,6 +108,30 @@ std::vector<Text> Solved::remarks() const {
     if (state().solution.problem)
         for (const Words& each : state().solution.problem->remarks) all.push_back(text_of(each));
     return all;
+}
+
+Text Solved::title() const { return text_of(state().solution.mechanism.title); }
+Text Solved::subject() const {
+    const auto& problem = state().solution.problem;
+    return problem ? text_of(problem->subject) : Text{};
+}
+
+std::optional<Text> Solved::why_without(Addition addition) const {
+    const Solution& solution = state().solution;
+    const auto reason = [](const auto& found, const Words& without_joints) -> std::optional<Text> {
+        if (!found) return text_of(without_joints);
+        return found->why_not.empty() ? std::nullopt : std::optional(text_of(found->why_not));
+    };
+    switch (addition) {
+        case Addition::lever: return why_no_lever(solution);
+        case Addition::equations:
+            return reason(solution.equations, {"a problem in place of joints has no loops",
+                                               "un problema al posto delle coppie non ha maglie"});
+        case Addition::virtual_work:
+            return reason(solution.displacements, {"a problem in place of joints has no bodies that are displaced",
+                                                   "un problema al posto delle coppie non ha corpi da spostare"});
+    }
+    return std::nullopt;
 }
 
 std::vector<CheckedValue> Solved::checks() const {

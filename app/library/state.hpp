@@ -60,6 +60,7 @@ struct Drawing::State : Owned {
 };
 
 render::Language language_of(Language language);
+Words words_of(const Text& text);
 Text text_of(const Words& words);
 Text text_of(const Message& message);
 Diagnostics diagnostics_of(const Errors& errors);

@@ -18,10 +18,22 @@ std::string_view version() {
     return KINEGRAPH_VERSION_TEXT(KINEGRAPH_VERSION_MAJOR, KINEGRAPH_VERSION_MINOR, KINEGRAPH_VERSION_PATCH);
 }
 
+std::string code_of(Language language) { return render::code_of(language_of(language)); }
+Language language_named(std::string_view code) {
+    return render::language_of(code) == render::Language::it ? Language::it : Language::en;
+}
+Text filled(const Text& pattern, const std::vector<Text>& arguments) {
+    std::array<Words, 10> words;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        words.at(i) = i < arguments.size() ? words_of(arguments[i]) : Words("{" + std::to_string(i) + "}");
+    return text_of(Words(pattern.in(Language::en), pattern.in(Language::it), words));
+}
+
 render::Language language_of(Language language) {
     return language == Language::it ? render::Language::it : render::Language::en;
 }
 
+Words words_of(const Text& text) { return {text.in(Language::en), text.in(Language::it)}; }
 Text text_of(const Words& words) { return {{in(words, render::Language::en), in(words, render::Language::it)}}; }
 Text text_of(const Message& message) {
     return {{render::tell(message, render::Language::en), render::tell(message, render::Language::it)}};

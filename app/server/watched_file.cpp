@@ -10,10 +10,9 @@
 namespace kinegraph::app {
 namespace {
 
-Errors ours(const char* what) {
-    return {{ErrorCode::bad_input,
-             "",
-             {"this is a fault of ours: {0}", "questo è un errore nostro: {0}", std::string(what)}}};
+Diagnostics ours(const char* what) {
+    return {{Diagnostic::Kind::bad_input, "",
+             Words("this is a fault of ours: {0}", "questo è un errore nostro: {0}", std::string(what))}};
 }
 
 }  // namespace
@@ -64,7 +63,7 @@ void WatchedFile::hand_over() {
         // The earlier content no longer counts: if the same content returns, it is solved again.
         solved_.reset();
         waiting_.reset();
-        watched_.faults = {{std::nullopt, Error{ErrorCode::bad_input, "", text.error()}}};
+        watched_.faults = {{std::nullopt, Diagnostic{Diagnostic::Kind::bad_input, "", text.error()}}};
         changed_ = true;
         return;
     }
@@ -86,7 +85,7 @@ void WatchedFile::work() {
             number = watched_.pages + 1;
             working_ = true;
         }
-        Result<std::string> made;
+        Expected<std::string> made;
         try {
             made = making_(text, number);
         } catch (const std::exception& fault) {
@@ -98,7 +97,7 @@ void WatchedFile::work() {
     }
 }
 
-void WatchedFile::finish(Result<std::string> made, const std::string& text) {
+void WatchedFile::finish(Expected<std::string> made, const std::string& text) {
     const std::lock_guard lock(mutex_);
     working_ = false;
     if (waiting_ || !solved_) return;  // the file was saved again or removed: this result is obsolete
@@ -107,9 +106,9 @@ void WatchedFile::finish(Result<std::string> made, const std::string& text) {
         watched_.page = std::make_shared<const std::string>(*std::move(made));
         ++watched_.pages;
     } else {
-        for (Error& error : made.error()) {
-            auto place = place_in_file(text, error.where);
-            watched_.faults.push_back({place, std::move(error)});
+        for (Diagnostic& fault : made.error()) {
+            auto place = place_in_file(text, fault.place);
+            watched_.faults.push_back({place, std::move(fault)});
         }
     }
     changed_ = true;

@@ -11,15 +11,16 @@
 #include <thread>
 #include <vector>
 
+#include <kinegraph/error.hpp>
+
 #include "app/files/place_in_file.hpp"
-#include "engine/file/error.hpp"
 
 namespace kinegraph::app {
 
 /// A fault of a file and its position.
 struct FileFault {
     std::optional<PlaceInFile> place;
-    Error error;
+    Diagnostic fault;
 };
 
 /// The state to show: the last page that could be made, and the faults of the file since then.
@@ -32,7 +33,7 @@ struct Watched {
 class WatchedFile {
 public:
     /// Makes page `number` from a file's text. Error: the faults of the file. Called on the worker thread only.
-    using Making = std::function<Result<std::string>(const std::string& text, int number)>;
+    using Making = std::function<Expected<std::string>(const std::string& text, int number)>;
 
     WatchedFile(std::string path, Making making);
     WatchedFile(const WatchedFile&) = delete;
@@ -54,7 +55,7 @@ private:
     static Stamp stamp_of(const std::string& path);
     void hand_over();
     void work();
-    void finish(Result<std::string> made, const std::string& text);
+    void finish(Expected<std::string> made, const std::string& text);
 
     const std::string path_;
     const Making making_;

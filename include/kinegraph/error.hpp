@@ -8,6 +8,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -19,14 +20,29 @@ enum class Language {
     en,  ///< English
     it   ///< Italian
 };
+/// All languages, in the order of Language.
+inline constexpr std::array languages{Language::en, Language::it};
+/// BCP 47: "en".
+std::string code_of(Language language);
+/// The language of a code, upper or lower case; English for an unknown code.
+Language language_named(std::string_view code);
 
 /// A text in every language.
 struct Text {
-    std::array<std::string, 2> by_language;  ///< in the order of Language
+    std::array<std::string, languages.size()> by_language;  ///< in the order of Language
 
     /// The text in one language, UTF-8.
     const std::string& in(Language language) const { return by_language[static_cast<std::size_t>(language)]; }
+    /// Whether it is empty in every language.
+    bool empty() const {
+        for (const std::string& each : by_language)
+            if (!each.empty()) return false;
+        return true;
+    }
 };
+/// A pattern with its places {0} to {9} filled by the arguments, each in the pattern's language. A place without an
+/// argument stays as it is.
+Text filled(const Text& pattern, const std::vector<Text>& arguments);
 
 /// One fault: what is wrong, where, and what to do.
 struct Diagnostic {

@@ -2,6 +2,7 @@
 /// Mechanism files: reading, checking and solving them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,6 +58,14 @@ public:
     Text title() const;
     /// Whether it has joints; if not, it states a problem without joints.
     bool has_joints() const;
+    /// Whether equations() can apply: a mechanism, or the motion of a point.
+    bool has_equations() const;
+    /// How many bodies (with the frame), joints and drivers it has.
+    struct Counts {
+        std::size_t bodies = 0, joints = 0, drivers = 0;  ///< in the file
+    };
+    /// Counts what the file lists.
+    Counts counts() const;
     /// Places the points and looks for likely mistakes: points that two bodies share without a joint, unsupported
     /// bodies, conditions of an exercise that are not fulfilled. Fails if curves do not meet.
     Expected<std::vector<Text>> check() const;

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -85,9 +86,21 @@ Expected<Drawing> draw(const Solved& solved, const DrawingOptions& options = {})
 Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& options = {});
 /// Names of the figures that can be drawn alone, in the sheet's order.
 Expected<std::vector<std::string>> figure_names(const Solved& solved, const DrawingOptions& options = {});
-/// The live page: one self-contained HTML file in which the user moves the mechanism and the construction follows.
-/// Ignores the paper, figure, steps and sheet options. Fails as draw() does.
-Expected<std::string> live_page(const Solved& solved, const DrawingOptions& options = {});
+/// A live page: one self-contained HTML file in which the user moves the mechanism and the construction follows.
+struct LivePage {
+    std::string html;           ///< UTF-8
+    std::vector<Text> remarks;  ///< characters missing from the font
+};
+/// Makes the live page. Ignores the paper, figure, steps and sheet options. `version`: of a page that a server makes
+/// again whenever the file changes, from 1: the page asks the server for a later one (docs/live_page.md); 0: none.
+/// Fails as draw() does.
+Expected<LivePage> live_page(const Solved& solved, const DrawingOptions& options = {}, int version = 0);
+/// The page to serve until the file called `name` has been solved for the first time. Fails as draw() does.
+Expected<std::string> waiting_page(const std::string& name, const DrawingOptions& options = {});
+/// The built-in themes.
+std::vector<std::string> theme_names();
+/// Reads the text of a theme file. Fails with all its faults, each with its place.
+Expected<void> check_theme(std::string_view theme_file);
 /// The illustrated catalogue of pairs. Fails as draw() does.
 Expected<Drawing> draw_pair_catalogue(const DrawingOptions& options = {});
 

@@ -67,6 +67,18 @@ public:
         Text reason;  ///< why it has no unique value
     };
 
+    /// What a solution may contain in addition to its figures and results.
+    enum class Addition {
+        lever,         ///< Joukowsky's lever (DrawingOptions::lever)
+        equations,     ///< the closure equations (SolveOptions::equations)
+        virtual_work,  ///< input forces and couples by virtual work (SolveOptions::virtual_work)
+    };
+
+    /// The title of the file; in another position than the drawn one followed by the position. Empty if the file has
+    /// none and the position is the drawn one.
+    Text title() const;
+    /// What a file without joints is about: "impact of two bodies". Empty for a mechanism.
+    Text subject() const;
     /// All results in the order of the results file, including lengths of vectors. Never NaN or infinite.
     std::vector<ResultValue> values() const;
     /// The result with that name; none if it does not exist.
@@ -78,6 +90,8 @@ public:
     std::vector<Text> statements() const;
     /// Results that are not determined, with the reason.
     std::vector<Missing> unsolved() const;
+    /// Why the solution has no such addition; none if it has, or could have, one.
+    std::optional<Text> why_without(Addition addition) const;
     /// Remarks: redundant constraints, points that were moved onto curves, bodies that separate.
     std::vector<Text> remarks() const;
     /// Each result and its value by the numeric check, which shares only the file with the construction.

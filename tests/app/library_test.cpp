@@ -108,7 +108,7 @@ TEST(PublicFace, DrawsInEveryFormat) {
     EXPECT_EQ(drawing->pdf().value().substr(0, 5), "%PDF-");
     EXPECT_NE(drawing->tex().find("tikzpicture"), std::string::npos);
     EXPECT_FALSE(drawing->png(drawing->pages()).has_value());
-    EXPECT_NE(live_page(solved(slider_crank)).value().find("<html"), std::string::npos);
+    EXPECT_NE(live_page(solved(slider_crank)).value().html.find("<html"), std::string::npos);
 }
 
 TEST(PublicFace, DrawsOneFigureByName) {
@@ -199,6 +199,26 @@ TEST(PublicFace, DrawsVariantsInOneOrder) {
     }
 }
 
+TEST(PublicFace, SaysWhyAnAdditionIsMissing) {
+    const Solved found = solved(slider_crank);
+    ASSERT_TRUE(found.why_without(Solved::Addition::lever).has_value());  // no forces act
+    EXPECT_EQ(found.why_without(Solved::Addition::lever)->in(Language::en), "no forces act, or none are asked for");
+    const auto file = MechanismFile::parse(slider_crank, "slider_crank.json");
+    EXPECT_FALSE(file->solve({.equations = true})->why_without(Solved::Addition::equations).has_value());
+    EXPECT_EQ(file->counts().bodies, 4u);
+    EXPECT_EQ(file->counts().joints, 4u);
+    EXPECT_EQ(file->counts().drivers, 1u);
+}
+
+TEST(PublicFace, FillsPatterns) {
+    const Text pattern{{"{0} of {1}, {2}", "{0} di {1}, {2}"}};
+    const Text filled_once = filled(pattern, {Text{{"one", "uno"}}, Text{{"two", "due"}}});
+    EXPECT_EQ(filled_once.in(Language::en), "one of two, {2}");
+    EXPECT_EQ(filled_once.in(Language::it), "uno di due, {2}");
+    EXPECT_EQ(language_named("IT"), Language::it);
+    EXPECT_EQ(code_of(Language::it), "it");
+}
+
 TEST(PublicFace, ReadsACam) {
     const auto cam = CamFile::open(KINEGRAPH_EXAMPLES_DIR "/cams/disc_cam.json");
     ASSERT_TRUE(cam.has_value());
@@ -208,12 +228,16 @@ TEST(PublicFace, ReadsACam) {
 
 TEST(PublicFace, ComparesPictures) {
     const auto drawing = draw(solved(slider_crank));
-    const std::string one = drawing->png(0, 30).value();
-    EXPECT_EQ(compare_pictures(one, one)->differing, 0u);
+    const auto decoded = [](const Drawing& drawn) { return PngPicture::decode(drawn.png(0, 30).value()).value(); };
+    const PngPicture one = decoded(*drawing);
+    EXPECT_EQ(compare_pictures(one, one).differing, 0u);
     DrawingOptions dark;
     dark.theme = "dark";
-    EXPECT_GT(compare_pictures(one, draw(solved(slider_crank), dark)->png(0, 30).value())->share(), 0.5);
-    EXPECT_FALSE(compare_pictures(one, "no picture").has_value());
+    const PictureComparison found = compare_pictures(one, decoded(*draw(solved(slider_crank), dark)));
+    EXPECT_GT(found.share(), 0.5);
+    EXPECT_TRUE(PngPicture::is_png(found.side_by_side));
+    EXPECT_TRUE(compare_pictures(one, one, 0.1, false).side_by_side.empty());
+    EXPECT_FALSE(PngPicture::decode("no picture").has_value());
 }
 
 TEST(PublicFace, ServesThreadsThatCallNothingBesides) {
