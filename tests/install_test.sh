@@ -37,6 +37,17 @@ grep -q '^4: ' "$work/class_of_four"
 cmake -S "$here/../examples/library" -B "$work/subproject" -G Ninja -DKINEGRAPH_SOURCE="$here/.." -DCMAKE_BUILD_TYPE=Release
 ninja -C "$work/subproject" CMakeFiles/solve_and_draw.dir/solve_and_draw.cpp.o
 
+# The shared library shows the public face and nothing else, and the example program draws the same with it.
+cmake --build "$build" --target kinegraph_shared
+nm -DC --defined-only "$build/libkinegraph.so" | grep -v ' A ' | grep -v 'kinegraph::' && { echo "these are no names of the public face"; exit 1; }
+nm -D --defined-only "$build/libkinegraph.so" | awk '{print $NF}' | sort >"$work/shown"
+nm -u "$(find "$build/tests" -name 'library_test.cpp.o' | head -n 1)" | awk '/_ZN?K?9kinegraph/ {print $NF}' | sort >"$work/needed"
+test -s "$work/needed"
+if comm -13 "$work/shown" "$work/needed" | c++filt | grep .; then echo "not in cmake/exported_symbols.map"; exit 1; fi
+c++ -std=c++20 -I"$here/../include" "$here/../examples/library/solve_and_draw.cpp" "$build/libkinegraph.so" -o "$work/with_shared"
+LD_LIBRARY_PATH="$build" "$work/with_shared" "$here/../examples/four_bar.json" "$work/shared.svg" >/dev/null
+cmp "$work/shared.svg" "$work/a.svg"
+
 # pkg-config finds it too.
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name kinegraph.pc)") pkg-config --exists 'kinegraph >= 0.1'
 
