@@ -14,8 +14,22 @@ set(kinegraph_sanitized_suites
     Cam Program Forces Derivative Trusses Equations.* EquationsAsJson NamedResults Variants Cycle WorkedArithmetic Examples
     ForceLaws ForceExamples HigherPairs Hertz Impact PointMotion VirtualWork ".*Superposed" RandomChains1 RandomMechanisms1
     RandomForces1 RoundedDegenerateMechanisms Sheet "Sheet/EveryExample" "Lying/OverlapOnPaper" Handouts "Examples/Steps" RandomPages1
-    Svg Backends Png Pdf Picture Markup LiveText Tex Type Utf8 DiffCommand QuizOf)
+    Svg Backends Png Pdf Picture Markup LiveText Tex Type Utf8 DiffCommand QuizOf PublicFace)
 list(JOIN kinegraph_sanitized_suites "|" kinegraph_sanitized_suites)
+
+# has_sanitized_suite(FILE VARIABLE): whether the file has a test of one of these suites.
+function(has_sanitized_suite file variable)
+    file(STRINGS ${file} lines REGEX "^(TEST|TEST_F|TEST_P|TYPED_TEST|INSTANTIATE_TEST_SUITE_P)\\(")
+    set(${variable} FALSE PARENT_SCOPE)
+    foreach(line IN LISTS lines)
+        string(REGEX MATCH "\\(([A-Za-z0-9_]+)(, *([A-Za-z0-9_]+))?" found "${line}")
+        foreach(suite "${CMAKE_MATCH_1}" "${CMAKE_MATCH_1}/${CMAKE_MATCH_3}")
+            if(suite MATCHES "^(${kinegraph_sanitized_suites})$")
+                set(${variable} TRUE PARENT_SCOPE)
+            endif()
+        endforeach()
+    endforeach()
+endfunction()
 
 # Sanitizers keep freed memory to detect its use, so the memory of a process grows and these suites would fail.
 set(kinegraph_unsanitized_suites "BatchMemory")
