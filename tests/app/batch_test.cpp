@@ -13,6 +13,7 @@
 #include "tests/support/command_line.hpp"
 #include "tests/support/random_mechanism.hpp"
 
+namespace batch_test {
 namespace {
 
 using namespace kinegraph::tests;
@@ -375,3 +376,4 @@ TEST_F(BatchMemory, DoesNotGrowWithTheLines) {
 }
 
 }  // namespace
+}  // namespace batch_test

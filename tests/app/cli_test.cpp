@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+namespace cli_test {
 namespace {
 
 using namespace kinegraph::tests;
@@ -417,3 +418,4 @@ TEST_F(CommandLine, OddNamesAreOnlyNames) {
 }
 
 }  // namespace
+}  // namespace cli_test

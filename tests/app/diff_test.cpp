@@ -6,6 +6,7 @@
 #include "render/backends/picture_difference.hpp"
 #include "tests/support/command_line.hpp"
 
+namespace diff_test {
 namespace {
 
 using namespace kinegraph::tests;
@@ -160,3 +161,4 @@ TEST_F(DiffCommand, HostileSvgsAreRefused) {
 }
 
 }  // namespace
+}  // namespace diff_test

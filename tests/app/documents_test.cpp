@@ -19,7 +19,7 @@
 #include "engine/reading/mechanism_schema.hpp"
 #include "tests/support/command_line.hpp"
 
-namespace kinegraph {
+namespace kinegraph::documents_test {
 namespace {
 
 using Cells = std::vector<std::string>;
@@ -180,4 +180,4 @@ TEST_F(Documents, ListTheExitStatusesOfTheHelp) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::documents_test

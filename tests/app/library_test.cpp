@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+namespace library_test {
 namespace {
 
 using namespace kinegraph;
@@ -253,3 +254,4 @@ TEST(PublicFace, ServesThreadsThatCallNothingBesides) {
 }
 
 }  // namespace
+}  // namespace library_test

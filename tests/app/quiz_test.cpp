@@ -17,7 +17,7 @@
 #include "tests/support/fonts.hpp"
 #include "tests/support/pages.hpp"
 
-namespace kinegraph::tests {
+namespace kinegraph::tests::quiz_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -445,4 +445,4 @@ TEST_F(QuizFiles, AreTheSameBytesEverywhere) {
 }
 
 }  // namespace
-}  // namespace kinegraph::tests
+}  // namespace kinegraph::tests::quiz_test

@@ -5,6 +5,7 @@
 
 #include "tests/support/command_line.hpp"
 
+namespace same_bytes_test {
 namespace {
 
 using namespace kinegraph::tests;
@@ -104,3 +105,4 @@ TEST_F(SameBytes, AMissingFontIsFourAndNamesThePackage) {
 }
 
 }  // namespace
+}  // namespace same_bytes_test

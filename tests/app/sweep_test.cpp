@@ -7,7 +7,7 @@
 
 #include "tests/support/command_line.hpp"
 
-namespace kinegraph::tests {
+namespace kinegraph::tests::sweep_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -332,4 +332,4 @@ TEST_F(SolveAt, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace kinegraph::tests
+}  // namespace kinegraph::tests::sweep_test

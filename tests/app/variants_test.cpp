@@ -5,7 +5,7 @@
 
 #include "tests/support/command_line.hpp"
 
-namespace kinegraph::tests {
+namespace kinegraph::tests::variants_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -427,4 +427,4 @@ TEST_F(SweepOver, LeavesOutWhatDoesNotCloseAndSaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace kinegraph::tests
+}  // namespace kinegraph::tests::variants_test

@@ -11,7 +11,7 @@
 #include "tests/support/files.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::centrodes_test {
 namespace {
 
 using Spot = Centrodes::Spot;
@@ -130,4 +130,4 @@ TEST(Centrodes, OfAHingeAreAPointAndOfASlideNone) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::centrodes_test

@@ -27,7 +27,7 @@
 #include "tests/support/replay_laws.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::chains_random_test {
 namespace {
 
 // --- the chains
@@ -199,4 +199,4 @@ TEST(RandomChains3, ObeyTheLaws) { hold_quarter(2); }
 TEST(RandomChains4, ObeyTheLaws) { hold_quarter(3); }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::chains_random_test

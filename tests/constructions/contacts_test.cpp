@@ -15,7 +15,7 @@
 #include "tests/support/schema_gate.hpp"
 #include "tests/support/through_all.hpp"
 
-namespace kinegraph {
+namespace kinegraph::contacts_test {
 namespace {
 
 using namespace pages;
@@ -207,4 +207,4 @@ TEST(Contacts, StepsGoOnToTheContact) {
 INSTANTIATE_TEST_SUITE_P(Examples, ContactSheets, testing::Values("cam_and_roller", "driven_wheel", "spur_gears"));
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::contacts_test

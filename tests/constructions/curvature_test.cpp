@@ -11,7 +11,7 @@
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::curvature_test {
 namespace {
 
 using tests::solved;
@@ -279,4 +279,4 @@ TEST(Curvature, IsWrittenAsTheFormatSays) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::curvature_test

@@ -15,7 +15,7 @@
 #include "tests/support/files.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::cycle_test {
 namespace {
 
 constexpr double pi_ = std::numbers::pi;
@@ -274,4 +274,4 @@ TEST(Cycle, EveryExampleThatIsDrivenIsSweptAndAgreesWithTheCheck) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::cycle_test

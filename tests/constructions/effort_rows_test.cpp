@@ -12,7 +12,7 @@
 #include "tests/support/files.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::effort_rows_test {
 namespace {
 
 /// A mechanism's file, which asks for `find`, along the way of its first driver.
@@ -176,4 +176,4 @@ TEST(EffortRows, RandomLoadsAreBalancedAsByForces) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::effort_rows_test

@@ -13,7 +13,7 @@
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::examples_test {
 namespace {
 
 using tests::example;
@@ -722,4 +722,4 @@ TEST(Examples, CamFollowersMoveByTheirClosedForms) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::examples_test

@@ -2,6 +2,7 @@
 #include "render/sheet/sheet.hpp"
 #include "tests/support/pages.hpp"
 
+namespace followers_test {
 namespace {
 
 using namespace kinegraph::pages;
@@ -33,3 +34,4 @@ TEST(Followers, OneThatSwingsIsARocker) {
 }
 
 }  // namespace
+}  // namespace followers_test

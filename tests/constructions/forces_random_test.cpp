@@ -19,7 +19,7 @@
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::forces_random_test {
 namespace {
 
 /// A fault of ours is a failure of this mechanism, not of the run.
@@ -86,4 +86,4 @@ TEST(RandomForces, FoundWrongOnce) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::forces_random_test

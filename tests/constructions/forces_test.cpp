@@ -14,7 +14,7 @@
 #include "constructions/solving/solve.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::forces_test {
 namespace {
 
 std::size_t at(auto index) { return at_index(index); }
@@ -634,4 +634,4 @@ TEST(ForceResultsFile, HasTheShapeOfTheFormat) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::forces_test

@@ -9,7 +9,7 @@
 #include "constructions/problems/methods.hpp"
 #include "tests/support/problem_tests.hpp"
 
-namespace kinegraph {
+namespace kinegraph::hertz_test {
 namespace {
 
 using std::numbers::pi;
@@ -105,4 +105,4 @@ TEST(Hertz, RemarksWhereTheContactIsNotSmall) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::hertz_test

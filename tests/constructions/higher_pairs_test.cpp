@@ -15,7 +15,7 @@
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::higher_pairs_test {
 namespace {
 
 using tests::solved;
@@ -497,4 +497,4 @@ TEST(HigherPairs, RandomMechanismsAgreeWithTheCheck) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::higher_pairs_test

@@ -10,7 +10,7 @@
 #include "constructions/solving/solve.hpp"
 #include "tests/support/problem_tests.hpp"
 
-namespace kinegraph {
+namespace kinegraph::impact_test {
 namespace {
 
 using tests::example;
@@ -180,4 +180,4 @@ TEST(Impact, ThatIsNoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::impact_test

@@ -18,7 +18,7 @@
 #include "render/sheet/sheet.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::instantaneous_motion_test {
 namespace {
 
 using Value = std::variant<Vector, Bearing>;
@@ -573,4 +573,4 @@ TEST(InstantaneousMotion, EveryCaseIsDrawnInBothLanguages) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::instantaneous_motion_test

@@ -13,7 +13,7 @@
 #include "tests/support/sketch.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::laws_test {
 namespace {
 
 using namespace sketch;
@@ -617,4 +617,4 @@ TEST(Redundant, TripleParallelCrankMovesAndIsRemarked) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::laws_test

@@ -5,7 +5,7 @@
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph::tests {
+namespace kinegraph::tests::likely_mistakes_test {
 namespace {
 
 /// A four-bar linkage whose bodies, joints and further members are given.
@@ -135,4 +135,4 @@ TEST(LikelyMistakes, TheDriversThatLackAreCounted) {
 }
 
 }  // namespace
-}  // namespace kinegraph::tests
+}  // namespace kinegraph::tests::likely_mistakes_test

@@ -14,7 +14,7 @@
 #include "tests/support/problem_tests.hpp"
 #include "tests/support/schema_gate.hpp"
 
-namespace kinegraph {
+namespace kinegraph::point_motion_test {
 namespace {
 
 using std::numbers::pi;
@@ -421,4 +421,4 @@ TEST(Displacements, RoundedPlacesAreMovedAndSaid) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::point_motion_test

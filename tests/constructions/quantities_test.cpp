@@ -19,7 +19,7 @@
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::quantities_test {
 namespace {
 
 using tests::example;
@@ -392,4 +392,4 @@ TEST(Names, OfTheFileTakeNoTableAway) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::quantities_test

@@ -17,7 +17,7 @@
 #include "tests/support/replay_laws.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::random_test {
 namespace {
 
 std::size_t at(auto index) { return at_index(index); }
@@ -126,4 +126,4 @@ TEST(RandomMechanismsOfASeed, AreTheSameEverywhere) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::random_test

@@ -18,7 +18,7 @@
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::redundant_test {
 namespace {
 
 using tests::solved;
@@ -420,4 +420,4 @@ TEST(Redundant, AtRandomWhatTheNullSpaceLeavesAloneIsGivenAndNoMore) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::redundant_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::relative_apart_test {
 namespace {
 
 using Apart = RelativeMotion::Apart;
@@ -110,4 +110,4 @@ TEST(MotionThroughAnObserver, WantsOneOnABody) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::relative_apart_test

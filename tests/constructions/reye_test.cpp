@@ -9,7 +9,7 @@
 #include "constructions/solving/solve.hpp"
 #include "tests/support/problem_tests.hpp"
 
-namespace kinegraph {
+namespace kinegraph::reye_test {
 namespace {
 
 using std::numbers::pi;
@@ -101,4 +101,4 @@ TEST(Reye, AgreesWithTheStripsOnEveryExample) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::reye_test

@@ -25,7 +25,7 @@
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::statics_test {
 namespace {
 
 using tests::example;
@@ -306,4 +306,4 @@ TEST(RandomStatics, AllKindsOfLoadObeyTheLaws) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::statics_test

@@ -15,6 +15,7 @@
 #include "tests/support/pages.hpp"
 #include "tests/support/told.hpp"
 
+namespace superposition_test {
 namespace {
 
 using namespace kinegraph;
@@ -362,3 +363,4 @@ TEST(CoupleOfTwoForces, SaysForceTimesArm) {
 }
 
 }  // namespace
+}  // namespace superposition_test

@@ -11,7 +11,7 @@
 #include "constructions/solving/solve.hpp"
 #include "tests/support/motion_laws.hpp"
 
-namespace kinegraph {
+namespace kinegraph::trials_test {
 namespace {
 
 std::size_t at(auto index) { return at_index(index); }
@@ -245,4 +245,4 @@ TEST(Trials, LeadThroughChainsOfTenToFourteenLinks) {
 TEST(Trials, LeadThroughCoupledDrivers) { hold_cubic_chains(5, 5); }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::trials_test

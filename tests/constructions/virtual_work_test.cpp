@@ -11,7 +11,7 @@
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::virtual_work_test {
 namespace {
 
 Solution displaced(const std::string& text) {
@@ -156,4 +156,4 @@ TEST(VirtualWork, HasNothingToSayOfWhatStands) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::virtual_work_test

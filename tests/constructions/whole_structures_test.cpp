@@ -15,6 +15,7 @@
 #include "tests/support/pages.hpp"
 #include "tests/support/told.hpp"
 
+namespace whole_structures_test {
 namespace {
 
 using namespace kinegraph;
@@ -403,3 +404,4 @@ TEST(LoadsAlone, HaveTheirBodiesCutFree) {
 }
 
 }  // namespace
+}  // namespace whole_structures_test

@@ -14,6 +14,7 @@
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 
+namespace worked_arithmetic_test {
 namespace {
 
 using namespace kinegraph;
@@ -373,3 +374,4 @@ TEST(ImagesOfBodies, AreSimilarToThem) {
 }
 
 }  // namespace
+}  // namespace worked_arithmetic_test

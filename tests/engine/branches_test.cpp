@@ -10,7 +10,7 @@
 #include "tests/support/sketch.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::branches_test {
 namespace {
 
 using namespace sketch;
@@ -234,4 +234,4 @@ TEST(DeadPoint, OfACouplerThatTranslatesIsSaidSo) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::branches_test

@@ -13,7 +13,7 @@
 #include "engine/motion/closure.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::cam_test {
 namespace {
 
 using Spot = VectorOf<double>;
@@ -305,4 +305,4 @@ TEST(Cam, TheExampleIsTheMechanismOfItsCam) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::cam_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace kinegraph {
+namespace kinegraph::check_forces_test {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
@@ -637,4 +637,4 @@ TEST(ForcesOfTheNotes, ExamOf2001) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::check_forces_test

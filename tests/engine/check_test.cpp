@@ -8,7 +8,7 @@
 
 #include "tests/support/sketch.hpp"
 
-namespace kinegraph {
+namespace kinegraph::check_test {
 namespace {
 
 using namespace sketch;
@@ -450,4 +450,4 @@ TEST(Known, WithoutCurvatureVelocitiesOnly) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::check_test

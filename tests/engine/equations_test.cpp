@@ -18,7 +18,7 @@
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::equations_test {
 namespace {
 
 using Letter = Equations::Letter;
@@ -425,4 +425,4 @@ TEST(EquationsAsJson, HaveTheKeysOfTheFormat) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::equations_test

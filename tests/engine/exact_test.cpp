@@ -9,7 +9,7 @@
 
 #include "engine/number/assert.hpp"
 
-namespace kinegraph {
+namespace kinegraph::exact_test {
 namespace {
 
 TEST(Exact, ReadsDecimalsAsWritten) {
@@ -123,4 +123,4 @@ TEST(Length, KeepsTinyAndHuge) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::exact_test

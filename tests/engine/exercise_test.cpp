@@ -26,7 +26,7 @@
 #include "tests/support/schema_gate.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::exercise_test {
 namespace {
 
 const std::vector<std::string> names{"four_bar",    "slider_crank", "quick_return", "six_bar", "planetary_train",
@@ -427,4 +427,4 @@ TEST(Variants, HaveAPrintableKeyOnAsManyPagesAsItNeeds) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::exercise_test

@@ -14,7 +14,7 @@
 #include "engine/drawing/pose.hpp"
 #include "engine/mechanism/mechanism.hpp"
 
-namespace kinegraph {
+namespace kinegraph::formula_test {
 namespace {
 
 Exact exact(std::string_view decimal) { return *Exact::from_decimal(decimal); }
@@ -255,4 +255,4 @@ TEST(Parameters, MayCancelToZero) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::formula_test

@@ -5,7 +5,7 @@
 #include "tests/support/fonts.hpp"
 #include "tests/support/through_all.hpp"
 
-namespace kinegraph::tests {
+namespace kinegraph::tests::fuzz_found_test {
 namespace {
 
 std::vector<std::string> found() {
@@ -25,4 +25,4 @@ TEST_P(Found, GoesThrough) {
 INSTANTIATE_TEST_SUITE_P(ByFuzzing, Found, testing::ValuesIn(found()), [](const auto& each) { return each.param; });
 
 }  // namespace
-}  // namespace kinegraph::tests
+}  // namespace kinegraph::tests::fuzz_found_test

@@ -14,6 +14,7 @@
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/schema_gate.hpp"
 
+namespace gate_test {
 namespace {
 
 using namespace kinegraph;
@@ -155,3 +156,4 @@ TEST(Gate, KnowsTheFormsOfTheFormat) {
 }
 
 }  // namespace
+}  // namespace gate_test

@@ -11,7 +11,7 @@
 
 #include "engine/number/assert.hpp"
 
-namespace kinegraph {
+namespace kinegraph::geometry_test {
 namespace {
 
 constexpr int trials = 400;
@@ -321,4 +321,4 @@ TEST(GeometryInDoubles, AtInfinity) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::geometry_test

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace kinegraph {
+namespace kinegraph::index_test {
 namespace {
 
 static_assert(!std::is_convertible_v<int, BodyIndex> && !std::is_convertible_v<BodyIndex, int>);
@@ -37,4 +37,4 @@ TEST(Index, RunsThroughAListOnceInItsOrder) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::index_test

@@ -12,7 +12,7 @@
 #include "tests/support/schema_gate.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::law_test {
 namespace {
 
 constexpr double pi_ = std::numbers::pi;
@@ -157,4 +157,4 @@ TEST(Law, ACrankThatFollowsOneMovesItsSliderByTheChainRule) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::law_test

@@ -6,7 +6,7 @@
 #include "engine/check/check.hpp"
 #include "tests/support/sketch.hpp"
 
-namespace kinegraph {
+namespace kinegraph::mobility_test {
 namespace {
 
 using namespace sketch;
@@ -197,4 +197,4 @@ TEST(Mobility, OfAnInstantaneousMotionIsThree) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::mobility_test

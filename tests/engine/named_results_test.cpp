@@ -14,7 +14,7 @@
 #include "tests/support/schema_gate.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::named_results_test {
 namespace {
 
 Mechanism read_or_throw(const std::string& text) {
@@ -157,4 +157,4 @@ TEST(Ask, NamesAreComparedByTheirLetters) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::named_results_test

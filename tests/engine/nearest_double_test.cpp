@@ -10,7 +10,7 @@
 #include "engine/number/exact.hpp"
 #include "tests/support/random_mechanism.hpp"
 
-namespace kinegraph {
+namespace kinegraph::nearest_double_test {
 namespace {
 
 /// Of 53 bits, exactly once rounded.
@@ -110,4 +110,4 @@ TEST(NearestDouble, GoesToZeroAndInfinityAsDoublesDo) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::nearest_double_test

@@ -20,7 +20,7 @@
 #include "tests/support/solved.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::pairs_test {
 namespace {
 
 using namespace sketch;
@@ -233,4 +233,4 @@ TEST(Catalogue, IsThereAsJson) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::pairs_test

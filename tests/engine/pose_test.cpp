@@ -8,7 +8,7 @@
 #include "tests/support/sketch.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::pose_test {
 namespace {
 
 using namespace sketch;
@@ -339,4 +339,4 @@ TEST(Guide, KeepsItsSenseAndNeedsTwoPlaces) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::pose_test

@@ -13,7 +13,7 @@
 #include "tests/support/files.hpp"
 #include "tests/support/random_mechanism.hpp"
 
-namespace kinegraph {
+namespace kinegraph::positions_test {
 namespace {
 
 constexpr double pi_ = std::numbers::pi;
@@ -288,4 +288,4 @@ TEST(Positions, AMovedMechanismIsClosedToItsLastBit) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::positions_test

@@ -10,7 +10,7 @@
 #include "tests/support/replay_laws.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::program_test {
 namespace {
 
 using tests::example;
@@ -118,4 +118,4 @@ TEST(Program, IsReplayedWithOtherGivens) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::program_test

@@ -13,6 +13,7 @@
 #include "engine/mechanism/mechanism.hpp"
 #include "tests/support/files.hpp"
 
+namespace reader_test {
 namespace {
 
 using namespace kinegraph;
@@ -432,3 +433,4 @@ TEST(JsonSource, TellsTheLineEvenBehindHugeNumbers) {
 }
 
 }  // namespace
+}  // namespace reader_test

@@ -10,7 +10,7 @@
 #include "engine/solution/solution.hpp"
 #include "tests/support/told.hpp"
 
-namespace kinegraph {
+namespace kinegraph::results_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -175,4 +175,4 @@ TEST(Results, RelativeMotionNamesItsObserver) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::results_test

@@ -17,7 +17,7 @@
 #include "tests/support/told.hpp"
 #include "tests/support/turned.hpp"
 
-namespace kinegraph {
+namespace kinegraph::rounded_test {
 namespace {
 
 using tests::example;
@@ -293,4 +293,4 @@ TEST(Rounded, APrecisionIsALengthAndFine) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::rounded_test

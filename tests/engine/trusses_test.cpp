@@ -14,7 +14,7 @@
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph {
+namespace kinegraph::trusses_test {
 namespace {
 
 using tests::example;
@@ -456,4 +456,4 @@ TEST(RandomTrusses, AreTheLinearSolveExactly) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::trusses_test

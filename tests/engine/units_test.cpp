@@ -8,6 +8,7 @@
 using kinegraph::Exact;
 using kinegraph::QuantityKind;
 
+namespace units_test {
 namespace {
 
 Exact exact(std::string_view decimal) { return *Exact::from_decimal(decimal); }
@@ -146,3 +147,4 @@ TEST(Words, DistanceCountsSwapsAsOne) {
 }
 
 }  // namespace
+}  // namespace units_test

@@ -17,6 +17,7 @@
 #include "tests/support/command_line.hpp"
 #include "tests/support/fonts.hpp"
 
+namespace agreement_test {
 namespace {
 
 using namespace kinegraph::render;
@@ -179,3 +180,4 @@ TEST_F(Agreement, IsLostWhereTypeMovesByAMillimetre) {
 }
 
 }  // namespace
+}  // namespace agreement_test

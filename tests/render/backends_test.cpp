@@ -13,6 +13,7 @@
 
 #include "tests/support/fonts.hpp"
 
+namespace backends_test {
 namespace {
 
 using namespace kinegraph::render;
@@ -283,3 +284,4 @@ TEST(Pdf, SurvivesATitleThatIsNoUtf8) {
 }
 
 }  // namespace
+}  // namespace backends_test

@@ -19,6 +19,7 @@
 #include "tests/support/pages.hpp"
 #include "tests/support/random_mechanism.hpp"
 
+namespace bands_test {
 namespace {
 
 using namespace kinegraph;
@@ -287,3 +288,4 @@ TEST(Bands, TellOnlySoManyLikewiseInOneSentence) {
 }
 
 }  // namespace
+}  // namespace bands_test

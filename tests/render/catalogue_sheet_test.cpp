@@ -13,7 +13,7 @@
 #include "tests/support/command_line.hpp"
 #include "tests/support/pages.hpp"
 
-namespace kinegraph {
+namespace kinegraph::catalogue_sheet_test {
 namespace {
 
 using namespace pages;
@@ -101,4 +101,4 @@ TEST_F(CatalogueCommands, DrawTheCatalogueAndRefuseWhatHasNoDrawing) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::catalogue_sheet_test

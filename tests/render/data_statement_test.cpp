@@ -13,6 +13,7 @@
 #include "render/sheet/steps.hpp"
 #include "tests/support/pages.hpp"
 
+namespace data_statement_test {
 namespace {
 
 using namespace kinegraph;
@@ -231,3 +232,4 @@ TEST(RichMarks, CarryTheScriptsOfALabel) {
 }
 
 }  // namespace
+}  // namespace data_statement_test

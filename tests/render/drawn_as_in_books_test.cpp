@@ -17,6 +17,7 @@
 #include "render/sheet/sheet.hpp"
 #include "tests/support/pages.hpp"
 
+namespace drawn_as_in_books_test {
 namespace {
 
 using namespace kinegraph;
@@ -278,3 +279,4 @@ TEST(DrawnAsInBooks, AnEffortHasOneNameEverywhere) {
 }
 
 }  // namespace
+}  // namespace drawn_as_in_books_test

@@ -8,7 +8,7 @@
 #include "tests/support/command_line.hpp"
 #include "tests/support/pages.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::equation_sheet_test {
 namespace {
 
 Solution with_equations(const std::string& name) {
@@ -138,4 +138,4 @@ TEST_F(EquationsCommand, AddOneKeyToTheResults) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::equation_sheet_test

@@ -8,6 +8,7 @@
 
 #include "tests/support/pages.hpp"
 
+namespace figure_alone_test {
 namespace {
 
 using namespace kinegraph;
@@ -66,3 +67,4 @@ TEST(FigureAloneNames, MechanismIsDrawnWithoutItsCentres) {
 }
 
 }  // namespace
+}  // namespace figure_alone_test

@@ -14,7 +14,7 @@
 #include "tests/support/fonts.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::figure_test {
 namespace {
 
 using tests::example;
@@ -398,4 +398,4 @@ TEST(CircleDiagram, has_a_chord_for_each_centre_found) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::figure_test

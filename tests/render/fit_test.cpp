@@ -5,6 +5,7 @@
 
 #include <vector>
 
+namespace fit_test {
 namespace {
 
 using namespace kinegraph::render;
@@ -81,3 +82,4 @@ TEST(Fit, SkipsWhatADrawingDoesNotFinish) {
 }
 
 }  // namespace
+}  // namespace fit_test

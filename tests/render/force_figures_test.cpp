@@ -14,6 +14,7 @@
 #include "render/tables/force_tables.hpp"
 #include "tests/support/pages.hpp"
 
+namespace force_figures_test {
 namespace {
 
 using namespace kinegraph;
@@ -398,3 +399,4 @@ TEST(ForceResults, AsTextListReactionsAndEfforts) {
 }
 
 }  // namespace
+}  // namespace force_figures_test

@@ -8,7 +8,7 @@
 #include "tests/support/command_line.hpp"
 #include "tests/support/pages.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::formula_keys_test {
 namespace {
 
 using tests::solved;
@@ -122,4 +122,4 @@ TEST_F(MotionOnTheCommandLine, TellsAPlatformTheLaws) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::formula_keys_test

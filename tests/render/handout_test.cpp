@@ -16,6 +16,7 @@
 #include "tests/support/pages.hpp"
 #include "tests/support/random_mechanism.hpp"
 
+namespace handout_test {
 namespace {
 
 using namespace kinegraph;
@@ -421,3 +422,4 @@ TEST_F(HandoutLine, GoesToEveryFormatAndSaysWhatHasNoMeaning) {
 }
 
 }  // namespace
+}  // namespace handout_test

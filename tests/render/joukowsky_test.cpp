@@ -15,7 +15,7 @@
 #include "tests/support/fonts.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::joukowsky_test {
 namespace {
 
 using tests::contents;
@@ -171,4 +171,4 @@ TEST(WithJoukowsky, AnUnknownFigureIsRefusedAndTheKnownOnesNamed) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::joukowsky_test

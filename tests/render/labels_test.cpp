@@ -15,7 +15,7 @@
 #include "tests/support/page_checker.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::labels_test {
 namespace {
 
 using tests::fonts;
@@ -418,4 +418,4 @@ TEST(Labels, of_every_example_cover_nothing) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::labels_test

@@ -14,7 +14,7 @@
 #include "tests/support/command_line.hpp"
 #include "tests/support/files.hpp"
 
-namespace kinegraph::tests {
+namespace kinegraph::tests::live_page_test {
 namespace {
 
 TEST(Sha256, OfKnownTexts) {
@@ -191,4 +191,4 @@ TEST_F(LivePage, WhatHasNoMeaningForItIsRefused) {
 }
 
 }  // namespace
-}  // namespace kinegraph::tests
+}  // namespace kinegraph::tests::live_page_test

@@ -18,6 +18,7 @@
 #include "tests/support/command_line.hpp"
 #include "tests/support/pages.hpp"
 
+namespace live_text_test {
 namespace {
 
 using namespace kinegraph::render;
@@ -263,3 +264,4 @@ TEST_F(LiveFiles, TheOptionIsForWordsThatCanBeLive) {
 }
 
 }  // namespace
+}  // namespace live_text_test

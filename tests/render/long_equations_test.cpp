@@ -13,7 +13,7 @@
 #include "tests/support/pages.hpp"
 #include "tests/support/random_mechanism.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::long_equations_test {
 namespace {
 
 /// In pt: of the smallest piece of text, indices that belong to a letter left out.
@@ -78,4 +78,4 @@ TEST(LongEquations, OfRandomMechanismsStayWithinTheirColumn) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::long_equations_test

@@ -14,7 +14,7 @@
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::long_names_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -114,4 +114,4 @@ TEST(LongNames, OfTextLeaveNoPageAndCoverNothing) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::long_names_test

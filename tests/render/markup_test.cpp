@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-namespace kinegraph::render {
+namespace kinegraph::render::markup_test {
 namespace {
 
 /// The same tree twice: said to Markup, and kept for pugixml.
@@ -100,4 +100,4 @@ TEST(Markup, numbers_are_read_back) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::markup_test

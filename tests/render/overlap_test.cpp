@@ -17,7 +17,7 @@
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::overlap_test {
 namespace {
 
 using tests::fonts;
@@ -79,4 +79,4 @@ INSTANTIATE_TEST_SUITE_P(Upright, OverlapOnPaper,
                                           testing::Values(Orientation::portrait)));
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::overlap_test

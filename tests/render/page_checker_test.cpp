@@ -6,7 +6,7 @@
 #include "render/page/shapes.hpp"
 #include "tests/support/pages.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::page_checker_test {
 namespace {
 
 using tests::fonts;
@@ -34,4 +34,4 @@ TEST(PageChecker, AStrokeIsAsWideAsItsPenInEveryDirection) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::page_checker_test

@@ -8,6 +8,7 @@
 
 #include "render/backends/backends.hpp"
 
+namespace picture_difference_test {
 namespace {
 
 using namespace kinegraph::render;
@@ -216,3 +217,4 @@ TEST(Picture, CutOrSpoiltFilesAreRefusedOrRead) {
 }
 
 }  // namespace
+}  // namespace picture_difference_test

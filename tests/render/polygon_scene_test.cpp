@@ -9,6 +9,7 @@
 #include "tests/support/files.hpp"
 #include "tests/support/solved.hpp"
 
+namespace polygon_scene_test {
 namespace {
 
 using namespace kinegraph;
@@ -90,3 +91,4 @@ TEST(PolygonScene, JoinsForcesWithTheirInnerSidesFallingOut) {
 }
 
 }  // namespace
+}  // namespace polygon_scene_test

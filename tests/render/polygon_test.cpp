@@ -14,6 +14,7 @@
 #include "tests/support/fonts.hpp"
 #include "tests/support/solved.hpp"
 
+namespace polygon_test {
 namespace {
 
 using namespace kinegraph;
@@ -433,3 +434,4 @@ TEST(PolygonConstruction, TheRightAngleToTheCoriolisTermIsMarkedWhereTheRelative
 }
 
 }  // namespace
+}  // namespace polygon_test

@@ -14,7 +14,7 @@
 #include "tests/support/pages.hpp"
 #include "tests/support/through_all.hpp"
 
-namespace kinegraph {
+namespace kinegraph::problem_sheet_test {
 namespace {
 
 using namespace pages;
@@ -93,4 +93,4 @@ TEST_F(ProblemCommands, SolveAndCheckAloneTakeThem) {
 }
 
 }  // namespace
-}  // namespace kinegraph
+}  // namespace kinegraph::problem_sheet_test

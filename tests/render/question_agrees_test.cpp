@@ -23,6 +23,7 @@
 #include "tests/support/command_line.hpp"
 #include "tests/support/pages.hpp"
 
+namespace question_agrees_test {
 namespace {
 
 using namespace kinegraph;
@@ -327,3 +328,4 @@ TEST_F(KeyFile, IsHeadedBySymbols) {
 }
 
 }  // namespace
+}  // namespace question_agrees_test

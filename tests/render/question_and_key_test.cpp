@@ -22,6 +22,7 @@
 #include "tests/support/pages.hpp"
 #include "tests/support/random_mechanism.hpp"
 
+namespace question_and_key_test {
 namespace {
 
 using namespace kinegraph;
@@ -676,3 +677,4 @@ TEST_F(AnswersLine, SaysOfVariantsWhichAnswersNoReadingTells) {
 }
 
 }  // namespace
+}  // namespace question_and_key_test

@@ -25,7 +25,7 @@
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::random_pages_test {
 namespace {
 
 using tests::fonts;
@@ -164,4 +164,4 @@ TEST(RandomPages3, CoverNothing) { look_at_quarter(2); }
 TEST(RandomPages4, CoverNothing) { look_at_quarter(3); }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::random_pages_test

@@ -15,6 +15,7 @@
 #include "tests/support/pages.hpp"
 #include "tests/support/solved.hpp"
 
+namespace sheet_test {
 namespace {
 
 using namespace kinegraph;
@@ -369,3 +370,4 @@ TEST(Tables, AnEquationKeepsToItsWidthAsFarAsItCan) {
 }
 
 }  // namespace
+}  // namespace sheet_test

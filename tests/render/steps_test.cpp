@@ -12,6 +12,7 @@
 #include "tests/support/pages.hpp"
 #include "tests/support/random_mechanism.hpp"
 
+namespace steps_test {
 namespace {
 
 using namespace kinegraph;
@@ -346,3 +347,4 @@ TEST(Revealed, PutsWhatIsCitedInTheAccent) {
 }
 
 }  // namespace
+}  // namespace steps_test

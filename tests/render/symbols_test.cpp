@@ -15,7 +15,7 @@
 #include "tests/support/fonts.hpp"
 #include "tests/support/solved.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::symbols_test {
 namespace {
 
 using tests::fonts;
@@ -443,4 +443,4 @@ TEST(Symbols, every_mark_has_a_role_and_stays_in_the_room) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::symbols_test

@@ -15,6 +15,7 @@
 #include "tests/support/command_line.hpp"
 #include "tests/support/pages.hpp"
 
+namespace tex_test {
 namespace {
 
 using namespace kinegraph::render;
@@ -285,3 +286,4 @@ TEST_F(TexFiles, EveryCommandThatDrawsWritesIt) {
 }
 
 }  // namespace
+}  // namespace tex_test

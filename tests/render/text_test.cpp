@@ -11,6 +11,7 @@
 #include "render/text/utf8.hpp"
 #include "tests/support/fonts.hpp"
 
+namespace text_test {
 namespace {
 
 using namespace kinegraph::render;
@@ -302,3 +303,4 @@ TEST(Opening, NamesTheFileAndThePackage) {
 }
 
 }  // namespace
+}  // namespace text_test

@@ -21,6 +21,7 @@
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/solved.hpp"
 
+namespace theme_test {
 namespace {
 
 using namespace kinegraph::render;
@@ -327,3 +328,4 @@ TEST_F(CommandLine, TheThemeIsBuiltInOrAFile) {
 }
 
 }  // namespace
+}  // namespace theme_test

@@ -14,6 +14,7 @@
 
 #include "engine/number/assert.hpp"
 
+namespace words_test {
 namespace {
 
 using namespace kinegraph;
@@ -256,3 +257,4 @@ TEST(Words, ALanguageThatATitleLacksIsServedByTheOther) {
 }
 
 }  // namespace
+}  // namespace words_test

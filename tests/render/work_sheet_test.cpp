@@ -8,7 +8,7 @@
 #include "render/sheet/sheet.hpp"
 #include "tests/support/pages.hpp"
 
-namespace kinegraph::render {
+namespace kinegraph::render::work_sheet_test {
 namespace {
 
 using pages::says;
@@ -72,4 +72,4 @@ TEST(QuestionOfEquations, ShowsTheLoopsThatGiveTheLetters) {
 }
 
 }  // namespace
-}  // namespace kinegraph::render
+}  // namespace kinegraph::render::work_sheet_test
