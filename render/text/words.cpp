@@ -617,8 +617,8 @@ constexpr std::array
             "repeat them, construct its point from the others or state the \"precision\".",
             "La coppia {0} quasi ripete vincoli delle altre, e la mobilità ne dipende; se deve ripeterli, si "
             "costruisca il suo punto dagli altri o si dichiari \"precision\"."},
-        Row{Sentence::is_ill_conditioned, "{0} changes by {1} if {2} moves by {3}.", "{0} varia di {1} se {2} si sposta "
-            "di {3}."},
+        Row{Sentence::is_ill_conditioned, "{0} changes by {1} if {2} moves by {3}.",
+            "{0} varia di {1} se {2} si sposta di {3}."},
         Row{Sentence::repeated_constraints,
             "Joint {0} repeats {1} {1|constraint|constraints} that the others impose already at this position.",
             "La coppia {0} ripete {1} {1|vincolo|vincoli} che le altre impongono già in questa configurazione."},
