@@ -117,6 +117,8 @@ public:
     /// other, give the limit by Richardson's extrapolation.
     std::vector<std::optional<double>> at_limit(double limit, double inward) {
         constexpr double near = 1e-8;  // relative to the travel; the limit is computed to 1e-9
+        // Restored in the end, because a position at a limit is a poor start for the next one.
+        const Positions before = positions_;
         const auto places = [&](double share) {
             std::vector<std::optional<double>> values(columns_.size());
             if (!positions_.move_to(limit + share * inward)) return values;
@@ -125,6 +127,7 @@ public:
             return values;
         };
         const auto far = places(4 * near), close = places(near);
+        positions_ = before;
         std::vector<std::optional<double>> values(columns_.size());
         for (std::size_t i = 0; i < columns_.size(); ++i)
             if (far[i] && close[i]) values[i] = 2 * *close[i] - *far[i];

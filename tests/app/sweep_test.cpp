@@ -95,6 +95,20 @@ TEST_F(Sweep, GoesFromLimitToLimitWhereNoTurnIsPossible) {
     EXPECT_EQ(json["limits"][1], json["to"]);
 }
 
+// The drawing needs the places at the limits besides, near which positions are ill-conditioned.
+TEST_F(Sweep, ADrawingFromLimitToLimitChangesNoRow) {
+    for (const char* const name : {"sluice_gate_travel", "scissor_lift", "stephenson_3_driver_2"}) {
+        write("travel.json", contents(example_file(name)));
+        const Outcome alone = run("sweep travel.json --steps 24 -o alone.csv");
+        const Outcome drawn = run("sweep travel.json --steps 24 -o drawn.csv -o drawn.svg");
+        EXPECT_NE(alone.err.find("its limits"), std::string::npos) << name;
+        EXPECT_GT(lines_of(contents(folder_ / "alone.csv")).size(), 20U) << name;
+        EXPECT_EQ(contents(folder_ / "drawn.csv"), contents(folder_ / "alone.csv")) << name;
+        EXPECT_EQ(drawn.err, alone.err) << name;
+        EXPECT_EQ(drawn.status, alone.status) << name;
+    }
+}
+
 TEST_F(Sweep, LeavesRowsOutWhereTheAnswerIsNotOne) {
     // At 126.87° from the drawn position the parallel crank lies flat.
     const Outcome swept = run("sweep parallel_crank.json --from 126.8698976458440° --to 128° --steps 4");
