@@ -5,7 +5,7 @@
 namespace kinegraph::app {
 
 std::string bare_name(const std::string& file) {
-    const std::string& name = spoken(file).in(Language::en);
+    const std::string name = spoken(file).in(Language::en);
     return name.substr(name.rfind('/') + 1);
 }
 

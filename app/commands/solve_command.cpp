@@ -38,7 +38,9 @@ tl::expected<std::vector<Solved>, Status> solutions_of(const SolveRequest& reque
     }
     const SolveOptions options{wants(request, "equations"), wants(request, "virtual work"), sentences};
     if (!request.positions.at.empty()) {
-        auto all = file->solve_at(request.positions, options);
+        PositionsWanted positions = request.positions;
+        positions.dashes = "--";
+        auto all = file->solve_at(positions, options);
         if (!all) return wrong(all.error());
         return *std::move(all);
     }

@@ -43,9 +43,9 @@ std::optional<AskedPosition> asked_by_time(const Law& law, const std::string& te
                          Rates{Exact::from_double(here.first), Exact::from_double(here.second)}};
 }
 tl::expected<std::vector<AskedPosition>, Words> positions_asked(const PositionsWanted& wanted,
-                                                                const std::string& dashes, const Mechanism& mechanism,
-                                                                int driver) {
+                                                                const Mechanism& mechanism, int driver) {
     constexpr std::size_t most = 720;
+    const std::string& dashes = wanted.dashes;
     std::vector<AskedPosition> all;
     std::optional<Words> beyond;
     const auto add = [&](const Exact& coordinate) {
@@ -97,13 +97,14 @@ void name_position(Mechanism& mechanism, const std::string& driver, const Words&
 }  // namespace
 
 Result<std::vector<Solution>> solved_positions(const Mechanism& mechanism, const PositionsWanted& wanted,
-                                               Arithmetic arithmetic, const std::string& dashes) {
+                                               Arithmetic arithmetic) {
+    const std::string& dashes = wanted.dashes;
     const auto wrong = [&](const Words& why, ErrorCode code = ErrorCode::bad_input) {
         return tl::unexpected(Errors{{code, "", why}});
     };
     const auto driver = driver_named(mechanism, wanted.driver, dashes);
     if (!driver) return wrong(driver.error());
-    const auto asked = positions_asked(wanted, dashes, mechanism, *driver);
+    const auto asked = positions_asked(wanted, mechanism, *driver);
     if (!asked) return wrong(asked.error());
     const auto pose = draw_pose(mechanism);
     if (!pose) return tl::unexpected(pose.error());

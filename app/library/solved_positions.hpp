@@ -12,9 +12,8 @@
 namespace kinegraph::app {
 
 /// In the order of `wanted.at`; the title of each names its position. Errors: bad_input for a text that is no position
-/// or one out of reach, no_unique_answer at a change point, and those of the drawing. `dashes` stands before the names
-/// of the options in messages: "--" for a command line, "" for a program.
+/// or one out of reach, no_unique_answer at a change point, and those of the drawing.
 Result<std::vector<Solution>> solved_positions(const Mechanism& mechanism, const PositionsWanted& wanted,
-                                               Arithmetic arithmetic, const std::string& dashes);
+                                               Arithmetic arithmetic);
 
 }  // namespace kinegraph::app

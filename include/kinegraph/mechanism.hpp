@@ -30,8 +30,9 @@ struct SolveOptions {
 struct PositionsWanted {
     /// Coordinates of the driver: "30°", "20 mm", "every 30°"; for a driver with a law also times: "0.2 s".
     std::vector<std::string> at;
-    std::string driver;  ///< name of its body, joint or point; empty: the first driver of the file
-    int branch = 0;      ///< branch to take if the drawn position is a change point, from 1; 0: the first
+    std::string driver;       ///< name of its body, joint or point; empty: the first driver of the file
+    int branch = 0;           ///< branch to take if the drawn position is a change point, from 1; 0: the first
+    std::string dashes = {};  ///< stands before the names of these options in messages: "--" in a command line's
 };
 
 /// Format of a text.
@@ -60,9 +61,11 @@ public:
     bool has_joints() const;
     /// Whether equations() can apply: a mechanism, or the motion of a point.
     bool has_equations() const;
-    /// How many bodies (with the frame), joints and drivers it has.
+    /// How many bodies, joints and drivers it has.
     struct Counts {
-        std::size_t bodies = 0, joints = 0, drivers = 0;  ///< in the file
+        std::size_t bodies = 0;   ///< with the frame
+        std::size_t joints = 0;   ///< of all kinds
+        std::size_t drivers = 0;  ///< of all kinds
     };
     /// Counts what the file lists.
     Counts counts() const;
