@@ -370,18 +370,18 @@ void add_drivers(CLI::App& command, SweepRequest& request) {
                     "their order")
         ->allow_extra_args(false)
         ->type_name("TURN");
-    add_branch(command, request.branch);
+    add_branch(command, request.options.branch);
 }
 
 void add_travel(CLI::App& command, SweepRequest& request) {
     command
-        .add_option("--from", request.from,
+        .add_option("--from", request.options.from,
                     "Where it starts, from the drawn position: 90°, 1.57 rad, 20 mm; without --from and --to a full "
                     "turn, or from "
                     "limit to limit")
         ->type_name("TURN");
-    command.add_option("--to", request.to, "Where it ends")->type_name("TURN");
-    command.add_option("--steps", request.steps, "Steps from the first position to the last")
+    command.add_option("--to", request.options.to, "Where it ends")->type_name("TURN");
+    command.add_option("--steps", request.options.steps, "Steps from the first position to the last")
         ->check(whole_number(0, most_steps))
         ->type_name("N")
         ->capture_default_str();
@@ -390,24 +390,24 @@ void add_travel(CLI::App& command, SweepRequest& request) {
 void add_plots(CLI::App& command, SweepRequest& request) {
     command
         .add_option(
-            "--plot", request.plots,
+            "--plot", request.options.plots,
             "Columns of one unit in one plot, up to four, by their names: \"x B,x C\"; may be given again. Without it "
             "what slides or turns last, and the efforts")
         ->allow_extra_args(false)
         ->type_name("QUANTITIES");
     command
-        .add_option("--trace", request.traces,
+        .add_option("--trace", request.options.traces,
                     "The path of a point, \"P\", or as a body sees it, \"P,on BODY\"; may be given again")
         ->allow_extra_args(false)
         ->type_name("P[,on BODY]");
     command
-        .add_option("--centrodes", request.centrodes,
+        .add_option("--centrodes", request.options.centrodes,
                     "The centrodes of body j against body i, the fixed and the moving one: on the drawing and in the "
                     "JSON; may be "
                     "given again")
         ->allow_extra_args(false)
         ->type_name("i,j");
-    command.add_option("--poses", request.poses, "So many positions thin behind the mechanism")
+    command.add_option("--poses", request.options.poses, "So many positions thin behind the mechanism")
         ->check(whole_number(0, 360))
         ->type_name("N");
     add_print(command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
@@ -432,7 +432,7 @@ void add_sweep(CLI::App& program, Action& action) {
         ->type_name("FORMAT");
     add_settings(*command, request.set);
     command
-        ->add_option("--over", request.over,
+        ->add_option("--over", request.options.over,
                      "A parameter of the file that is swept in place of a driver, --from … --to … in --steps or by "
                      "--step: every "
                      "row is the file solved anew")
@@ -511,11 +511,11 @@ void add_cam(CLI::App& program, Action& action) {
         ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf", "tex"}, CLI::ignore_case))
         ->type_name("FORMAT");
     command
-        ->add_option("--at", request.at,
+        ->add_option("--at", request.options.at,
                      "The cam's turn at which it is drawn and its mechanism written: 30°, 0.5 rad; without it where "
                      "the law begins")
         ->type_name("TURN");
-    command->add_option("--steps", request.steps, "Rows over the whole turn")
+    command->add_option("--steps", request.options.steps, "Rows over the whole turn")
         ->check(whole_number(0, most_steps))
         ->type_name("N")
         ->capture_default_str();

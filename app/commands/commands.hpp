@@ -3,6 +3,7 @@
 #pragma once
 
 #include <kinegraph/mechanism.hpp>
+#include <kinegraph/motion.hpp>
 #include <kinegraph/sheet.hpp>
 
 #include <optional>
@@ -46,16 +47,9 @@ struct SweepRequest {
     std::vector<ParameterValue> set;  ///< values that replace parameters of the file
     std::vector<std::string> outputs;
     std::string format;
-    std::string over;                  ///< a parameter to vary in place of the driver; empty: none
+    SweepOptions options;              ///< without drivers and step
     std::vector<std::string> drivers;  ///< by name: the first moves, the others follow; empty: the first of the file
     std::vector<std::string> step;     ///< quantities: step of each driver that follows, or of the parameter
-    int branch = 0;                    ///< branch to take out of a change point, from 1; 0: none
-    std::string from, to;  ///< quantities, as a file writes them; empty: a full turn, or from limit to limit
-    long steps = 360;
-    std::vector<std::string> plots;      ///< names of columns, separated by commas; empty: chosen automatically
-    std::vector<std::string> traces;     ///< "P" or "P,on BODY"
-    std::vector<std::string> centrodes;  ///< pairs of bodies, "i,j"
-    int poses = 0;
     DrawingOptions sheet;
     std::string theme = "colour";
     Lettering lettering = Lettering::outlines;
@@ -86,8 +80,7 @@ struct CamRequest {
     std::string file;
     std::vector<std::string> outputs;
     std::string format;
-    std::string at;  ///< the cam angle at which its mechanism is written and drawn; empty: where the law begins
-    long steps = 360;
+    CamOptions options;
     DrawingOptions sheet;
     std::string theme = "colour";
     Lettering lettering = Lettering::outlines;

@@ -104,10 +104,6 @@ Expected<std::vector<render::Page>> pages_of(const Solution& solution, const Dra
                                                       "{0}: non c’è questa figura; ci sono {1}", wanted.figure, names));
 }
 
-Drawing drawing(std::vector<render::Page> pages, std::vector<Text> remarks) {
-    return Drawing(Shared<const Drawing::State>(new Drawing::State{{}, std::move(pages), std::move(remarks)}));
-}
-
 /// Calls `paint` with the thread's fonts once the rendering library is open.
 template <class Paint>
 Expected<std::string> painted(Paint paint) {
@@ -173,22 +169,30 @@ Expected<std::string> Drawing::pdf(Lettering lettering) const {
 
 std::string Drawing::tex() const { return render::to_tex(state().pages, *fonts_that_drew()); }
 
-Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& options) {
+Expected<Drawing> drawing_of(const DrawingOptions& options, const LayOut& lay_out) {
     const auto fonts = fonts_of_thread();
     if (!fonts) return tl::unexpected(fonts.error());
     const auto sheet = sheet_options_of(options);
     if (!sheet) return tl::unexpected(sheet.error());
-    std::vector<render::Page> pages;
     std::vector<Text> remarks;
-    for (const Solved& each : solved) {
-        auto more = pages_of(each.state().solution, options, *sheet, **fonts, remarks);
-        if (!more) return tl::unexpected(more.error());
-        std::move(more->begin(), more->end(), std::back_inserter(pages));
-    }
-    if (pages.empty())
-        return refused(Diagnostic::Kind::bad_input, {"there is no solution to draw", "nessuna soluzione da disegnare"});
+    auto pages = lay_out(*sheet, **fonts, remarks);
+    if (!pages) return tl::unexpected(pages.error());
     for (Text& each : remarks_on(**fonts)) remarks.push_back(std::move(each));
-    return drawing(std::move(pages), std::move(remarks));
+    return Drawing(Shared<const Drawing::State>(new Drawing::State{{}, *std::move(pages), std::move(remarks)}));
+}
+
+Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& options) {
+    if (solved.empty())
+        return refused(Diagnostic::Kind::bad_input, {"there is no solution to draw", "nessuna soluzione da disegnare"});
+    return drawing_of(options, [&](const render::SheetOptions& sheet, const render::Fonts& fonts, auto& remarks) {
+        Expected<std::vector<render::Page>> pages;
+        for (const Solved& each : solved) {
+            auto more = pages_of(each.state().solution, options, sheet, fonts, remarks);
+            if (!more) return more;
+            std::move(more->begin(), more->end(), std::back_inserter(*pages));
+        }
+        return pages;
+    });
 }
 
 Expected<Drawing> draw(const Solved& solved, const DrawingOptions& options) {
@@ -233,12 +237,9 @@ Expected<void> check_theme(std::string_view theme_file) {
 }
 
 Expected<Drawing> draw_pair_catalogue(const DrawingOptions& options) {
-    const auto fonts = fonts_of_thread();
-    if (!fonts) return tl::unexpected(fonts.error());
-    const auto sheet = sheet_options_of(options);
-    if (!sheet) return tl::unexpected(sheet.error());
-    std::vector<render::Page> pages = render::lay_out_catalogue(*sheet, **fonts);
-    return drawing(std::move(pages), remarks_on(**fonts));
+    return drawing_of(options, [](const render::SheetOptions& sheet, const render::Fonts& fonts, auto&) {
+        return render::lay_out_catalogue(sheet, fonts);
+    });
 }
 
 }  // namespace kinegraph

@@ -96,11 +96,7 @@ std::vector<Text> Solved::statements() const {
     return all;
 }
 
-std::vector<Solved::Missing> Solved::unsolved() const {
-    std::vector<Missing> all;
-    for (const Unsolved& each : state().solution.unsolved) all.push_back({text_of(each.what), text_of(each.why)});
-    return all;
-}
+std::vector<Solved::Missing> Solved::unsolved() const { return missing_of(state().solution.unsolved); }
 
 std::vector<Text> Solved::remarks() const {
     std::vector<Text> all;

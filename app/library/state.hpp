@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@
 #include "kinegraph/solution.hpp"
 #include "render/content/sheet_options.hpp"
 #include "render/page/page.hpp"
+#include "render/text/text.hpp"
 
 namespace kinegraph {
 
@@ -63,6 +65,8 @@ render::Language language_of(Language language);
 Words words_of(const Text& text);
 Text text_of(const Words& words);
 Text text_of(const Message& message);
+std::vector<Text> texts_of(const std::vector<Words>& all);
+std::vector<Solved::Missing> missing_of(const std::vector<Unsolved>& unsolved);
 Diagnostics diagnostics_of(const Errors& errors);
 tl::unexpected<Diagnostics> refused(Diagnostic::Kind kind, const Words& words);
 
@@ -72,6 +76,12 @@ ResultValue value_of(const NamedResult& result, const Solution& solution);
 
 /// Error: the faults of a theme file, or an unknown theme name.
 Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options);
+
+/// Calls `lay_out` with the options and the thread's fonts; adds remarks on missing characters to its own. Errors:
+/// those of sheet_options_of() and of `lay_out`, a missing font.
+using LayOut = std::function<Expected<std::vector<render::Page>>(
+    const render::SheetOptions& options, const render::Fonts& fonts, std::vector<Text>& remarks)>;
+Expected<Drawing> drawing_of(const DrawingOptions& options, const LayOut& lay_out);
 
 /// The whole content of a file, at most 64 MiB.
 Expected<std::string> read_file(const std::string& path, const Words& kind);

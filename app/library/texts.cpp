@@ -39,6 +39,17 @@ Text text_of(const Message& message) {
     return {{render::tell(message, render::Language::en), render::tell(message, render::Language::it)}};
 }
 
+std::vector<Text> texts_of(const std::vector<Words>& all) {
+    std::vector<Text> texts;
+    for (const Words& each : all) texts.push_back(text_of(each));
+    return texts;
+}
+std::vector<Solved::Missing> missing_of(const std::vector<Unsolved>& unsolved) {
+    std::vector<Solved::Missing> all;
+    for (const Unsolved& each : unsolved) all.push_back({text_of(each.what), text_of(each.why)});
+    return all;
+}
+
 Diagnostics diagnostics_of(const Errors& errors) {
     Diagnostics all;
     for (const Error& error : errors) {

@@ -158,6 +158,15 @@ TEST(PublicFace, SolvesInOtherPositions) {
     EXPECT_FALSE(file->solve_at({{"1 kg"}, "", 0}).has_value());
 }
 
+/// The place of a column among those of a sweep.
+std::size_t column_named(const Sweep& sweep, const std::string& name) {
+    const auto columns = sweep.columns();
+    const auto place =
+        std::find_if(columns.begin(), columns.end(), [&](const auto& each) { return each.name == name; });
+    EXPECT_NE(place, columns.end()) << name;
+    return static_cast<std::size_t>(place - columns.begin());
+}
+
 TEST(PublicFace, MovesAMechanismThroughItsCycle) {
     const auto file = MechanismFile::parse(slider_crank, "slider_crank.json");
     ASSERT_TRUE(file.has_value());
@@ -166,18 +175,94 @@ TEST(PublicFace, MovesAMechanismThroughItsCycle) {
     auto sweep = Sweep::of(*file, options);
     ASSERT_TRUE(sweep.has_value());
     const auto rows = sweep->rows();
-    ASSERT_EQ(rows.size(), 37u);
-    const auto& columns = sweep->columns();
-    const auto place = std::find_if(columns.begin(), columns.end(), [](const auto& c) { return c.name == "x B"; });
-    ASSERT_NE(place, columns.end());
-    EXPECT_EQ(place->unit, "m");
-    const auto x = static_cast<std::size_t>(place - columns.begin());
+    ASSERT_TRUE(rows.has_value());
+    ASSERT_EQ(rows->size(), 37u);
+    const std::size_t x = column_named(*sweep, "x B");
+    EXPECT_EQ(sweep->columns()[x].unit, "m");
     // The crank of 50 mm and the rod of √(120² + 40²) mm: the slider's stroke is twice the crank.
-    double least = rows[0][x], most = rows[0][x];
-    for (const auto& row : rows) least = std::min(least, row[x]), most = std::max(most, row[x]);
+    double least = rows->front()[x], most = least;
+    for (const auto& row : *rows) least = std::min(least, row[x]), most = std::max(most, row[x]);
     EXPECT_NEAR(most - least, 0.1, 1e-3);
     EXPECT_LT(sweep->largest_difference(), 1e-9);
+    EXPECT_TRUE(sweep->is_complete());
+    const auto again = sweep->rows();
+    ASSERT_TRUE(again && again->size() == rows->size());
+    for (std::size_t i = 0; i < rows->size(); ++i) EXPECT_NEAR((*again)[i][x], (*rows)[i][x], 1e-12);
     options.from = "1 kg";
+    EXPECT_FALSE(Sweep::of(*file, options).has_value());
+}
+
+TEST(PublicFace, WritesTheRowsOfASweepPieceByPiece) {
+    const auto file = MechanismFile::parse(slider_crank, "slider_crank.json");
+    ASSERT_TRUE(file.has_value());
+    SweepOptions options;
+    options.steps = 5000;
+    auto sweep = Sweep::of(*file, options);
+    ASSERT_TRUE(sweep.has_value());
+    std::string csv, json;
+    std::size_t longest = 0;
+    const auto into = [&](std::string& text) {
+        return [&](std::string_view piece) {
+            longest = std::max(longest, piece.size());
+            text += piece;
+            return true;
+        };
+    };
+    ASSERT_TRUE(sweep->write({{RowsText::Form::csv, into(csv)}, {RowsText::Form::json, into(json)}}));
+    EXPECT_LT(longest, csv.size() / 4);
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5002);
+    EXPECT_TRUE(csv.starts_with("turn,time,angle 2,")) << csv.substr(0, 80);
+    EXPECT_NE(json.find("\"largest difference\": {\"column\""), std::string::npos);
+    // Whoever takes the rows can stop the sweep.
+    int pieces = 0;
+    ASSERT_TRUE(sweep->write({{RowsText::Form::csv, [&](std::string_view) { return ++pieces < 2; }}}));
+    EXPECT_EQ(pieces, 2);
+}
+
+TEST(PublicFace, SweepsAParameter) {
+    const auto file = MechanismFile::parse(slider_crank, "slider_crank.json");
+    ASSERT_TRUE(file.has_value());
+    SweepOptions options;
+    options.over = "w";
+    options.from = "10";
+    options.to = "30";
+    options.step = "10";
+    auto sweep = Sweep::of(*file, options);
+    ASSERT_TRUE(sweep.has_value());
+    const auto rows = sweep->rows();
+    ASSERT_TRUE(rows && rows->size() == 3);
+    const std::size_t omega = column_named(*sweep, "omega 3");
+    EXPECT_EQ(sweep->columns()[omega].unit, "rad/s");
+    for (const auto& row : *rows) EXPECT_EQ(row[omega], -row[0] / 4);
+    EXPECT_TRUE(draw(*sweep).has_value());
+    options.over = "v";
+    const auto unknown = Sweep::of(*file, options);
+    ASSERT_FALSE(unknown.has_value());
+    EXPECT_EQ(unknown.error().front().text.in(Language::en).substr(0, 9), "over \"v\":") << "no dashes";
+}
+
+TEST(PublicFace, DrawsASweepWithItsPathsWithoutChangingItsRows) {
+    const auto file = MechanismFile::open(KINEGRAPH_EXAMPLES_DIR "/sluice_gate_travel.json");
+    ASSERT_TRUE(file.has_value());
+    SweepOptions options;
+    options.steps = 24;
+    options.traces = {"O"};
+    options.poses = 3;
+    auto sweep = Sweep::of(*file, options);
+    ASSERT_TRUE(sweep.has_value()) << sweep.error().front().text.in(Language::en);
+    ASSERT_TRUE(sweep->limits()[0] && sweep->limits()[1]);
+    const auto drawing = draw(*sweep);
+    ASSERT_TRUE(drawing.has_value());
+    const std::string svg = drawing->svg().front();
+    EXPECT_NE(svg.find("data-name=\"O\""), std::string::npos);
+    const auto rows = sweep->rows();
+    ASSERT_TRUE(rows && rows->size() == 23u);
+    const auto undrawn = Sweep::of(*file, options)->rows();
+    ASSERT_TRUE(undrawn && undrawn->size() == rows->size());
+    const std::size_t effort = column_named(*sweep, "effort F_G");
+    for (std::size_t i = 0; i < rows->size(); ++i)
+        EXPECT_NEAR((*rows)[i][effort] / (*undrawn)[i][effort], 1, 1e-9) << i;
+    options.traces = {"Nowhere"};
     EXPECT_FALSE(Sweep::of(*file, options).has_value());
 }
 
@@ -225,6 +310,16 @@ TEST(PublicFace, ReadsACam) {
     ASSERT_TRUE(cam.has_value());
     EXPECT_GE(cam->profile(90).size(), 90u);
     EXPECT_TRUE(MechanismFile::parse(cam->mechanism_at(1), "cam.json").has_value());
+    const auto cycle = CamCycle::of(*cam, {"60°", 24, ""});
+    ASSERT_TRUE(cycle.has_value());
+    EXPECT_TRUE(cycle->keeps_law());
+    EXPECT_FALSE(cycle->facts().empty() || cycle->comparison().empty());
+    EXPECT_TRUE(cycle->remarks().empty()) << "its law has no shock";
+    const std::string csv = cycle->csv();
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 26);
+    EXPECT_EQ(cycle->mechanism(), cam->mechanism_at(std::acos(-1.0) / 3));
+    EXPECT_NE(draw(*cycle)->svg().back().find("data-name=\"pressure angle\""), std::string::npos);
+    EXPECT_FALSE(CamCycle::of(*cam, {"400°", 24, ""}).has_value());
 }
 
 TEST(PublicFace, ComparesPictures) {

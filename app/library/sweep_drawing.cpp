@@ -1,4 +1,4 @@
-#include "app/commands/sweep_drawing.hpp"
+#include "app/library/sweep_drawing.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -49,7 +49,8 @@ std::vector<std::vector<std::size_t>> usual_plots(const std::vector<Column>& col
 }  // namespace
 
 tl::expected<std::vector<std::vector<std::size_t>>, Words> plots_of(const std::vector<std::string>& asked,
-                                                                    const std::vector<Column>& columns) {
+                                                                    const std::vector<Column>& columns,
+                                                                    const std::string& dashes) {
     if (asked.empty()) return usual_plots(columns);
     std::vector<std::string> names;
     for (const Column& column : columns) names.push_back(column.name);
@@ -61,25 +62,27 @@ tl::expected<std::vector<std::vector<std::size_t>>, Words> plots_of(const std::v
             if (found == names.end()) {
                 Speller speller;
                 return tl::unexpected(
-                    Words("--plot: there is no quantity {0}{1}; the columns of the CSV are those there are",
-                          "--plot: non c’è la grandezza {0}{1}; quelle che ci sono sono le colonne del CSV",
-                          quoted(name), did_you_mean(speller.nearest(name, names))));
+                    Words("{2}plot: there is no quantity {0}{1}; the columns of the CSV are those there are",
+                          "{2}plot: non c’è la grandezza {0}{1}; quelle che ci sono sono le colonne del CSV",
+                          quoted(name), did_you_mean(speller.nearest(name, names)), dashes));
             }
             plot.push_back(static_cast<std::size_t>(found - names.begin()));
             if (columns[plot.back()].unit != columns[plot.front()].unit)
-                return tl::unexpected(Words("--plot {0}: quantities of different units need plots of their own",
-                                            "--plot {0}: grandezze di unità diverse vogliono ciascuna il suo diagramma",
-                                            quoted(text)));
+                return tl::unexpected(
+                    Words("{1}plot {0}: quantities of different units need plots of their own",
+                          "{1}plot {0}: grandezze di unità diverse vogliono ciascuna il suo diagramma", quoted(text),
+                          dashes));
         }
         constexpr std::size_t most = 4;
         if (plot.size() > most)
-            return tl::unexpected(Words("--plot {0}: at most four quantities in one plot",
-                                        "--plot {0}: al più quattro grandezze in un diagramma", quoted(text)));
+            return tl::unexpected(Words("{1}plot {0}: at most four quantities in one plot",
+                                        "{1}plot {0}: al più quattro grandezze in un diagramma", quoted(text), dashes));
     }
     return plots;
 }
 
-tl::expected<std::vector<Trace>, Words> traces_of(const std::vector<std::string>& asked, const Mechanism& mechanism) {
+tl::expected<std::vector<Trace>, Words> traces_of(const std::vector<std::string>& asked, const Mechanism& mechanism,
+                                                  const std::string& dashes) {
     const auto nearest = [](const std::string& name, const auto& list) {
         std::vector<std::string> names;
         for (const auto& each : list) names.push_back(each.name);
@@ -93,19 +96,19 @@ tl::expected<std::vector<Trace>, Words> traces_of(const std::vector<std::string>
         trace.name = text;
         const auto point = mechanism.point_named(parts[0]);
         if (!point)
-            return tl::unexpected(Words("--trace: no point is named {0}{1}", "--trace: nessun punto si chiama {0}{1}",
-                                        quoted(parts[0]), nearest(parts[0], mechanism.points)));
+            return tl::unexpected(Words("{2}trace: no point is named {0}{1}", "{2}trace: nessun punto si chiama {0}{1}",
+                                        quoted(parts[0]), nearest(parts[0], mechanism.points), dashes));
         trace.point = *point;
         if (parts.size() > 2 || (parts.size() == 2 && !parts[1].starts_with("on ")))
-            return tl::unexpected(
-                Words("--trace {0} is not P or \"P,on BODY\"", "--trace {0} non è P né \"P,on CORPO\"", quoted(text)));
+            return tl::unexpected(Words("{1}trace {0} is not P or \"P,on BODY\"",
+                                        "{1}trace {0} non è P né \"P,on CORPO\"", quoted(text), dashes));
         if (parts.size() == 2) {
             const std::string name = parts[1].substr(3);
             const auto body = mechanism.body_named(name);
             if (!body)
-                return tl::unexpected(Words("--trace: no body is named {0}{1}",
-                                            "--trace: nessun corpo si chiama {0}{1}", quoted(name),
-                                            nearest(name, mechanism.bodies)));
+                return tl::unexpected(Words("{2}trace: no body is named {0}{1}",
+                                            "{2}trace: nessun corpo si chiama {0}{1}", quoted(name),
+                                            nearest(name, mechanism.bodies), dashes));
             trace.on = *body;
         }
         traces.push_back(std::move(trace));

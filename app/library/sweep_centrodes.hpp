@@ -15,7 +15,7 @@ namespace kinegraph::app {
 
 /// Reads pairs of bodies. Error, one line: unknown body (with the nearest name), not a pair, twice the same body.
 tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs_of(
-    const std::vector<std::string>& asked, const Mechanism& mechanism);
+    const std::vector<std::string>& asked, const Mechanism& mechanism, const std::string& dashes);
 /// The value of the member "centrodes" of the JSON.
 std::string json_of(const std::vector<Centrodes>& centrodes, const Mechanism& mechanism);
 /// Adds the fixed and the moving centrode, piece by piece, and the pole in the position of the file.

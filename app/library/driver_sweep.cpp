@@ -1,0 +1,261 @@
+// Sweep over a driver: rows along its travel, their sums, and what the sheet of the cycle shows besides.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "app/library/driver_choice.hpp"
+#include "app/library/row_text.hpp"
+#include "app/library/sweep_centrodes.hpp"
+#include "app/library/sweep_course.hpp"
+#include "app/library/sweep_drawing.hpp"
+#include "app/library/sweep_state.hpp"
+#include "constructions/positions/cycle.hpp"
+#include "engine/drawing/pose.hpp"
+#include "engine/file/json_text.hpp"
+
+namespace kinegraph {
+namespace {
+
+/// Accumulates the mean and the extremes of the input forces and couples over the rows.
+class EffortSums {
+public:
+    /// The means are over column `over`: the driver's coordinate, or the time.
+    EffortSums(const std::vector<Column>& columns, std::size_t over) : over_(over) {
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            if (columns[i].quantity.kind == Quantity::Kind::effort) sums_.push_back({i});
+    }
+    void take(std::span<const double> row) {
+        for (Sum& sum : sums_) {
+            const double value = row[sum.column];
+            if (sum.rows > 0) {
+                sum.integral += (value + sum.last) / 2 * (row[over_] - sum.last_at);
+                sum.way += row[over_] - sum.last_at;
+            }
+            if (sum.rows == 0 || value < sum.least) sum.least = value, sum.least_at = row[over_];
+            if (sum.rows == 0 || value > sum.most) sum.most = value, sum.most_at = row[over_];
+            sum.last = value;
+            sum.last_at = row[over_];
+            ++sum.rows;
+        }
+    }
+    /// A line each.
+    template <class Place>
+    std::vector<Words> told(const std::vector<Column>& columns, const Units& units, Place place) const {
+        std::vector<Words> lines;
+        for (const Sum& sum : sums_) {
+            if (sum.rows < 2) continue;
+            const Column& column = columns[sum.column];
+            const Unit& unit = column.unit == QuantityKind::moment ? units.moment : units.force;
+            const auto text = [&](double value) {
+                std::array<char, 32> digits{};
+                std::snprintf(digits.data(), digits.size(), "%.6g ", value / unit.si.to_double());
+                return app::decimal(digits.data()) + unit.symbol;
+            };
+            const double rounding = 1e-9 * std::max(std::abs(sum.least), std::abs(sum.most)),
+                         mean = sum.integral / sum.way;
+            lines.emplace_back("{0}: mean {1}, least {2} at {3}, greatest {4} at {5}",
+                               "{0}: media {1}, minimo {2} a {3}, massimo {4} a {5}", column.name,
+                               text(std::abs(mean) < rounding ? 0 : mean), text(sum.least), place(sum.least_at),
+                               text(sum.most), place(sum.most_at));
+        }
+        return lines;
+    }
+
+private:
+    struct Sum {
+        std::size_t column = 0;
+        double integral = 0, way = 0, last = 0, last_at = 0, least = 0, most = 0, least_at = 0, most_at = 0;
+        long rows = 0;
+    };
+    std::size_t over_;
+    std::vector<Sum> sums_;
+};
+
+class DriverSweep final : public Sweep::State {
+public:
+    DriverSweep(const Mechanism& own, const SweepOptions& options) : State(own), options_(options) {}
+
+    /// Reads the options. Separate from the constructor, because the cycle refers to members of this object.
+    Expected<void> prepare() {
+        const auto wrong = [](const Words& why) { return refused(Diagnostic::Kind::bad_input, why); };
+        const auto asked = app::course_asked(options_, mechanism);
+        if (!asked) return wrong(asked.error());
+        course_ = asked->course;
+        auto pose = draw_pose(mechanism);
+        if (!pose) return tl::unexpected(diagnostics_of(pose.error()));
+        pose_ = *std::move(pose);
+        auto cycle = Cycle::of(mechanism, pose_, course_);
+        if (!cycle) return tl::unexpected(diagnostics_of(cycle.error()));
+        const auto travel = app::travel_asked(cycle->positions(), mechanism, *asked, options_.dashes);
+        if (!travel) return wrong(travel.error());
+        cycle_.emplace(*std::move(cycle));
+        unsolved = cycle_->begin(*travel);
+        table.driver = name_of(course_.driver);
+        table.turns = app::turns(mechanism, course_.driver);
+        table.travel = *travel;
+        table.columns = cycle_->columns();
+        auto traces = app::traces_of(options_.traces, mechanism, options_.dashes);
+        if (!traces) return wrong(traces.error());
+        traces_ = *std::move(traces);
+        auto columns = app::plots_of(options_.plots, table.columns, options_.dashes);
+        if (!columns) return wrong(columns.error());
+        plots = *std::move(columns);
+        const auto pairs = app::centrode_pairs_of(options_.centrodes, mechanism, options_.dashes);
+        if (!pairs) return wrong(pairs.error());
+        for (const auto& [first, second] : *pairs) add_centrodes(first, second);
+        return {};
+    }
+
+    Expected<void> each_row(const See& see, const Progress& progress) override {
+        const Travel& travel = table.travel;
+        // More cannot be distinguished in a plot.
+        constexpr long most_drawn = 3600;
+        const long steps = options_.steps, stride = (steps + most_drawn - 1) / most_drawn;
+        table.rows.clear();
+        table.left_out.clear();
+        efforts_ = EffortSums(table.columns, table.over());
+        has_rows = false;
+        for (long i = 0; i <= steps; ++i) {
+            if (progress) progress(i, steps);
+            // At a limit the rates of the driver are not defined.
+            if ((i == 0 && travel.starts_at_limit) || (i == steps && travel.ends_at_limit)) continue;
+            const double at = travel.at(static_cast<double>(i) / static_cast<double>(steps));
+            const auto row = cycle_->row(at);
+            if (!row) {
+                table.left_out.push_back(at);
+                continue;
+            }
+            efforts_.take(*row);
+            if (i % stride == 0) table.rows.emplace_back(row->begin(), row->end());
+            if (!see(*row)) return {};
+        }
+        has_rows = true;
+        return {};
+    }
+
+    std::string json_before() const override {
+        const Travel& travel = table.travel;
+        const auto limit = [](bool is_one, double at) { return is_one ? app::decimal_of(at) : std::string("null"); };
+        std::string along;
+        for (const Course::Along& each : course_.along)
+            along += (along.empty() ? "\"along\": {" : ", ") + json_text(name_of(each.driver)) + ": " +
+                     app::decimal_of(each.per.to_double());
+        if (!along.empty()) along += "},\n  ";
+        return "\"driver\": " + json_text(table.driver) + ",\n  " + along +
+               "\"from\": " + app::decimal_of(travel.from) + ",\n  \"to\": " + app::decimal_of(travel.to) +
+               ",\n  \"limits\": [" + limit(travel.starts_at_limit, travel.from) + ", " +
+               limit(travel.ends_at_limit, travel.to) +
+               "],\n  \"change points\": " + app::json_list(travel.change_points);
+    }
+    std::string json_after() const override {
+        return centrodes_.empty() ? "" : ",\n  \"centrodes\": " + app::json_of(centrodes_, mechanism);
+    }
+
+    std::vector<render::Way> finish_table() override {
+        const Travel& travel = table.travel;
+        table.limits.clear();
+        if (travel.starts_at_limit) table.limits.push_back(cycle_->at_limit(travel.from, travel.to - travel.from));
+        if (travel.ends_at_limit) table.limits.push_back(cycle_->at_limit(travel.to, travel.from - travel.to));
+        table.transmission = transmission_of(mechanism, cycle_->positions(), course_.driver, travel);
+        auto ways = app::ways_of(mechanism, cycle_->positions(), travel, options_.poses, traces_);
+        for (const Centrodes& each : centrodes_) app::add_ways(each, mechanism, ways);
+        return ways;
+    }
+
+    std::vector<Words> summary() const override {
+        std::vector<Words> lines = lines_on_travel();
+        for (Words& line : efforts_.told(table.columns, mechanism.units, [&](double at) { return position_text(at); }))
+            lines.push_back(std::move(line));
+        if (const auto& left_out = table.left_out; left_out.size() == 1)
+            lines.emplace_back("1 row is left out, where the mechanism gives no unique answer: {0}",
+                               "1 riga è omessa, dove il meccanismo non dà una risposta unica: {0}",
+                               position_text(left_out.front()));
+        else if (left_out.size() > 1)
+            lines.emplace_back(
+                "{0} rows are left out, where the mechanism gives no unique answer; the first is {1}, the last {2}",
+                "{0} righe sono omesse, dove il meccanismo non dà una risposta unica; la prima è {1}, l’ultima {2}",
+                std::to_string(left_out.size()), position_text(left_out.front()), position_text(left_out.back()));
+        return lines;
+    }
+    LargestDifference::Found difference() const override {
+        const Cycle::Difference off = cycle_->difference();
+        return {off.share, off.column, off.coordinate};
+    }
+    Words coordinate_text(double coordinate) const override {
+        return app::coordinate_text(mechanism, course_.driver, coordinate);
+    }
+
+private:
+    std::string name_of(int driver) const { return app::name_of_driver(mechanism, driver); }
+    /// The position of a row: a coordinate, or a time.
+    Words position_text(double at) const { return table.travel.times ? app::time_text(at) : coordinate_text(at); }
+
+    void add_centrodes(BodyIndex first, BodyIndex second) {
+        auto traced = trace_centrodes(mechanism, pose_, course_.driver, table.travel, first, second);
+        if (!traced || traced->branches.empty())
+            remarks.emplace_back(
+                "{0}centrodes {1},{2}: the two bodies never turn against each other, or it is not determined how: "
+                "there are no centrodes",
+                "{0}centrodes {1},{2}: i due corpi non ruotano mai l’uno rispetto all’altro, o non è determinato "
+                "come: non ci sono polari",
+                options_.dashes, mechanism.body(first).name, mechanism.body(second).name);
+        if (traced) centrodes_.push_back(*std::move(traced));
+    }
+
+    std::vector<Words> lines_on_travel() const {
+        std::vector<Words> lines;
+        const Travel& travel = table.travel;
+        const auto coordinate = [&](double at, double grain = 1e-9) {
+            return app::coordinate_text(mechanism, course_.driver, at, grain);
+        };
+        if (travel.starts_at_limit || travel.ends_at_limit)
+            lines.emplace_back(
+                "driver {0} goes from {1} to {2}, {3}", "il movente {0} va da {1} a {2}, {3}", table.driver,
+                coordinate(travel.from), coordinate(travel.to),
+                travel.starts_at_limit ? Words("its limits", "i suoi limiti") : Words("its limit", "il suo limite"));
+        const auto& branch = cycle_->positions().branch();
+        if (branch)
+            lines.emplace_back(
+                "a change point is drawn: of its {0} branches number {1} is taken; {2}branch takes another",
+                "è disegnato un punto di biforcazione: dei suoi {0} rami si prende il numero {1}; {2}branch ne prende "
+                "un altro",
+                std::to_string(branch->of), std::to_string(branch->index + 1), options_.dashes);
+        for (const double each : travel.change_points)
+            if (!branch || each != 0)
+                lines.emplace_back(
+                    "a change point at {0}: the branch is a choice there; the one is taken that goes on smoothly",
+                    "un punto di biforcazione a {0}: lì il ramo è una scelta; si prende quello che prosegue senza "
+                    "salti",
+                    coordinate(each, 1e-6));
+        if (travel.times)
+            lines.emplace_back("driver {0} follows its law, from {1} to {2}",
+                               "il movente {0} segue la sua legge, da {1} a {2}", table.driver,
+                               app::time_text(travel.times->first), app::time_text(travel.times->second));
+        if (mechanism.drivers.size() > 1 + course_.along.size())
+            lines.emplace_back("the other drivers rest where they are drawn, with the rates of the file",
+                               "gli altri moventi restano dove sono disegnati, con le velocità e accelerazioni del "
+                               "file");
+        return lines;
+    }
+
+    SweepOptions options_;
+    Course course_;
+    Pose pose_;
+    std::optional<Cycle> cycle_;  ///< refers to the mechanism and the pose
+    std::vector<app::Trace> traces_;
+    std::vector<Centrodes> centrodes_;
+    EffortSums efforts_{{}, 0};
+};
+
+}  // namespace
+
+Expected<std::unique_ptr<Sweep::State>> sweep_of_driver(const Mechanism& mechanism, const SweepOptions& options) {
+    auto sweep = std::make_unique<DriverSweep>(mechanism, options);
+    if (const auto ready = sweep->prepare(); !ready) return tl::unexpected(ready.error());
+    return sweep;
+}
+
+}  // namespace kinegraph

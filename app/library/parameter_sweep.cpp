@@ -1,0 +1,296 @@
+// Sweep over a parameter: the file solved again with each value, in the position that it then draws.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "app/library/driver_choice.hpp"
+#include "app/library/row_text.hpp"
+#include "app/library/sweep_drawing.hpp"
+#include "app/library/sweep_state.hpp"
+#include "constructions/positions/named_results.hpp"
+#include "constructions/solving/solve.hpp"
+#include "engine/file/json_text.hpp"
+#include "engine/file/spelling.hpp"
+#include "engine/mechanism/variation.hpp"
+#include "engine/results/result_names.hpp"
+#include "engine/solution/problem_solution.hpp"
+
+namespace kinegraph {
+namespace {
+
+/// The value in SI, but angles in degrees, as formulas use them.
+double si_of(const Measured& value) {
+    return value.value.to_double() * std::pow(std::numbers::pi / 180, value.dimension.angle);
+}
+
+/// The value of an option. `name`: its name in messages.
+tl::expected<Measured, Words> value_given(const std::string& name, const std::string& text) {
+    auto read = is_formula(text) ? tl::expected<Measured, Words>(tl::unexpected(Words(
+                                       "a value is wanted here, no formula", "qui serve un valore, non una formula")))
+                                 : read_measured(text, {});
+    if (read) return *std::move(read);
+    return tl::unexpected(name + ": " + read.error());
+}
+
+/// The values of the parameter, as settings. The last one does not exceed `to`.
+tl::expected<Variation, Words> values_of(const SweepOptions& options) {
+    constexpr int most = 1'000'000;
+    const std::string& dashes = options.dashes;
+    const auto wrong = [&](std::string_view english, std::string_view italian, const auto&... more) {
+        return tl::unexpected(Words(english, italian, dashes, more...));
+    };
+    if (options.from.empty() || options.to.empty())
+        return wrong("{0}over wants {0}from and {0}to", "{0}over vuole {0}from e {0}to");
+    const auto from = value_given(dashes + "from", options.from), to = value_given(dashes + "to", options.to);
+    if (!from) return tl::unexpected(from.error());
+    if (!to) return tl::unexpected(to.error());
+    std::optional<Measured> step;
+    if (!options.step.empty()) {
+        auto read = value_given(dashes + "step", options.step);
+        if (!read) return tl::unexpected(read.error());
+        step = *std::move(read);
+    }
+    for (const Measured* other : {&*to, step ? &*step : &*to})
+        if (other->is_bare != from->is_bare || !(other->dimension == from->dimension))
+            return wrong("{0}from is {1}, and {0}to or {0}step is {2}", "{0}from è {1}, e {0}to o {0}step è {2}",
+                         described(*from), described(*other));
+    const Exact way = to->value - from->value;
+    if (way.is_zero())
+        return wrong("{0}from and {0}to are the same; solve {0}set gives one value",
+                     "{0}from e {0}to sono uguali; solve {0}set dà un valore solo");
+    if (!step && (options.steps < 1 || options.steps > most))
+        return wrong("{0}steps: 1 to {1}", "{0}steps: da 1 a {1}", std::to_string(most));
+    const Exact each = step ? step->value : way / Exact::ratio(options.steps, 1);
+    const Exact count = each.is_zero() ? Exact(-1) : way / each;
+    if (count.sign() < 0)
+        return wrong("{0}step {1} does not lead from {0}from to {0}to", "{0}step {1} non porta da {0}from a {0}to",
+                     options.step);
+    if (count > Exact(most))
+        return wrong("{0}step: more than {1} values; take a larger step",
+                     "{0}step: più di {1} valori; prendere un passo più grande", std::to_string(most));
+    Variation values;
+    values.parameter = options.over;
+    values.count =
+        static_cast<std::uint64_t>(mpz_class(count.rational().get_num() / count.rational().get_den()).get_ui()) + 1;
+    Exact unit = 1;
+    if (!from->is_bare) {
+        values.unit = read_quantity(options.from, QuantityKind::dimensionless)->unit->symbol;
+        unit = read_measured("1 " + values.unit, {})->value;
+    }
+    values.from = from->value / unit;
+    values.step = each / unit;
+    return values;
+}
+
+class ParameterSweep final : public Sweep::State {
+public:
+    ParameterSweep(const MechanismFile::State& file, const SweepOptions& options, Variation values,
+                   std::optional<double> drawn)
+        : State(file.mechanism),
+          file_{file.text, file.name, file.set},
+          wanted_plots_(options.plots),
+          dashes_(options.dashes),
+          values_(std::move(values)) {
+        table.driver = values_.parameter;
+        table.turns = false;
+        table.travel.from = si(0);
+        table.travel.to = si(values_.count - 1);
+        table.parameter = CycleTable::Parameter{shown_unit(), drawn};
+    }
+
+    Expected<void> each_row(const See& see, const Progress& progress) override {
+        if (!has_rows) solve_all(progress);
+        if (table.rows.empty()) return tl::unexpected(diagnostics_of(fault_));
+        auto columns = app::plots_of(wanted_plots_, table.columns, dashes_);
+        if (!columns) return refused(Diagnostic::Kind::bad_input, columns.error());
+        plots = *std::move(columns);
+        for (const auto& row : table.rows)
+            if (!see(row)) break;
+        return {};
+    }
+
+    std::string json_before() const override {
+        return "\"parameter\": " + json_text(table.driver) + ",\n  \"from\": " + app::decimal_of(table.travel.from) +
+               ",\n  \"to\": " + app::decimal_of(table.travel.to);
+    }
+    std::string json_after() const override { return {}; }
+    std::vector<render::Way> finish_table() override { return {}; }
+
+    std::vector<Words> summary() const override {
+        if (left_out_.empty()) return {};
+        if (left_out_.size() == 1)
+            return {{"1 row is left out, where the file gives no unique answer: {0} = {1}",
+                     "1 riga è omessa, dove il file non dà una risposta unica: {0} = {1}", table.driver,
+                     left_out_.front()}};
+        return {{"{0} rows are left out, where the file gives no unique answer: {1} = {2} … {3}",
+                 "{0} righe sono omesse, dove il file non dà una risposta unica: {1} = {2} … {3}",
+                 std::to_string(left_out_.size()), table.driver, left_out_.front(), left_out_.back()}};
+    }
+    LargestDifference::Found difference() const override { return difference_.found(table.columns, size_); }
+    /// "r = 40 mm"
+    Words coordinate_text(double coordinate) const override {
+        const Unit& unit = table.parameter->unit;
+        std::array<char, 32> value{};
+        std::snprintf(value.data(), value.size(), "%.6g", coordinate / unit.si.to_double());
+        const bool is_close = unit.symbol.empty() || unit.symbol == "°";
+        return table.driver + std::string(" = ") + app::decimal(value.data()) +
+               (std::string(is_close ? "" : " ") + unit.symbol);
+    }
+
+private:
+    double si(std::uint64_t i) const { return si_of(*read_measured(values_.value(i), {})); }
+
+    void solve_all(const Progress& progress) {
+        for (std::uint64_t i = 0; i < values_.count; ++i) {
+            if (progress) progress(static_cast<long>(i), static_cast<long>(values_.count));
+            if (auto row = row_of(values_.value(i))) {
+                table.rows.push_back(*std::move(row));
+            } else {
+                left_out_.push_back(values_.value(i));
+                table.left_out.push_back(si(i));
+            }
+        }
+        has_rows = true;
+    }
+
+    /// The unit of the first value, with its factor to SI.
+    Unit shown_unit() const {
+        if (values_.unit.empty()) return {"", 1};
+        const KnownUnit* known = unit_spelt(values_.unit);
+        return {known->symbol == "deg" ? "°" : std::string(known->symbol), known->si};
+    }
+
+    /// The column of an input force may contain the value by virtual work if there are no reactions.
+    static bool is_effort_by_work(const Quantity& held, const Quantity& column) {
+        return held.kind == Quantity::Kind::virtual_effort && column.kind == Quantity::Kind::effort &&
+               held.given == column.given;
+    }
+    /// Compares the row of a value with the check.
+    void hold_against_check(const Solution& solution, const std::vector<double>& row) {
+        size_ = std::max(size_, solution.pose.size.to_double());
+        for (std::size_t i = 1; i < table.columns.size(); ++i) {
+            const Column& column = table.columns[i];
+            if (column.kind == Column::Kind::result)
+                for (const CheckRow& each : solution.checks)
+                    if (each.quantity == column.quantity || is_effort_by_work(each.quantity, column.quantity))
+                        difference_.hold(i, column, row[i], each.numeric, row[0]);
+            if (column.kind == Column::Kind::named && solution.problem)
+                for (const ProblemValue& each : solution.problem->values)
+                    if (each.name.en == column.name && each.numeric)
+                        difference_.hold(i, column, row[i], *each.numeric, row[0]);
+        }
+    }
+
+    /// The results for one value; empty if there are none.
+    std::optional<std::vector<double>> row_of(const std::string& value) {
+        const auto note = [&](Errors errors) {
+            if (fault_.empty()) fault_ = std::move(errors);
+            return std::nullopt;
+        };
+        std::vector<Setting> set = file_.set;
+        std::erase_if(set, [&](const Setting& each) { return each.name == table.driver; });
+        set.push_back({table.driver, value});
+        auto varied = read_mechanism(file_.text, file_.name, set);
+        if (!varied) return note(varied.error());
+        auto solution = solve(*std::move(varied));
+        if (!solution) return note(solution.error());
+        if (!solution->unsolved.empty())
+            return note({{ErrorCode::no_unique_answer,
+                          {},
+                          {"no value has a unique answer", "nessun valore ha una risposta unica"}}});
+        std::vector<NamedResult> results = named_results(*solution);
+        std::erase_if(results, [](const NamedResult& each) { return is_modulus(each.column); });
+        if (table.columns.empty()) choose_columns(results);
+        std::vector<double> row{si_of(*read_measured(value, {}))};
+        for (std::size_t i = 1; i < table.columns.size(); ++i) {
+            const auto found = std::find_if(results.begin(), results.end(), [&](const NamedResult& each) {
+                return each.column.name == table.columns[i].name;
+            });
+            if (found == results.end()) return std::nullopt;
+            row.push_back(table.columns[i].kind == Column::Kind::angle && !last_.empty()
+                              ? beside(found->value, last_[i])
+                              : found->value);
+        }
+        last_ = row;
+        hold_against_check(*solution, row);
+        return row;
+    }
+    void choose_columns(const std::vector<NamedResult>& results) {
+        table.columns.push_back({Column::Kind::named, {}, table.driver, QuantityKind::dimensionless});
+        for (const NamedResult& each : results) table.columns.push_back(each.column);
+    }
+    /// The same angle, within half a turn of the one before.
+    static double beside(double angle, double before) {
+        constexpr double turn = 2 * std::numbers::pi;
+        return angle + turn * std::round((before - angle) / turn);
+    }
+
+    SourceFile file_;
+    std::vector<std::string> wanted_plots_;
+    std::string dashes_;
+    Variation values_;
+    LargestDifference difference_;
+    double size_ = 0;  ///< of the largest drawing, m
+    std::vector<double> last_;
+    std::vector<std::string> left_out_;
+    Errors fault_;  ///< of the first value that fails
+};
+
+/// Why the parameter cannot have these values; empty if it can, or if a formula gives it.
+Words of_another_kind(const Variation& values, const std::string& own_text, const std::string& dashes) {
+    if (is_formula(own_text)) return {};
+    const auto own = read_measured(own_text, {}), given = read_measured(values.value(0), {});
+    if (own->is_bare == given->is_bare && own->dimension == given->dimension) return {};
+    return {"{0}from is {1}; the parameter {2} is {3}",
+            "{0}from è {1}; il parametro {2} è {3}",
+            dashes,
+            described(*given),
+            values.parameter,
+            described(*own)};
+}
+
+/// Why a parameter cannot be swept; empty if it can.
+Words meaningless_sweep(const SweepOptions& options, JsonValue parameters) {
+    if (!options.driver.empty() || !options.along.empty() || options.branch != 0 || !options.traces.empty() ||
+        !options.centrodes.empty() || options.poses != 0)
+        return {"{0}over moves no driver: {0}driver, {0}branch, {0}trace, {0}centrodes and {0}poses do not go with it",
+                "{0}over non muove nessun movente: {0}driver, {0}branch, {0}trace, {0}centrodes e {0}poses non vanno "
+                "con esso",
+                options.dashes};
+    std::vector<std::string_view> names;
+    if (parameters && parameters.is_object())
+        for (const JsonValue each : parameters) names.push_back(each.key());
+    if (std::find(names.begin(), names.end(), options.over) != names.end()) return {};
+    return {"{0}over {1}: the file has no parameter named {1}{2}", "{0}over {1}: il file non ha un parametro {1}{2}",
+            options.dashes, quoted(options.over), did_you_mean(Speller().nearest(options.over, names))};
+}
+
+/// The parameter's own value, SI: that of the settings, else of the file; empty if a formula gives it.
+std::optional<double> drawn_value(const MechanismFile::State& file, const std::string& name, std::string text) {
+    for (const Setting& each : file.set)
+        if (each.name == name) text = each.value;
+    if (is_formula(text)) return std::nullopt;
+    const auto own = read_measured(text, {});
+    return own ? std::optional(si_of(*own)) : std::nullopt;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<Sweep::State>> sweep_of_parameter(const MechanismFile::State& file,
+                                                           const SweepOptions& options) {
+    const auto source = JsonSource::read(file.text);
+    const JsonValue parameters = source->root()["parameters"];
+    const auto wrong = [](const Words& why) { return refused(Diagnostic::Kind::bad_input, why); };
+    if (const Words why = meaningless_sweep(options, parameters); !why.empty()) return wrong(why);
+    auto values = values_of(options);
+    if (!values) return wrong(values.error());
+    const std::string own(parameters[options.over].text());
+    if (const Words why = of_another_kind(*values, own, options.dashes); !why.empty()) return wrong(why);
+    return std::make_unique<ParameterSweep>(file, options, *std::move(values), drawn_value(file, options.over, own));
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,133 @@
+// Sweep: the public interface of both kinds of sweeps, their texts and drawings.
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "app/library/driver_choice.hpp"
+#include "app/library/row_text.hpp"
+#include "app/library/sweep_state.hpp"
+#include "constructions/solving/solve.hpp"
+#include "engine/file/json_text.hpp"
+#include "engine/file/units.hpp"
+#include "engine/mechanism/problem.hpp"
+#include "render/sheet/cycle_sheet.hpp"
+
+namespace kinegraph {
+namespace {
+
+std::string difference_json(const Sweep::State& sweep) {
+    const LargestDifference::Found off = sweep.difference();
+    if (off.column < 0) return "\"largest difference\": null";
+    return "\"largest difference\": {\"column\": " + json_text(sweep.table.columns[at_index(off.column)].name) +
+           (sweep.table.parameter ? ", \"value\": " : ", \"turn\": ") + app::decimal_of(off.coordinate) +
+           ", \"share\": " + app::decimal_of(off.share) + "}";
+}
+
+}  // namespace
+
+Sweep::Sweep(State* state) : state_(state) {}
+Sweep::Sweep(Sweep&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
+Sweep& Sweep::operator=(Sweep&& other) noexcept {
+    std::swap(state_, other.state_);
+    return *this;
+}
+Sweep::~Sweep() { delete state_; }
+
+Expected<Sweep> Sweep::of(const MechanismFile& file, const SweepOptions& options) {
+    if (options.over.empty() && !file.has_joints())
+        return refused(Diagnostic::Kind::bad_input, {"the file states a problem in place of joints: nothing moves",
+                                                     "il file pone un problema al posto delle coppie: nulla si muove"});
+    auto state = options.over.empty() ? sweep_of_driver(file.state().mechanism, options)
+                                      : sweep_of_parameter(file.state(), options);
+    if (!state) return tl::unexpected(state.error());
+    return Sweep(state->release());
+}
+
+std::vector<SweepColumn> Sweep::columns() const {
+    std::vector<SweepColumn> all;
+    for (const Column& each : state_->table.columns)
+        all.push_back({each.name, each.unit == QuantityKind::dimensionless
+                                      ? std::string()
+                                      : std::string(default_unit(each.unit).symbol)});
+    return all;
+}
+std::vector<double> Sweep::change_points() const { return state_->table.travel.change_points; }
+std::array<std::optional<double>, 2> Sweep::limits() const {
+    const Travel& travel = state_->table.travel;
+    return {travel.starts_at_limit ? std::optional(travel.from) : std::nullopt,
+            travel.ends_at_limit ? std::optional(travel.to) : std::nullopt};
+}
+
+Expected<void> Sweep::for_each_row(const std::function<bool(const std::vector<double>& row)>& see,
+                                   const std::function<void(long done, long all)>& progress) {
+    return state_->each_row([&](std::span<const double> row) { return see({row.begin(), row.end()}); }, progress);
+}
+
+Expected<void> Sweep::write(const std::vector<RowsText>& texts,
+                            const std::function<void(long done, long all)>& progress) {
+    std::vector<app::RowText> written;
+    // Not before the first row: a parameter's sweep finds its columns by then.
+    const auto begin = [&] {
+        for (const RowsText& each : texts)
+            written.emplace_back(each).head(state_->table.columns, state_->json_before());
+    };
+    bool goes_on = true;
+    const auto see = [&](std::span<const double> row) {
+        if (written.empty()) begin();
+        for (app::RowText& text : written) goes_on = text.row(row) && goes_on;
+        return goes_on;
+    };
+    if (auto computed = state_->each_row(see, progress); !computed || !goes_on) return computed;
+    if (written.empty()) begin();
+    for (app::RowText& text : written) text.tail(difference_json(*state_) + state_->json_after());
+    return {};
+}
+
+Expected<std::vector<std::vector<double>>> Sweep::rows() {
+    std::vector<std::vector<double>> all;
+    const auto keep = [&](const std::vector<double>& row) {
+        all.push_back(row);
+        return true;
+    };
+    return for_each_row(keep).map([&] { return std::move(all); });
+}
+
+std::vector<Text> Sweep::remarks() const { return texts_of(state_->remarks); }
+std::vector<Text> Sweep::summary() const {
+    std::vector<Words> lines = state_->summary();
+    if (const LargestDifference::Found off = state_->difference(); off.column >= 0) {
+        std::array<char, 32> share{};
+        std::snprintf(share.data(), share.size(), "%.1e", off.share);
+        lines.emplace_back(
+            "largest difference from the numeric check: {0} of the largest of its kind ({1} at {2})",
+            "massimo scarto dalla verifica numerica: {0} della grandezza maggiore del suo genere ({1} a {2})",
+            app::decimal(share.data()), state_->table.columns[at_index(off.column)].name,
+            state_->coordinate_text(off.coordinate));
+    }
+    return texts_of(lines);
+}
+std::vector<Solved::Missing> Sweep::unsolved() const { return missing_of(state_->unsolved); }
+bool Sweep::is_complete() const { return state_->unsolved.empty() && state_->table.left_out.empty(); }
+double Sweep::largest_difference() const { return state_->difference().share; }
+
+Expected<Drawing> draw(Sweep& sweep, const DrawingOptions& options) {
+    Sweep::State& state = sweep.state();
+    if (stands_for_joints(state.mechanism))
+        return refused(Diagnostic::Kind::bad_input, {"a problem in place of joints has no plots",
+                                                     "un problema al posto delle coppie non ha diagrammi"});
+    if (!state.has_rows)
+        if (const auto computed = sweep.write({}); !computed) return tl::unexpected(computed.error());
+    return drawing_of(options,
+                      [&](const render::SheetOptions& sheet, const render::Fonts& fonts,
+                          std::vector<Text>&) -> Expected<std::vector<render::Page>> {
+                          Mechanism plain = state.mechanism;
+                          plain.find = {};
+                          plain.find.stated = plain.find.velocity = true;
+                          const auto drawn = solve(std::move(plain));
+                          if (!drawn) return tl::unexpected(diagnostics_of(drawn.error()));
+                          const std::vector<render::Way> ways = state.finish_table();
+                          return render::lay_out_cycle(*drawn, state.table, state.plots, ways, sheet, fonts);
+                      });
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,53 @@
+// State of a sweep: what its two kinds have in common, over a driver (driver_sweep.cpp) and over a parameter
+// (parameter_sweep.cpp).
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/library/state.hpp"
+#include "constructions/verdicts/largest_difference.hpp"
+#include "engine/sentences/column.hpp"
+#include "kinegraph/motion.hpp"
+#include "render/figures/plot_figure.hpp"
+
+namespace kinegraph {
+
+struct Sweep::State {
+    using See = std::function<bool(std::span<const double>)>;
+    using Progress = std::function<void(long done, long all)>;
+
+    explicit State(Mechanism own) : mechanism(std::move(own)) {}
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    virtual ~State() = default;
+
+    /// Computes the rows anew, or gives again those it has; keeps in `table` those that a plot can show.
+    virtual Expected<void> each_row(const See& see, const Progress& progress) = 0;
+    /// The members of the JSON before its columns, and after the largest difference.
+    virtual std::string json_before() const = 0;
+    virtual std::string json_after() const = 0;
+    /// Completes the table for its drawing. Returns the paths.
+    virtual std::vector<render::Way> finish_table() = 0;
+    /// All of Sweep::summary() but the largest difference.
+    virtual std::vector<Words> summary() const = 0;
+    virtual LargestDifference::Found difference() const = 0;
+    virtual Words coordinate_text(double coordinate) const = 0;
+
+    Mechanism mechanism;
+    CycleTable table;
+    std::vector<std::vector<std::size_t>> plots;  ///< columns of each
+    std::vector<Words> remarks;
+    std::vector<Unsolved> unsolved;
+    bool has_rows = false;  ///< whether the table has those of the whole range
+};
+
+/// Errors: see Sweep::of.
+Expected<std::unique_ptr<Sweep::State>> sweep_of_driver(const Mechanism& mechanism, const SweepOptions& options);
+Expected<std::unique_ptr<Sweep::State>> sweep_of_parameter(const MechanismFile::State& file,
+                                                           const SweepOptions& options);
+
+}  // namespace kinegraph
