@@ -134,8 +134,7 @@ Expected<std::vector<Solved>> MechanismFile::solve_at(const PositionsWanted& pos
     if (!has_joints())
         return refused(Diagnostic::Kind::bad_input, {"the file states a problem in place of joints: nothing moves",
                                                      "il file pone un problema al posto delle coppie: nulla si muove"});
-    auto solutions =
-        app::solved_positions(with_wishes(state().mechanism, options), positions, arithmetic_of(options));
+    auto solutions = app::solved_positions(with_wishes(state().mechanism, options), positions, arithmetic_of(options));
     if (!solutions) return tl::unexpected(diagnostics_of(solutions.error()));
     std::vector<Solved> all;
     for (Solution& each : *solutions) {
