@@ -12,9 +12,6 @@ find_package(CLI11 2.1 REQUIRED)
 find_path(CGAL_INCLUDE_DIR CGAL/Simple_cartesian.h REQUIRED)
 mark_as_advanced(CGAL_INCLUDE_DIR)
 
-# Used only in a module of the program.
-pkg_check_modules(zip REQUIRED IMPORTED_TARGET libzip)
-
 # Include paths of our own sources: the folders, and the libraries that no public header uses.
 add_library(kinegraph_headers INTERFACE)
 target_include_directories(kinegraph_headers INTERFACE ${PROJECT_SOURCE_DIR})

@@ -112,6 +112,8 @@ check() {
             breach "app/late/late_library.cpp alone opens libraries late"
         includes '[<"](ginac|cln)/' $folders | grep -v '^engine/file/algebra_ginac\.cpp:' |
             breach "GiNaC is engine/file/algebra_ginac.cpp's"
+        includes '[<"]zip\.h' $folders | grep -v '^render/backends/archive\.cpp:' |
+            breach "libzip is render/backends/archive.cpp's"
         includes '[<"]CGAL/' $folders | grep -v '^engine/number/geometry\.cpp:' |
             breach "CGAL is engine/number/geometry.cpp's"
         grep -rn 'JointKind::' engine constructions render app 2>/dev/null |
@@ -174,6 +176,7 @@ seen "cairo_backend.cpp's" render/text/text.cpp '<cairo/cairo.h>'
 seen "cairo_backend.cpp's" app/main.cpp '<cairo-pdf.h>'
 seen "opens libraries late" engine/file/algebra.cpp '<dlfcn.h>'
 seen "algebra_ginac.cpp's" engine/file/expression.cpp '<ginac/ginac.h>'
+seen "archive.cpp's" app/modules/zip.cpp '<zip.h>'
 seen "HarfBuzz is" render/text/text.cpp '<hb.h>'
 seen "geometry.cpp's" constructions/statics/a.cpp '<CGAL/Point_2.h>'
 seen "geometry.cpp's" engine/number/exact.cpp '<CGAL/a.h>'

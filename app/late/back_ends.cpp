@@ -71,7 +71,7 @@ tl::expected<Expression, Error> derivative(const Expression& of, const NamedCons
     return (*ginac())->derivative_of(of, constants);
 }
 
-tl::expected<std::string, Words> app::packed(const std::vector<Packed>& files) {
+tl::expected<std::string, Words> render::packed(const std::vector<Packed>& files) {
     if (!zip()) return tl::unexpected(zip().error());
     return (*zip())->packed_files(files);
 }

@@ -2,8 +2,8 @@
 // library's functions that it contains.
 #pragma once
 
-#include "app/late/archive.hpp"
 #include "engine/file/algebra.hpp"
+#include "render/backends/archive.hpp"
 #include "render/backends/backends.hpp"
 #include "render/text/subset.hpp"
 #include "render/text/typeface.hpp"
@@ -23,7 +23,7 @@ struct GinacModule {
     decltype(&derivative) derivative_of;
 };
 struct ZipModule {
-    decltype(&packed) packed_files;
+    decltype(&render::packed) packed_files;
 };
 
 }  // namespace kinegraph::app

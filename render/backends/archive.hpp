@@ -8,7 +8,7 @@
 
 #include "engine/file/words.hpp"
 
-namespace kinegraph::app {
+namespace kinegraph::render {
 
 /// One file of an archive.
 struct Packed {
@@ -20,4 +20,4 @@ struct Packed {
 /// same bytes on every machine. Error: the message of libzip.
 tl::expected<std::string, Words> packed(const std::vector<Packed>& files);
 
-}  // namespace kinegraph::app
+}  // namespace kinegraph::render
