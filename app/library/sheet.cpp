@@ -20,13 +20,6 @@ namespace kinegraph {
 
 template class Shared<const Drawing::State>;
 
-namespace {
-
-using Paper = DrawingOptions::Paper;
-using Dimensions = DrawingOptions::Dimensions;
-using SheetWanted = DrawingOptions::Sheet;
-
-/// The thread's fonts, opened once. Each call clears the list of missing characters.
 Expected<const render::Fonts*> fonts_of_thread() {
     thread_local std::optional<render::Fonts> fonts;
     if (fonts) {
@@ -38,6 +31,13 @@ Expected<const render::Fonts*> fonts_of_thread() {
     fonts.emplace(*std::move(opened));
     return &*fonts;
 }
+
+namespace {
+
+using Paper = DrawingOptions::Paper;
+using Dimensions = DrawingOptions::Dimensions;
+using SheetWanted = DrawingOptions::Sheet;
+
 /// The outlines of the thread's fonts: most letters of a sheet were on the sheet before.
 render::GlyphPaths& glyph_paths_of_thread() {
     thread_local render::GlyphPaths paths;
@@ -70,12 +70,13 @@ std::optional<render::Theme> dark_beside(const DrawingOptions& options) {
     return options.theme_file.empty() && options.theme == "colour" ? render::built_in_theme("dark") : std::nullopt;
 }
 
-std::vector<Text> remarks_on(const render::Fonts& fonts) {
-    std::string absent;
-    for (const std::string& character : fonts.missing()) absent += (absent.empty() ? "" : ", ") + character;
-    if (absent.empty()) return {};
-    return {text_of(Words("the font has no {0}: drawn as its code in a box",
-                          "il font non ha {0}: disegnato come codice in un riquadro", absent))};
+/// Codes of characters ("U+4E2D"), each once.
+std::vector<std::string> in_unicode_order(std::vector<std::string> codes) {
+    const auto size_and_digits = [](const std::string& code) { return std::pair(code.size(), std::string_view(code)); };
+    std::ranges::sort(codes, {}, size_and_digits);
+    const auto repeated = std::ranges::unique(codes);
+    codes.erase(repeated.begin(), repeated.end());
+    return codes;
 }
 
 /// The pages of one solution; adds remarks to `remarks`.
@@ -141,8 +142,21 @@ Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options) {
     return sheet;
 }
 
+Text remark_on_missing(const std::vector<std::string>& characters) {
+    std::string absent;
+    for (const std::string& character : in_unicode_order(characters))
+        absent += (absent.empty() ? "" : ", ") + character;
+    return text_of(Words("the font has no {0}: drawn as its code in a box",
+                         "il font non ha {0}: disegnato come codice in un riquadro", absent));
+}
+
 std::size_t Drawing::pages() const { return state().pages.size(); }
-std::vector<Text> Drawing::remarks() const { return state().remarks; }
+const std::vector<std::string>& Drawing::missing_characters() const { return state().missing; }
+std::vector<Text> Drawing::remarks() const {
+    std::vector<Text> all = state().remarks;
+    if (!state().missing.empty()) all.push_back(remark_on_missing(state().missing));
+    return all;
+}
 
 std::vector<std::string> Drawing::svg(Lettering lettering) const {
     const auto fonts = fonts_that_drew();
@@ -177,8 +191,8 @@ Expected<Drawing> drawing_of(const DrawingOptions& options, const LayOut& lay_ou
     std::vector<Text> remarks;
     auto pages = lay_out(*sheet, **fonts, remarks);
     if (!pages) return tl::unexpected(pages.error());
-    for (Text& each : remarks_on(**fonts)) remarks.push_back(std::move(each));
-    return Drawing(Shared<const Drawing::State>(new Drawing::State{{}, *std::move(pages), std::move(remarks)}));
+    return Drawing(Shared<const Drawing::State>(
+        new Drawing::State{{}, *std::move(pages), std::move(remarks), (*fonts)->missing()}));
 }
 
 Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& options) {
@@ -197,6 +211,22 @@ Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& 
 
 Expected<Drawing> draw(const Solved& solved, const DrawingOptions& options) {
     return draw(std::vector{solved}, options);
+}
+
+Expected<Drawing> joined(const std::vector<Drawing>& drawings) {
+    if (drawings.empty())
+        return refused(Diagnostic::Kind::bad_input, {"there is no drawing to join", "nessun disegno da unire"});
+    std::vector<render::Page> pages;
+    std::vector<Text> remarks;
+    std::vector<std::string> missing;
+    for (const Drawing& each : drawings) {
+        const Drawing::State& state = each.state();
+        pages.insert(pages.end(), state.pages.begin(), state.pages.end());
+        remarks.insert(remarks.end(), state.remarks.begin(), state.remarks.end());
+        missing.insert(missing.end(), state.missing.begin(), state.missing.end());
+    }
+    return Drawing(Shared<const Drawing::State>(
+        new Drawing::State{{}, std::move(pages), std::move(remarks), in_unicode_order(std::move(missing))}));
 }
 
 Expected<std::vector<std::string>> figure_names(const Solved& solved, const DrawingOptions& options) {
@@ -218,7 +248,9 @@ Expected<LivePage> live_page(const Solved& solved, const DrawingOptions& options
     const Solution& solution = solved.state().solution;
     std::string html =
         render::live_page(solution, moving_of(solution, file), *sheet, dark_beside(options), **fonts, version);
-    return LivePage{std::move(html), remarks_on(**fonts)};
+    std::vector<Text> remarks;
+    if (const auto missing = (*fonts)->missing(); !missing.empty()) remarks.push_back(remark_on_missing(missing));
+    return LivePage{std::move(html), std::move(remarks)};
 }
 
 Expected<std::string> waiting_page(const std::string& name, const DrawingOptions& options) {

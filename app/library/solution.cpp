@@ -17,11 +17,12 @@ namespace kinegraph {
 
 template class Shared<const Solved::State>;
 
-Solved::State::State(Solution found, std::optional<SourceFile> file)
-    : solution(std::move(found)), source(std::move(file)) {}
+Solved::State::State(Solution found, std::optional<SourceFile> file, std::vector<NamedResult> results)
+    : solution(std::move(found)), source(std::move(file)), asked(std::move(results)) {}
 
-Solved solved(Solution solution, std::optional<SourceFile> source) {
-    return Solved(Shared<const Solved::State>(new Solved::State(std::move(solution), std::move(source))));
+Solved solved(Solution solution, std::optional<SourceFile> source, std::vector<NamedResult> asked) {
+    return Solved(
+        Shared<const Solved::State>(new Solved::State(std::move(solution), std::move(source), std::move(asked))));
 }
 
 namespace {

@@ -49,17 +49,21 @@ struct SourceFile {
     std::vector<Setting> set;
 };
 struct Solved::State : Owned {
-    explicit State(Solution solution, std::optional<SourceFile> source = std::nullopt);
+    State(Solution solution, std::optional<SourceFile> source, std::vector<NamedResult> asked);
 
     Solution solution;
     std::optional<SourceFile> source;  ///< none if the position is not the drawn one of a file
+    std::vector<NamedResult> asked;    ///< of a variant: the results asked for
 };
-Solved solved(Solution solution, std::optional<SourceFile> source = std::nullopt);
+Solved solved(Solution solution, std::optional<SourceFile> source = std::nullopt, std::vector<NamedResult> asked = {});
 
 struct Drawing::State : Owned {
     std::vector<render::Page> pages;
-    std::vector<Text> remarks;
+    std::vector<Text> remarks;         ///< without that on missing characters
+    std::vector<std::string> missing;  ///< characters
 };
+/// The thread's fonts, opened once. Each call clears the list of missing characters. Error: the font is missing.
+Expected<const render::Fonts*> fonts_of_thread();
 
 render::Language language_of(Language language);
 Words words_of(const Text& text);
@@ -77,8 +81,8 @@ ResultValue value_of(const NamedResult& result, const Solution& solution);
 /// Error: the faults of a theme file, or an unknown theme name.
 Expected<render::SheetOptions> sheet_options_of(const DrawingOptions& options);
 
-/// Calls `lay_out` with the options and the thread's fonts; adds remarks on missing characters to its own. Errors:
-/// those of sheet_options_of() and of `lay_out`, a missing font.
+/// Calls `lay_out` with the options and the thread's fonts, and notes missing characters. Errors: those of
+/// sheet_options_of() and of `lay_out`, a missing font.
 using LayOut = std::function<Expected<std::vector<render::Page>>(
     const render::SheetOptions& options, const render::Fonts& fonts, std::vector<Text>& remarks)>;
 Expected<Drawing> drawing_of(const DrawingOptions& options, const LayOut& lay_out);

@@ -13,10 +13,10 @@
 namespace kinegraph {}
 
 #include <kinegraph/error.hpp>
-#include <kinegraph/exact.hpp>
 #include <kinegraph/mechanism.hpp>
 #include <kinegraph/motion.hpp>
 #include <kinegraph/picture.hpp>
+#include <kinegraph/request.hpp>
 #include <kinegraph/sheet.hpp>
 #include <kinegraph/solution.hpp>
 #include <kinegraph/variants.hpp>

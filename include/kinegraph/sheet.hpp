@@ -67,6 +67,8 @@ public:
     std::string tex() const;
     /// Warnings about the drawing: characters missing from the font, requested answers that the drawing does not show.
     std::vector<Text> remarks() const;
+    /// Characters missing from the font, in Unicode order: "U+4E2D". They are drawn as this code in a box.
+    const std::vector<std::string>& missing_characters() const;
 
     /// \cond private
     struct State;
@@ -84,6 +86,10 @@ private:
 Expected<Drawing> draw(const Solved& solved, const DrawingOptions& options = {});
 /// Draws several solutions in one document, in the given order, for example positions of one mechanism.
 Expected<Drawing> draw(const std::vector<Solved>& solved, const DrawingOptions& options = {});
+/// The pages of several drawings in one document, in the given order. Fails if there are none.
+Expected<Drawing> joined(const std::vector<Drawing>& drawings);
+/// The remark on characters missing from the font, for several drawings together: each is named once.
+Text remark_on_missing(const std::vector<std::string>& characters);
 /// Names of the figures that can be drawn alone, in the sheet's order.
 Expected<std::vector<std::string>> figure_names(const Solved& solved, const DrawingOptions& options = {});
 /// A live page: one self-contained HTML file in which the user moves the mechanism and the construction follows.

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <kinegraph/error.hpp>
-#include <kinegraph/exact.hpp>
 
 namespace kinegraph {
 
@@ -36,6 +35,16 @@ private:
     State* state_;
 };
 /// \endcond
+
+/// A rational number in lowest terms.
+struct ExactNumber {
+    std::string numerator;    ///< decimal digits, with a minus sign if the number is negative
+    std::string denominator;  ///< decimal digits, positive; "1" for an integer
+    double value = 0;         ///< the nearest double
+
+    /// "3/4", or "3" for an integer.
+    std::string text() const { return denominator == "1" ? numerator : numerator + "/" + denominator; }
+};
 
 /// A named result ("omega 3", "vx B", "F A 3 on 2", "M"). Columns of a sweep and "ask" in a file use the same names
 /// (docs/results.md).

@@ -1,27 +1,58 @@
-// The keys of a line: "file" or "mechanism", "set", "want", "to", and the options of solve under their own names.
-#include "app/commands/batch_line.hpp"
+// Reads requests: "file" or "mechanism", "set", "want", "to", and the options of solve under their own names.
+#include "kinegraph/request.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <initializer_list>
 #include <utility>
 
-#include "app/files/json_text.hpp"
+#include "app/library/state.hpp"
 #include "engine/file/json_source.hpp"
+#include "engine/file/json_text.hpp"
 #include "engine/file/spelling.hpp"
 
-namespace kinegraph::app {
+namespace kinegraph {
 namespace {
 
-constexpr std::array<std::string_view, 6> endings{".svg", ".png",  ".pdf",
-                                                  ".tex", ".json", ".csv"};  // in the order of Format
+/// Appends a value as JSON, unchanged: digits of numbers, order of keys, duplicate keys.
+void append_copy(JsonValue value, std::string& json) {
+    if (value.is_string()) return append_json_text(json, value.text(), "\\n");
+    if (!value.is_array() && !value.is_object()) {
+        json += value.text();
+        return;
+    }
+    json += value.is_array() ? '[' : '{';
+    bool first = true;
+    for (const JsonValue each : value) {
+        if (!first) json += ", ";
+        first = false;
+        if (value.is_object()) {
+            append_json_text(json, each.key(), "\\n");
+            json += ": ";
+        }
+        append_copy(each, json);
+    }
+    json += value.is_array() ? ']' : '}';
+}
+std::string copied(JsonValue value) {
+    std::string json;
+    append_copy(value, json);
+    return json;
+}
 
-std::string_view ending_of(Format format) { return endings.at(static_cast<std::size_t>(format)); }
-
-class BatchLineReader {
+class RequestReader {
 public:
-    BatchLineReader(const JsonSource& source, BatchLine& line) : source_(source), line_(line) {}
+    RequestReader(const JsonSource& source, Request& request) : source_(source), request_(request) {}
+
+    Errors faults() {
+        read();
+        return std::move(faults_);
+    }
+
+private:
+    using Format = Request::Format;
+    template <class Value>
+    using Choices = std::vector<std::pair<std::string_view, Value>>;
 
     void read() {
         const JsonValue root = source_.root();
@@ -31,28 +62,24 @@ public:
                 fault(twice, {"\"{0}\" is given twice", "\"{0}\" è dato due volte", std::string(twice.key())});
         for (const JsonValue member : root) read_member(member);
         read_input(root);
-        const bool is_file = std::any_of(line_.want.begin(), line_.want.end(), [](Format format) {
+        const bool is_file = std::any_of(request_.want.begin(), request_.want.end(), [](Format format) {
             return format == Format::png || format == Format::pdf || format == Format::tex;
         });
-        if (is_file && line_.to.empty())
-            line_.errors.push_back({ErrorCode::bad_input,
-                                    "/want",
-                                    {"png, pdf and tex are files: say with \"to\" where they go",
-                                     "png, pdf e tex sono file: dire con \"to\" dove vanno"}});
+        if (is_file && request_.to.empty())
+            faults_.push_back({ErrorCode::bad_input,
+                               "/want",
+                               {"png, pdf and tex are files: say with \"to\" where they go",
+                                "png, pdf e tex sono file: dire con \"to\" dove vanno"}});
     }
 
-private:
-    template <class Value>
-    using Choices = std::vector<std::pair<std::string_view, Value>>;
-
-    static Choices<render::Language> languages_by_code() {
-        Choices<render::Language> all;
-        for (const render::Language language : render::languages)
-            all.emplace_back(render::notation(language).code, language);
+    static Choices<Language> languages_by_code() {
+        Choices<Language> all;
+        for (const Language language : languages)
+            all.emplace_back(render::notation(language_of(language)).code, language);
         return all;
     }
     void fault(JsonValue at, Words message) {
-        line_.errors.push_back({ErrorCode::bad_input, at.pointer(), std::move(message)});
+        faults_.push_back({ErrorCode::bad_input, at.pointer(), std::move(message)});
     }
     void wrong(JsonValue at, const Words& wanted) {
         fault(at, {"{0} is wanted here, not {1}", "qui ci vuole {0}, non {1}", wanted, described(at)});
@@ -116,57 +143,62 @@ private:
     }
     /// Reads an option of solve. Texts are not checked here.
     bool read_option(JsonValue value) {
-        using namespace render;
+        using Options = DrawingOptions;
         const std::string_view key = value.key();
-        SolveRequest& request = line_.request;
+        Options& drawing = request_.drawing;
         if (key == "lang")
-            choice<Language>(value, languages_by_code(), request.language);
+            choice<Language>(value, languages_by_code(), drawing.language);
         else if (key == "paper")
-            choice<Paper>(value, {{"A4", Paper::a4}, {"A3", Paper::a3}, {"letter", Paper::letter}}, request.paper);
+            choice<Options::Paper>(
+                value, {{"A4", Options::Paper::a4}, {"A3", Options::Paper::a3}, {"letter", Options::Paper::letter}},
+                drawing.paper);
         else if (key == "orientation")
-            choice<Orientation>(value, {{"landscape", Orientation::landscape}, {"portrait", Orientation::portrait}},
-                                request.orientation);
+            choice<Options::Orientation>(
+                value, {{"landscape", Options::Orientation::landscape}, {"portrait", Options::Orientation::portrait}},
+                drawing.orientation);
         else if (key == "dimensions")
-            choice<Dimensions>(value,
-                               {{"auto", Dimensions::automatic}, {"on", Dimensions::on}, {"off", Dimensions::off}},
-                               request.dimensions);
+            choice<Options::Dimensions>(value,
+                                        {{"auto", Options::Dimensions::automatic},
+                                         {"on", Options::Dimensions::on},
+                                         {"off", Options::Dimensions::off}},
+                                        drawing.dimensions);
         else if (key == "detail")
-            choice<SolutionDetail>(value, {{"full", SolutionDetail::full}, {"brief", SolutionDetail::brief}},
-                                   request.detail);
+            choice<Options::Detail>(value, {{"full", Options::Detail::full}, {"brief", Options::Detail::brief}},
+                                    drawing.detail);
         else if (key == "sheet")
-            choice<SheetKind>(
-                value,
-                {{"solution", SheetKind::solution}, {"question", SheetKind::question}, {"answers", SheetKind::answers}},
-                request.sheet);
+            choice<Options::Sheet>(value,
+                                   {{"solution", Options::Sheet::solution},
+                                    {"question", Options::Sheet::question},
+                                    {"answers", Options::Sheet::answers}},
+                                   drawing.sheet);
         else
             return read_plain_option(value);
         return true;
     }
     bool read_plain_option(JsonValue value) {
         const std::string_view key = value.key();
-        SolveRequest& request = line_.request;
         if (key == "figure")
-            text(value, request.figure);
+            text(value, request_.drawing.figure);
         else if (key == "theme")
-            text(value, request.theme);
+            text(value, request_.theme);
         else if (key == "date")
-            text(value, request.date);
+            text(value, request_.drawing.date);
         else if (key == "author")
-            text(value, request.author);
+            text(value, request_.drawing.author);
         else if (key == "driver")
-            text(value, request.driver);
+            text(value, request_.positions.driver);
         else if (key == "at")
-            texts(value, request.at);
+            texts(value, request_.positions.at);
         else if (key == "with")
             read_with(value);
         else if (key == "grid")
-            flag(value, request.grid);
+            flag(value, request_.drawing.grid);
         else if (key == "steps")
-            flag(value, request.steps);
+            flag(value, request_.drawing.steps);
         else if (key == "exact")
-            flag(value, request.exact);
+            flag(value, request_.exact);
         else if (key == "dpi")
-            number(value, 20, 1200, request.dpi);
+            number(value, 20, 1200, request_.dpi);
         else if (key == "branch")
             read_branch(value);
         else
@@ -186,20 +218,20 @@ private:
 
     void read_id(JsonValue value) {
         if (value.is_array() || value.is_object()) return wrong(value, {"a text or a number", "un testo o un numero"});
-        line_.id = copied(value);
+        request_.id = copied(value);
     }
     void read_settings(JsonValue value) {
         if (!value.is_object())
             return wrong(value, {"an object of parameters by name", "un oggetto di parametri per nome"});
         for (const JsonValue each : value) {
             if (each.is_string() || each.is_number())
-                line_.request.set.push_back({std::string(each.key()), std::string(each.text())});
+                request_.set.push_back({std::string(each.key()), std::string(each.text())});
             else
                 wrong(each, {"a number, a quantity or a formula", "un numero, una grandezza o una formula"});
         }
     }
     void read_wanted(JsonValue value) {
-        line_.want.clear();
+        request_.want.clear();
         if (!value.is_array() || value.size() == 0)
             return wrong(value, {"an array of json, svg, png, pdf, tex", "un array di json, svg, png, pdf, tex"});
         for (const JsonValue each : value) {
@@ -211,26 +243,26 @@ private:
                             {"pdf", Format::pdf},
                             {"tex", Format::tex}},
                            format);
-            if (std::find(line_.want.begin(), line_.want.end(), format) == line_.want.end())
-                line_.want.push_back(format);
+            if (std::find(request_.want.begin(), request_.want.end(), format) == request_.want.end())
+                request_.want.push_back(format);
         }
     }
     void read_target(JsonValue value) {
-        if (!text(value, line_.to)) return;
-        if (line_.to.empty() || line_.to.ends_with('/') || line_.to.find('\0') != std::string::npos)
+        if (!text(value, request_.to)) return;
+        if (request_.to.empty() || request_.to.ends_with('/') || request_.to.find('\0') != std::string::npos)
             fault(value, {"names no file", "non indica un file"});
     }
     void read_with(JsonValue value) {
-        line_.request.with.clear();
+        request_.with.clear();
         if (!value.is_array()) return wrong(value, {"an array of figures", "un array di figure"});
         for (const JsonValue each : value)
-            choice<std::string>(each, {{"joukowsky", "joukowsky"}}, line_.request.with.emplace_back());
+            choice<std::string>(each, {{"joukowsky", "joukowsky"}}, request_.with.emplace_back());
     }
     void read_branch(JsonValue value) {
         double branch = 1;
         if (!is_whole_number(value)) return wrong(value, {"a whole number from 1", "un intero da 1"});
         number(value, 1, 1000, branch);
-        line_.request.branch = static_cast<int>(branch);
+        request_.positions.branch = static_cast<int>(branch);
     }
     void read_input(JsonValue root) {
         const JsonValue file = root["file"], mechanism = root["mechanism"];
@@ -239,10 +271,10 @@ private:
                                      "\"file\" e \"mechanism\" si escludono: togliere uno dei due")
                              : Words("\"file\" or \"mechanism\" is missing", "manca \"file\" o \"mechanism\""));
         } else if (mechanism) {
-            line_.request.file = "mechanism";
-            line_.request.text = copied(mechanism);
-        } else if (text(file, line_.request.file)) {
-            const std::string& path = line_.request.file;
+            request_.file = "mechanism";
+            request_.text = copied(mechanism);
+        } else if (text(file, request_.file)) {
+            const std::string& path = request_.file;
             if (path.empty() || path.find('\0') != std::string::npos)
                 fault(file, {"names no file", "non indica un file"});
             if (path == "-")
@@ -255,36 +287,24 @@ private:
     }
 
     const JsonSource& source_;
-    BatchLine& line_;
+    Request& request_;
+    Errors faults_;
 };
 
 }  // namespace
 
-std::vector<Target> BatchLine::targets() const {
-    std::string stem =
-        to.empty() ? "/dev/null/answer" : to;  // a path below a file that is no folder: nothing can exist there
-    for (const Format format : want) {
-        const std::string_view ending = ending_of(format);
-        if (!to.ends_with(ending)) continue;
-        stem.resize(to.size() - ending.size());
-        break;
-    }
-    std::vector<Target> all;
-    for (const Format format : want) all.push_back({stem + std::string(ending_of(format)), format});
-    return all;
-}
-
-BatchLine read_batch_line(std::string_view line, const SolveRequest& defaults) {
-    BatchLine read;
-    read.request = defaults;
-    read.want = {Format::json};
-    const auto source = JsonSource::read(line);
-    if (!source) {
-        read.errors = source.error();
-        return read;
-    }
-    BatchLineReader(*source, read).read();
+Request Request::parse(std::string_view json, const Request& defaults) {
+    Request read = defaults;
+    const auto source = JsonSource::read(json);
+    read.faults = diagnostics_of(source ? RequestReader(*source, read).faults() : source.error());
     return read;
 }
 
-}  // namespace kinegraph::app
+Request Request::parse(std::string_view json) { return parse(json, Request()); }
+
+std::string Request::excerpt(std::string_view json) {
+    constexpr std::size_t longest = 80;
+    return shown(json, longest);
+}
+
+}  // namespace kinegraph
