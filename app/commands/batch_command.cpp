@@ -49,7 +49,7 @@ void sum_up(const BatchTally& tally, Language language) {
 }  // namespace
 
 Status batch_command(const BatchRequest& request) {
-    const Language language = request.defaults.language;
+    const Language language = request.defaults.language();
     auto answers = Growing::open("-");
     if (!answers) return fail_to_write(answers.error(), language);
     BatchTally tally;

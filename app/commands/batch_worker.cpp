@@ -1,19 +1,43 @@
 #include "app/commands/batch_worker.hpp"
 
+#include <algorithm>
+#include <array>
 #include <exception>
 #include <string_view>
 #include <vector>
 
 #include "app/commands/cache_record.hpp"
 #include "app/files/json_text.hpp"
-#include "engine/file/units.hpp"
 
 namespace kinegraph::app {
 namespace {
 
-constexpr std::size_t shown_of_a_line = 80;
+struct Written {
+    Format format;
+    std::string_view ending;
+};
+/// In the order of Request::Format.
+constexpr std::array<Written, 5> batch_formats{{{Format::svg, ".svg"},
+                                                {Format::png, ".png"},
+                                                {Format::pdf, ".pdf"},
+                                                {Format::tex, ".tex"},
+                                                {Format::json, ".json"}}};
 
-Error too_long() { return {ErrorCode::bad_input, "", {"is larger than 64 MiB", "supera 64 MiB"}}; }
+/// The output files: TO.json, TO.svg … For a line without "to": a name for each, under which nothing is written.
+std::vector<Target> files_wanted(const Request& line) {
+    // Without "to" a path below a file that is no folder: nothing can exist there.
+    std::string stem = line.to.empty() ? "/dev/null/answer" : line.to;
+    std::vector<Target> all;
+    for (const Request::Format format : line.want) {
+        const auto& [kind, ending] = batch_formats.at(static_cast<std::size_t>(format));
+        all.push_back({std::string(ending), kind});
+    }
+    const auto written =
+        std::find_if(all.begin(), all.end(), [&](const Target& each) { return line.to.ends_with(each.path); });
+    if (written != all.end()) stem.resize(line.to.size() - written->path.size());
+    for (Target& each : all) each.path.insert(0, stem);
+    return all;
+}
 
 /// ", \"key\": value" of texts; empty if there are none.
 std::string member(std::string_view key, const std::vector<std::string>& texts) {
@@ -22,28 +46,30 @@ std::string member(std::string_view key, const std::vector<std::string>& texts) 
 }
 
 /// What `solve` would write on standard error.
-std::string said_of(const Solved& found) {
-    std::vector<std::string> unsolved;
-    for (const Solved::Missing& missing : found.unsolved) unsolved.push_back(missing.line);
-    return member("remarks", found.remarks) + member("unsolved", unsolved);
+std::string said_of(const Outcome& outcome, Language language) {
+    std::vector<std::string> remarks, unsolved;
+    for (const Text& each : outcome.remarks) remarks.push_back(each.in(language));
+    for (const Outcome::Missing& each : outcome.unsolved)
+        unsolved.push_back(each.what.in(language) + ": " + each.why.in(language));
+    return member("remarks", remarks) + member("unsolved", unsolved);
 }
 
 }  // namespace
 
 std::string BatchWorker::answer(const std::string& line) {
     Hearing hearing;
-    BatchLine read;
+    SolveRequest read = request_.defaults;
     Answer answer;
     const auto fault = [&](const char* what) {
         answer = {Status::fault};
         const Words ours("this is a fault of ours: {0}", "questo è un errore nostro: {0}", std::string(what));
-        refuse(ours, request_.defaults.language);
+        refuse(ours, request_.defaults.language());
     };
     try {
         if (line.size() <= largest_input)
-            read = read_batch_line(line, request_.defaults);
+            static_cast<Request&>(read) = Request::parse(line, request_.defaults);
         else
-            read.errors = {too_long()};
+            read.faults = {{Diagnostic::Kind::bad_input, "", Words("is larger than 64 MiB", "supera 64 MiB")}};
         answer = carry_out(read);
     } catch (const std::exception& what) {
         fault(what.what());
@@ -55,55 +81,54 @@ std::string BatchWorker::answer(const std::string& line) {
     ++tally_.answered;
     if (refused) ++tally_.refused;
     if (refused) answer.members = member("errors", errors);
-    if (refused && read.id == "null") answer.members += ", \"line\": " + json_quoted(shown(line, shown_of_a_line));
+    if (refused && read.id == "null") answer.members += ", \"line\": " + json_quoted(Request::excerpt(line));
     std::string text = R"({"id": )" + read.id;
     if (!answer.members.starts_with(", \"status\""))
         text += ", \"status\": " + std::to_string(static_cast<int>(answer.status));
     return text + answer.members + "}\n";
 }
 
-BatchWorker::Answer BatchWorker::carry_out(BatchLine& line) {
-    SolveRequest& request = line.request;
-    if (!line.errors.empty()) return {say({"the line", "la riga"}, line.errors, request.language)};
-    if (!request.text) {
-        auto text = read_whole(request.file, {"mechanism file", "file di meccanismo"});
+BatchWorker::Answer BatchWorker::carry_out(SolveRequest& line) {
+    if (!line.faults.empty()) return {say({"the line", "la riga"}, line.faults, line.language())};
+    if (!line.text) {
+        auto text = read_whole(line.file, {"mechanism file", "file di meccanismo"});
         if (!text) {
-            say(spoken(request.file), text.error(), request.language);
+            say(spoken(line.file), text.error(), line.language());
             return {Status::bad_input};
         }
-        request.text = *std::move(text);
+        line.text = *std::move(text);
     }
+    if (!set_look(line)) return {Status::bad_input};
     return line.to.empty() ? made(line) : written(line);
 }
 
-const render::Theme* BatchWorker::look(const SolveRequest& request) {
-    if (theme_ && theme_name_ == request.theme) return &*theme_;
-    theme_.reset();
-    if (request.theme == "-") {
-        refuse({"a theme cannot come from standard input, which carries the lines",
-                "un tema non può venire dall’ingresso standard, che porta le righe"},
-               request.language);
-        return nullptr;
+bool BatchWorker::set_look(SolveRequest& line) {
+    if (!theme_ || theme_name_ != line.theme) {
+        theme_.reset();
+        if (line.theme == "-") {
+            refuse({"a theme cannot come from standard input, which carries the lines",
+                    "un tema non può venire dall’ingresso standard, che porta le righe"},
+                   line.language());
+            return false;
+        }
+        DrawingOptions theme;
+        theme.language = line.language();
+        if (set_theme(theme, line.theme, line.file)) return false;
+        theme_name_ = line.theme;
+        theme_.emplace(std::move(theme));
     }
-    auto theme = theme_of(request.theme, request.file, request.language);
-    if (!theme) return nullptr;
-    theme_text_ = request.theme;
-    if (!render::built_in_theme(request.theme))
-        if (const auto text = read_whole(request.theme, {"theme file", "file di tema"})) theme_text_ += '\n' + *text;
-    theme_name_ = request.theme;
-    theme_.emplace(*std::move(theme));
-    return &*theme_;
+    line.drawing.theme = theme_->theme;
+    line.drawing.theme_file = theme_->theme_file;
+    return true;
 }
 
-BatchWorker::Answer BatchWorker::made(const BatchLine& line) {
-    const render::Theme* const theme = look(line.request);
-    if (theme == nullptr) return {Status::bad_input};
-    const auto found = solved(line.request, line.targets(), *theme, press_);
-    if (!found) return {found.error()};
+BatchWorker::Answer BatchWorker::made(const SolveRequest& line) {
+    const auto outcome = outcome_of(line, files_wanted(line));
+    if (!outcome) return {outcome.error()};
     std::vector<std::string> pages;
     std::string results;
     int count = 0;
-    for (const Output& output : found->outputs) {
+    for (const Output& output : outcome->outputs) {
         if (output.path.ends_with(".svg")) {
             pages.push_back(output.bytes);
             continue;
@@ -112,33 +137,29 @@ BatchWorker::Answer BatchWorker::made(const BatchLine& line) {
     }
     if (count == 1) results = ", \"result\": " + results;
     if (count > 1) results = ", \"results\": [" + results + "]";
-    return {found->status(), said_of(*found) + results + member("svg", pages)};
+    return {outcome->status(), said_of(*outcome, line.language()) + results + member("svg", pages)};
 }
 
-BatchWorker::Answer BatchWorker::written(const BatchLine& line) {
-    const Language language = line.request.language;
-    const render::Theme* const theme = look(line.request);
-    if (theme == nullptr) return {Status::bad_input};
-    const CacheRecord cache_record(line.to, hash_of(line, theme_text_));
+BatchWorker::Answer BatchWorker::written(const SolveRequest& line) {
+    const CacheRecord cache_record(line.to, hash_of(line, theme_key(line.theme, line.drawing)));
     if (request_.resume) {
         if (const auto before = cache_record.answer()) {
             ++tally_.resumed;
             return {Status::done, ", " + before->substr(1, before->size() - 2)};  // the record contains its status
         }
     }
-    auto found = solved(line.request, line.targets(), *theme, press_);
-    if (!found) return {found.error()};
+    auto outcome = outcome_of(line, files_wanted(line));
+    if (!outcome) return {outcome.error()};
+    std::vector<Output> outputs = std::move(outcome->outputs);
     std::vector<std::string> paths;
-    for (const Output& output : found->outputs) paths.push_back(output.path);
-    const std::string told = member("files", paths) + said_of(*found);
-    Output cache_record_of_all = cache_record.of(
-        found->outputs, "{\"status\": " + std::to_string(static_cast<int>(found->status())) + told + "}");
-    std::vector<Output> outputs = std::move(found->outputs);
-    outputs.push_back(std::move(cache_record_of_all));
+    for (const Output& output : outputs) paths.push_back(output.path);
+    const std::string told = member("files", paths) + said_of(*outcome, line.language());
+    outputs.push_back(
+        cache_record.of(outputs, "{\"status\": " + std::to_string(static_cast<int>(outcome->status())) + told + "}"));
     auto failure = cache_record.make_room();
     if (!failure) failure = write_all(outputs);
-    if (failure) return {fail_to_write(*failure, language)};
-    return {found->status(), told};
+    if (failure) return {fail_to_write(*failure, line.language())};
+    return {outcome->status(), told};
 }
 
 }  // namespace kinegraph::app

@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "app/commands/batch_line.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/solved.hpp"
 
@@ -33,17 +32,16 @@ private:
         Status status = Status::done;
         std::string members = {};  ///< JSON: ", \"files\": […]" …
     };
-    Answer carry_out(BatchLine& line);
-    Answer made(const BatchLine& line);
-    Answer written(const BatchLine& line);
-    /// The theme that was requested, or null after an error was reported.
-    const render::Theme* look(const SolveRequest& request);
+    Answer carry_out(SolveRequest& line);
+    Answer made(const SolveRequest& line);
+    Answer written(const SolveRequest& line);
+    /// Sets the theme that the line names; false after an error was reported.
+    bool set_look(SolveRequest& line);
 
     const BatchRequest& request_;
     BatchTally& tally_;
-    std::optional<OutputWriter> press_;
-    std::string theme_name_, theme_text_;
-    std::optional<render::Theme> theme_;
+    std::string theme_name_;               ///< of the last line
+    std::optional<DrawingOptions> theme_;  ///< the last line's theme; none if it could not be read
 };
 
 }  // namespace kinegraph::app

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -9,7 +10,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "app/files/json_text.hpp"
+#include <nlohmann/json.hpp>
 
 namespace kinegraph::app {
 namespace {
@@ -46,22 +47,58 @@ private:
     std::string text_;
 };
 
+struct RecordedFile {
+    std::string path;
+    std::uintmax_t size = 0;
+};
+struct Record {
+    std::string text, asked, of;
+    std::vector<RecordedFile> files;
+};
+
+/// None if there is no record, or it was not written by CacheRecord::of.
+std::optional<Record> read_record(const std::string& path) {
+    if (::access(path.c_str(), R_OK) != 0) return std::nullopt;
+    auto text = read_whole(path, {"receipt", "ricevuta"});
+    if (!text || text->find(before_answer) == std::string::npos) return std::nullopt;
+    const auto json = nlohmann::json::parse(*text, nullptr, false);
+    const auto member = [](const nlohmann::json& of, const char* key) {
+        return of.is_object() ? of.value(key, nlohmann::json()) : nlohmann::json();
+    };
+    const auto text_of = [](const nlohmann::json& value) {
+        return value.is_string() ? value.get<std::string>() : std::string();
+    };
+    const auto answer = member(json, "answer"), files = member(answer, "files"), sizes = member(json, "sizes");
+    if (files.size() != sizes.size()) return std::nullopt;
+    Record record{*std::move(text), text_of(member(json, "asked")), text_of(member(answer, "of")), {}};
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (!files.is_array() || !sizes.is_array() || !sizes[i].is_number_unsigned()) return std::nullopt;
+        record.files.push_back({text_of(files[i]), sizes[i].get<std::uintmax_t>()});
+    }
+    return record;
+}
+
 }  // namespace
 
-std::string hash_of(const BatchLine& line, const std::string& theme) {
-    const SolveRequest& request = line.request;
+std::string hash_of(const Request& request, const std::string& theme) {
+    const DrawingOptions& drawing = request.drawing;
     Description all;
-    all << "kinegraph " KINEGRAPH_VERSION << bare_name(request.file) << request.text.value_or("") << theme << line.to;
-    for (const Setting& setting : request.set) all << setting.name << setting.value;
+    all << "kinegraph " KINEGRAPH_VERSION << bare_name(request.file) << request.text.value_or("") << theme
+        << request.to;
+    for (const ParameterValue& each : request.set) all << each.name << each.value;
     all << static_cast<int>(request.set.size());
-    for (const Format format : line.want) all << static_cast<int>(format);
-    all << static_cast<int>(request.language) << static_cast<int>(request.paper)
-        << static_cast<int>(request.orientation) << static_cast<int>(request.dimensions)
-        << static_cast<int>(request.detail) << static_cast<int>(request.sheet) << static_cast<int>(request.steps)
-        << static_cast<int>(request.grid) << static_cast<int>(request.exact) << request.branch << request.author
-        << request.date << request.figure << request.driver << request.at << request.with
-        << std::to_string(request.dpi);
+    for (const Request::Format format : request.want) all << static_cast<int>(format);
+    all << static_cast<int>(drawing.language) << static_cast<int>(drawing.paper)
+        << static_cast<int>(drawing.orientation) << static_cast<int>(drawing.dimensions)
+        << static_cast<int>(drawing.detail) << static_cast<int>(drawing.sheet) << static_cast<int>(drawing.steps)
+        << static_cast<int>(drawing.grid) << static_cast<int>(request.exact) << request.positions.branch
+        << drawing.author << drawing.date << drawing.figure << request.positions.driver << request.positions.at
+        << request.with << std::to_string(request.dpi);
     return all.hash();
+}
+
+std::string theme_key(const std::string& name, const DrawingOptions& options) {
+    return name == "-" || options.theme_file.empty() ? name : name + '\n' + options.theme_file;
 }
 
 std::string hash_of(const std::vector<std::string>& fields) {
@@ -77,44 +114,27 @@ CacheRecord::CacheRecord(const std::string& to, std::string asked) : asked_(std:
 }
 
 std::optional<std::string> CacheRecord::answer() const {
-    if (::access(path_.c_str(), R_OK) != 0) return std::nullopt;
-    const auto text = read_whole(path_, {"receipt", "ricevuta"});
-    if (!text || !text->ends_with("}\n")) return std::nullopt;
-    const auto json = JsonSource::read(*text);
-    const std::size_t at = text->find(before_answer);
-    if (!json || at == std::string::npos || json->root()["asked"].text() != asked_) return std::nullopt;
-    const JsonValue files = json->root()["answer"]["files"], sizes = json->root()["sizes"];
-    if (files.size() != sizes.size()) return std::nullopt;
-    auto size = sizes.begin();
-    for (const JsonValue file : files) {
+    const auto record = read_record(path_);
+    if (!record || record->asked != asked_ || !record->text.ends_with("}\n")) return std::nullopt;
+    for (const RecordedFile& file : record->files) {
         std::error_code absent;
-        const auto here = std::filesystem::file_size(std::string(file.text()), absent);
-        if (absent || std::to_string(here) != (*size).text()) return std::nullopt;
-        ++size;
+        if (std::filesystem::file_size(file.path, absent) != file.size || absent) return std::nullopt;
     }
-    const std::size_t begin = at + before_answer.size();
-    return text->substr(begin, text->size() - begin - 2);
+    const std::size_t begin = record->text.find(before_answer) + before_answer.size();
+    return record->text.substr(begin, record->text.size() - begin - 2);
 }
 
 std::vector<std::string> CacheRecord::files_of(const std::string& kind, const std::string& same) const {
-    if (::access(path_.c_str(), R_OK) != 0) return {};
-    const auto text = read_whole(path_, {"receipt", "ricevuta"});
-    if (!text) return {};
-    const auto json = JsonSource::read(*text);
-    if (!json) return {};
-    const JsonValue answer = json->root()["answer"], files = answer["files"], sizes = json->root()["sizes"];
-    if (files.size() != sizes.size() || (!same.empty() && answer["of"] && answer["of"].text() == same)) return {};
+    const auto record = read_record(path_);
+    if (!record || (!same.empty() && record->of == same)) return {};
     std::vector<std::string> found;
-    auto size = sizes.begin();
-    for (const JsonValue file : files) {
+    for (const RecordedFile& file : record->files) {
         // Compares the name only: the folder may have been renamed or moved.
-        const std::filesystem::path name = std::filesystem::path(file.text()).filename();
+        const std::filesystem::path name = std::filesystem::path(file.path).filename();
         if (!name.string().starts_with(kind)) return {};
         const std::string here = (std::filesystem::path(folder_).parent_path() / name).string();
         std::error_code absent;
-        const auto bytes = std::filesystem::file_size(here, absent);
-        if (!absent && std::to_string(bytes) == (*size).text()) found.push_back(here);
-        ++size;
+        if (std::filesystem::file_size(here, absent) == file.size && !absent) found.push_back(here);
     }
     return found;
 }

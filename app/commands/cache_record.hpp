@@ -7,16 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/batch_line.hpp"
+#include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
-#include "render/page/theme.hpp"
 
 namespace kinegraph::app {
 
 /// The cache key: 128 bits in hexadecimal over all that determines the bytes of the files: text of the mechanism file,
 /// parameters, options, text of the theme, formats, paths, version of the program. The id of the line is not part of
-/// it.
-std::string hash_of(const BatchLine& line, const std::string& theme);
+/// it. `theme`: from theme_key().
+std::string hash_of(const Request& request, const std::string& theme);
+
+/// For the cache key: the name of the theme, and its content if set_theme() has read it from a file of that name.
+std::string theme_key(const std::string& name, const DrawingOptions& options);
 
 /// The same over any sequence of fields, and the program's version.
 std::string hash_of(const std::vector<std::string>& fields);

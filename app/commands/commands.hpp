@@ -2,9 +2,8 @@
 // returns the exit status. One file for each command; only main.cpp knows the spelling of the options.
 #pragma once
 
-#include <kinegraph/mechanism.hpp>
 #include <kinegraph/motion.hpp>
-#include <kinegraph/sheet.hpp>
+#include <kinegraph/request.hpp>
 
 #include <optional>
 #include <string>
@@ -14,20 +13,11 @@
 
 namespace kinegraph::app {
 
-/// solve FILE: a table on the terminal, or sheets and results in files.
-struct SolveRequest {
-    std::string file;                  ///< "-" is standard input
-    std::optional<std::string> text;   ///< the content of the file if already read; `file` is then only its name
-    std::vector<ParameterValue> set;   ///< values that replace parameters of the file
+/// solve FILE: a table on the terminal, or sheets and results in files. A line of `batch` is such a request, too.
+struct SolveRequest : Request {
     std::vector<std::string> outputs;  ///< "-" is standard output
     std::string format;                ///< svg, png, pdf, json: for outputs without a known extension; may be empty
-    DrawingOptions drawing;            ///< without its theme
-    std::string theme = "colour";      ///< a built-in theme, or the path of a theme file
     Lettering lettering = Lettering::outlines;
-    double dpi = 150;
-    bool exact = false;
-    PositionsWanted positions;      ///< none: the position of the file
-    std::vector<std::string> with;  ///< additions: "joukowsky", "equations", "virtual work"
 
     Language language() const { return drawing.language; }
 };

@@ -11,24 +11,17 @@
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
+#include <optional>
+#include <set>
 #include <system_error>
+
+#include <kinegraph/variants.hpp>
 
 #include "app/commands/cache_record.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
-#include "app/commands/quizzes.hpp"
-#include "app/files/csv_text.hpp"
 #include "app/files/json_text.hpp"
 #include "app/files/roster.hpp"
-#include "app/library/requested_results.hpp"
-#include "constructions/positions/variants.hpp"
-#include "engine/reading/file_text.hpp"
-#include "engine/solution/problem_solution.hpp"
-#include "render/content/exercise_text.hpp"
-#include "render/sheet/handout.hpp"
-#include "render/sheet/key_sheet.hpp"
-#include "render/sheet/readable.hpp"
-#include "render/text/words.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -88,93 +81,6 @@ private:
                                           next_ = begun_ + std::chrono::seconds(1);
 };
 
-// --- the answer key ---
-
-/// One line for each variant: number, name of the student, parameters and answers.
-class Key {
-public:
-    Key(const Mechanism& original, bool has_names, Language language)
-        : units_(original.units), has_names_(has_names), language_(language) {
-        columns_.push_back({in(Words("variant", "variante"), language), "", true});
-        csv_ = "variant";
-        if (has_names) {
-            columns_.push_back({in(Words("name", "nome"), language), "", true});
-            csv_ += ",name";
-        }
-        for (const Variation& each : original.exercise->vary) {
-            columns_.push_back({each.parameter, "", false});
-            csv_ += "," + csv_cell(each.parameter);
-        }
-    }
-
-    void add(const std::string& number, const std::string& name, const Variant& variant, const render::Fonts& fonts) {
-        if (rows_.empty()) add_heads(variant, fonts);
-        std::vector<std::string> row{number};
-        csv_ += number;
-        if (has_names_) {
-            row.push_back(name);
-            csv_ += "," + csv_cell_of_text(name);
-        }
-        for (const Setting& each : variant.values) {
-            row.push_back(in(printed(each.value), language_));
-            csv_ += "," + csv_cell(each.value);
-        }
-        // The columns are those of the first variant; a later one may lack a result that was chosen automatically.
-        for (const std::string& result : names_) {
-            const auto found = std::find_if(variant.results.begin(), variant.results.end(),
-                                            [&](const NamedResult& each) { return each.column.name == result; });
-            const bool has = found != variant.results.end();
-            const double value = has ? told(*found, units_).value : 0;
-            row.push_back(has ? render::number(value, 4, language_) : "");
-            csv_ += "," + (has ? render::shortest(value) : std::string());
-        }
-        csv_ += "\n";
-        rows_.push_back(std::move(row));
-    }
-
-    std::size_t size() const { return rows_.size(); }
-    const std::string& csv() const { return csv_; }
-    render::KeyTable table(const std::string& title) const { return {title, columns_, rows_}; }
-
-private:
-    /// The printed key uses the symbols of the question, unless two results have the same symbol.
-    void add_heads(const Variant& variant, const render::Fonts& fonts) {
-        const render::Theme theme;
-        const render::DrawingContext context{variant.solution, theme, fonts, language_, render::Dimensions::off};
-        std::vector<render::RichText> symbols;
-        for (const NamedResult& each : variant.results)
-            symbols.push_back(render::asked_text(context, each.column).symbol);
-        const auto is_told_apart = [&](const render::RichText& symbol) {
-            return std::count_if(symbols.begin(), symbols.end(),
-                                 [&](const auto& other) { return render::plain(other) == render::plain(symbol); }) == 1;
-        };
-        for (std::size_t i = 0; i < variant.results.size(); ++i) {
-            const NamedResult& each = variant.results[i];
-            const std::string unit = told(each, units_).unit;
-            names_.push_back(each.column.name);
-            columns_.push_back(
-                {each.column.name, unit, false, is_told_apart(symbols[i]) ? symbols[i] : render::RichText()});
-            csv_ += "," + csv_cell(each.column.name + (unit.empty() ? "" : " [" + unit + "]"));
-        }
-        csv_ += "\n";
-    }
-    /// As printed: a true minus sign, and a decimal comma in Italian.
-    static Words printed(std::string value) {
-        if (value.starts_with('-')) value.replace(0, 1, "−");
-        std::string italian = value;
-        std::replace(italian.begin(), italian.end(), '.', ',');
-        return {value, italian};
-    }
-
-    Units units_;
-    bool has_names_;
-    Language language_;
-    std::vector<render::KeyTable::Column> columns_;
-    std::vector<std::string> names_;
-    std::vector<std::vector<std::string>> rows_;
-    std::string csv_;
-};
-
 // --- a run ---
 
 /// "007": with the same width whatever the count is.
@@ -186,33 +92,25 @@ std::string number_of(std::size_t variant) {
 
 class Run {
 public:
-    Run(const VariantsRequest& request, std::string text, Variants variants, std::vector<std::string> names,
-        std::size_t count, OutputWriter press, const render::Theme& theme, std::string theme_text)
+    Run(const VariantsRequest& request, std::string text, ExerciseVariants variants, std::vector<std::string> names,
+        std::size_t count, DrawingOptions options)
         : request_(request),
           text_(std::move(text)),
-          source_(*JsonSource::read(text_)),
           variants_(std::move(variants)),
           names_(std::move(names)),
           count_(count),
-          press_(std::move(press)),
-          options_(request.sheet),
-          theme_text_(std::move(theme_text)),
-          key_(variants_.original(), !names_.empty(), request.sheet.language),
-          quizzes_(request.platforms, variants_.original(), title(), request.seed) {
-        options_.theme = theme;
-    }
+          options_(std::move(options)),
+          bank_(title(), request.seed, options_, wants("moodle") || wants("qti") ? request.dpi : 0) {}
 
     Status carry_out() {
         const Stopping stopping;
         {
             Countdown countdown(count_, language());
-            const auto is_readable = [&](const Solution& solution, Condition::Polygon polygon) {
-                return render::is_readable(solution, polygon, options_, press_.fonts());
-            };
             while (key_.size() < count_ && Stopping::asked() == 0) {
                 countdown.at(key_.size());
-                auto variant = variants_.next(is_readable, [] { return Stopping::asked() != 0; });
-                if (!variant) return say(spoken(request_.file), variant.error(), language());
+                const auto variant =
+                    variants_.next(number_of(key_.size() + 1) + ".json", [] { return Stopping::asked() != 0; });
+                if (!variant) return cannot_draw(spoken(request_.file), variant.error(), language());
                 if (!*variant) break;
                 if (const auto status = write(**variant)) return *status;
             }
@@ -231,50 +129,48 @@ private:
     }
 
     std::string title() const {
-        const std::string& given = in(variants_.original().title, language());
+        const std::string given = variants_.title().in(language());
         return given.empty() ? bare_name(request_.file) : given;
+    }
+    bool wants(const char* platform) const {
+        return std::find(request_.platforms.begin(), request_.platforms.end(), platform) != request_.platforms.end();
     }
 
     /// Writes all files of one variant or none; a status if they cannot be written.
-    std::optional<Status> write(Variant& variant) {
+    std::optional<Status> write(const ExerciseVariant& variant) {
         const std::size_t index = key_.size();
         const std::string number = number_of(index + 1), name = index < names_.size() ? names_[index] : "";
-        variant.solution.mechanism.source = number + ".json";
         const std::string drawn = hash_of(told_of(number, name, variant));
         const CacheRecord cache_record(path(number), asked_of(number, name, variant));
         // A theme from standard input can be read only once, so it has no cache key.
         const bool is_there = request_.resume && request_.theme != "-" && cache_record.answer();
-        render::SheetOptions options = options_;
-        if (!name.empty()) options.author = name + (options.author.empty() ? "" : "  ·  " + options.author);
         std::vector<Output> outputs;
-        if (!is_there || request_.merge) add_sheets(variant, number, options, outputs);
+        if (!is_there || request_.merge)
+            if (const auto status = add_sheets(variant, number, name, outputs)) return status;
         if (is_there)
             ++there_before_;
         else if (const auto status = put(variant, number, drawn, cache_record, std::move(outputs)))
             return status;
-        if (quizzes_.are_wanted()) add_quiz(variant, number, name);
-        key_.add(number, name, variant, press_.fonts());
+        if (!request_.platforms.empty())
+            if (const auto status = add_question(variant, number, name)) return status;
+        key_.add(number, name, variant);
         return std::nullopt;
     }
-    void add_sheets(const Variant& variant, const std::string& number, render::SheetOptions options,
-                    std::vector<Output>& outputs) {
-        options.kind = render::SheetKind::question;
-        print(stands_for_joints(variant.solution.mechanism)
-                  ? render::lay_out(variant.solution, options, press_.fonts())
-                  : render::lay_out_handout(variant.solution, options, press_.fonts(),
-                                            requested_results(variant.results, variant.solution.mechanism.units)),
-              number + "-question", questions_, outputs);
-        options.kind = render::SheetKind::solution;
+    std::optional<Status> add_sheets(const ExerciseVariant& variant, const std::string& number, const std::string& name,
+                                     std::vector<Output>& outputs) {
+        DrawingOptions options = options_;
+        if (!name.empty()) options.author = name + (options.author.empty() ? "" : "  ·  " + options.author);
+        options.sheet = DrawingOptions::Sheet::question;
+        if (const auto status = add(draw(variant.solved, options), number + "-question", questions_, outputs))
+            return status;
+        options.sheet = DrawingOptions::Sheet::solution;
         options.grid = false;
-        print(render::lay_out(variant.solution, options, press_.fonts()), number + "-solution", solutions_, outputs);
+        return add(draw(variant.solved, options), number + "-solution", solutions_, outputs);
     }
-    std::optional<Status> put(const Variant& variant, const std::string& number, const std::string& drawn,
+    std::optional<Status> put(const ExerciseVariant& variant, const std::string& number, const std::string& drawn,
                               const CacheRecord& cache_record, std::vector<Output> outputs) {
-        std::vector<Setting> set = variant.values;
-        set.insert(set.end(), request_.set.begin(), request_.set.end());
-        constexpr std::array<std::string_view, 2> without{"vary", "require"};
-        outputs.push_back({path(number + ".json"), file_with(source_, set, without)});
-        outputs.push_back({path(number + "-results.json"), results_json(variant.solution, false, render::in_english)});
+        outputs.push_back({path(number + ".json"), variant.file});
+        outputs.push_back({path(number + "-results.json"), variant.solved.json()});
         std::vector<std::string> paths;
         for (const Output& each : outputs) paths.push_back(each.path);
         const std::vector<std::string> before = cache_record.files_of(number, drawn);
@@ -312,18 +208,20 @@ private:
         }
     }
     /// The content of a variant, independent of the look of its sheets.
-    std::vector<std::string> told_of(const std::string& number, const std::string& name, const Variant& variant) const {
+    std::vector<std::string> told_of(const std::string& number, const std::string& name,
+                                     const ExerciseVariant& variant) const {
         std::vector<std::string> fields{"variant", number, name, text_};
-        for (const std::vector<Setting>* settings : {&variant.values, &request_.set}) {
+        for (const std::vector<ParameterValue>* settings : {&variant.values, &request_.set}) {
             fields.push_back(std::to_string(settings->size()));
-            for (const Setting& each : *settings) fields.insert(fields.end(), {each.name, each.value});
+            for (const ParameterValue& each : *settings) fields.insert(fields.end(), {each.name, each.value});
         }
         return fields;
     }
     /// The fields of the cache key: all that determines the bytes of a variant's files.
-    std::string asked_of(const std::string& number, const std::string& name, const Variant& variant) const {
+    std::string asked_of(const std::string& number, const std::string& name, const ExerciseVariant& variant) const {
         std::vector<std::string> fields = told_of(number, name, variant);
-        fields.insert(fields.end(), {theme_text_, request_.format, std::to_string(request_.dpi)});
+        fields.insert(fields.end(),
+                      {theme_key(request_.theme, options_), request_.format, std::to_string(request_.dpi)});
         for (const int each :
              {static_cast<int>(options_.paper), static_cast<int>(options_.language),
               static_cast<int>(options_.orientation), static_cast<int>(options_.dimensions),
@@ -332,31 +230,40 @@ private:
         fields.insert(fields.end(), {options_.author, options_.date, bare_name(request_.file)});
         return hash_of(fields);
     }
-    void add_quiz(const Variant& variant, const std::string& number, const std::string& name) {
+    std::optional<Status> add_question(const ExerciseVariant& variant, const std::string& number,
+                                       const std::string& name) {
         const std::string ending = "." + request_.format;
-        Quizzes::Files files{number + "-question" + ending, number + "-solution" + ending, number + "-results.json",
-                             number + ".json"};
+        QuestionBank::Files files{number + "-question" + ending, number + "-solution" + ending,
+                                  number + "-results.json", number + ".json"};
         if (request_.merge) files.question = "questions.pdf", files.solution = "solutions.pdf";
-        render::SheetOptions options = options_;
-        options.kind = render::SheetKind::question;
+        const auto unreadable = bank_.add(number, name, variant, files);
+        if (!unreadable) return not_drawn(unreadable.error());
         std::string names;
-        for (const std::string& each : quizzes_.add(number, name, variant, files, options, request_.dpi, press_))
-            names += (names.empty() ? "" : ", ") + each;
+        for (const std::string& each : *unreadable) names += (names.empty() ? "" : ", ") + each;
         if (!names.empty())
             line({"{0}: at the scales of its figures a reading says nothing of {1}: zero and the wrong sign pass",
                   "{0}: alle scale delle sue figure una lettura non dice nulla di {1}: passano anche zero e il segno "
                   "opposto",
                   number, names});
+        return std::nullopt;
     }
 
-    void print(std::vector<render::Page> pages, const std::string& name, std::vector<render::Page>& merged,
-               std::vector<Output>& outputs) {
-        if (request_.merge) {
-            std::move(pages.begin(), pages.end(), std::back_inserter(merged));
-            return;
+    Status not_drawn(const Diagnostics& faults) const { return cannot_draw(spoken(request_.file), faults, language()); }
+    /// Adds a sheet to the outputs, or to those that are merged.
+    std::optional<Status> add(const Expected<Drawing>& drawing, const std::string& name, std::vector<Drawing>& merged,
+                              std::vector<Output>& outputs) {
+        if (drawing && request_.merge) {
+            missing_.insert(drawing->missing_characters().begin(), drawing->missing_characters().end());
+            merged.push_back(*drawing);
+            return std::nullopt;
         }
-        std::vector<std::string> remarks;
-        press_.print(pages, {path(name + "." + request_.format), format()}, request_.dpi, outputs, remarks);
+        return add(drawing, {path(name + "." + request_.format), format()}, outputs);
+    }
+    std::optional<Status> add(const Expected<Drawing>& drawing, const Target& target, std::vector<Output>& outputs) {
+        if (!drawing) return not_drawn(drawing.error());
+        missing_.insert(drawing->missing_characters().begin(), drawing->missing_characters().end());
+        std::vector<Text> remarks;
+        return print(*drawing, target, {language(), Lettering::outlines, request_.dpi}, outputs, remarks);
     }
     Format format() const {
         return request_.format == "svg" ? Format::svg : request_.format == "png" ? Format::png : Format::pdf;
@@ -388,19 +295,21 @@ private:
 
     std::optional<Status> write_key() {
         std::vector<Output> outputs{{path("key.csv"), key_.csv()}};
-        std::vector<std::string> remarks;
-        render::SheetOptions options = options_;
-        options.orientation = request_.sheet.orientation;
-        press_.print(render::lay_out_key(key_.table(title() + " – " + in(Words("key", "soluzioni"), language())),
-                                         options, press_.fonts()),
-                     {path("key.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
+        const auto add_pdf = [&](const Expected<Drawing>& drawing, const char* name) {
+            return add(drawing, {path(name), Format::pdf}, outputs);
+        };
+        if (const auto status = add_pdf(key_.drawing(title(), options_), "key.pdf")) return status;
         if (request_.merge) {
-            press_.print(questions_, {path("questions.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
-            press_.print(solutions_, {path("solutions.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
+            if (const auto status = add_pdf(joined(questions_), "questions.pdf")) return status;
+            if (const auto status = add_pdf(joined(solutions_), "solutions.pdf")) return status;
         }
-        auto quizzes = quizzes_.outputs(path(""), language());
-        if (!quizzes) return quizzes.error();
-        std::move(quizzes->begin(), quizzes->end(), std::back_inserter(outputs));
+        if (wants("moodle")) outputs.push_back({path("moodle.xml"), bank_.moodle()});
+        if (wants("qti")) {
+            auto package = bank_.qti();
+            if (!package) return fail_to_write({path("qti.zip"), package.error().front().text}, language());
+            outputs.push_back({path("qti.zip"), *std::move(package)});
+        }
+        if (wants("csv")) outputs.push_back({path("answers.csv"), bank_.csv()});
         return put(outputs);
     }
 
@@ -415,9 +324,8 @@ private:
     }
 
     Status report() const {
-        std::vector<std::string> remarks;
-        press_.remark_missing(remarks);
-        for (const std::string& each : remarks) line(render::word("a remark", language()) + ": " + each);
+        if (!missing_.empty())
+            remark(spoken(request_.file), {remark_on_missing({missing_.begin(), missing_.end()})}, language());
         const bool one = variants_.looked_at() == 1;
         line({one ? "{0} in {1}; {2} of {3} was looked at" : "{0} in {1}; {2} of {3} were looked at",
               one ? "{0} in {1}; è stata esaminata {2} di {3}" : "{0} in {1}; sono state esaminate {2} di {3}",
@@ -434,7 +342,7 @@ private:
             line({"{0} to {1} of an earlier run are taken away, for the key does not list them",
                   "tolte quelle da {0} a {1} di un’esecuzione precedente, che la chiave non elenca",
                   taken_away_.front(), taken_away_.back()});
-        for (const Variants::Rejection& each : variants_.rejections())
+        for (const ExerciseVariants::Rejection& each : variants_.rejections())
             line({"{0} rejected: {1}", each.count == 1 ? "{0} scartata: {1}" : "{0} scartate: {1}",
                   std::to_string(each.count), each.why});
         if (const int signal = Stopping::asked(); signal != 0) {
@@ -446,31 +354,29 @@ private:
         if (key_.size() == count_) return Status::done;
         const Words wanted(count_ == 1 ? "one was asked for" : "{0} were asked for",
                            count_ == 1 ? "ne è chiesta una" : "ne sono chieste {0}", std::to_string(count_));
-        if (variants_.is_exhausted())
+        if (variants_.looked_at() == variants_.combinations())
             line({"the conditions leave {0} of {1}; {2}", "le condizioni lasciano {0} su {1}; {2}",
                   std::to_string(key_.size()), combinations(), wanted});
         else
             line({"the conditions leave too few: {0} found, then {1} combinations one after the other failed; {2}",
                   "le condizioni ne lasciano troppo poche: trovate {0}, poi {1} combinazioni di fila non le "
                   "soddisfano; {2}",
-                  std::to_string(key_.size()), std::to_string(Variants::most_in_a_row), wanted});
+                  std::to_string(key_.size()), std::to_string(ExerciseVariants::most_in_a_row), wanted});
         return Status::unsolved;
     }
 
     const VariantsRequest& request_;
     std::string text_;
-    JsonSource source_;
-    Variants variants_;
+    ExerciseVariants variants_;
     std::vector<std::string> names_;
     std::size_t count_;
-    OutputWriter press_;
-    render::SheetOptions options_;
-    std::string theme_text_;
-    Key key_;
-    Quizzes quizzes_;
+    DrawingOptions options_;
+    AnswerKey key_;
+    QuestionBank bank_;
     std::size_t there_before_ = 0;
     std::vector<std::string> taken_away_;  ///< numbers of removed variants, ascending
-    std::vector<render::Page> questions_, solutions_;
+    std::vector<Drawing> questions_, solutions_;
+    std::set<std::string> missing_;  ///< characters that the font lacks
 };
 
 /// The names of the roster; empty without a roster. A status after an error was reported.
@@ -492,13 +398,6 @@ std::optional<Status> folder_fails(const VariantsRequest& request) {
     if (!trouble && ::access(request.folder.c_str(), W_OK) != 0) trouble = {errno, std::generic_category()};
     if (!trouble) return std::nullopt;
     return fail_to_write({Words(request.folder), Words(trouble.message())}, request.sheet.language);
-}
-
-/// For the cache key: the theme's name, and the content of a file of that name.
-std::string text_of_theme(const std::string& name) {
-    if (name == "-" || render::built_in_theme(name)) return name;
-    const auto text = read_whole(name, {"theme file", "file di tema"});
-    return text ? name + '\n' + *text : name;
 }
 
 }  // namespace
@@ -524,32 +423,28 @@ Status variants_command(const VariantsRequest& request) {
             {"--count {0} is fewer than the {1} names of the roster", "--count {0} è meno dei {1} nomi dell’elenco",
              std::to_string(count), std::to_string(names->size())},
             language);
-    const auto theme = theme_of(request.theme, request.file, language);
-    if (!theme) return theme.error();
+    DrawingOptions options = request.sheet;
+    if (const auto status = set_theme(options, request.theme, request.file)) return *status;
     auto text = read_whole(request.file, {"mechanism file", "file di meccanismo"});
     if (!text) {
         say(spoken(request.file), text.error(), language);
         return Status::bad_input;
     }
-    auto variants = Variants::of(*text, bare_name(request.file), request.set, request.seed);
+    auto variants = ExerciseVariants::parse(*text, bare_name(request.file), request.seed, request.set, options);
     if (!variants) return say(spoken(request.file), variants.error(), language);
-    for (const Variation& each : variants->original().exercise->vary)
+    for (const std::string& varied : variants->parameters())
         if (std::any_of(request.set.begin(), request.set.end(),
-                        [&](const Setting& set) { return set.name == each.parameter; }))
+                        [&](const ParameterValue& each) { return each.name == varied; }))
             return refuse({"--set {0}: {0} varies in this exercise, and a value set would be lost; set another "
                            "parameter, or take "
                            "{0} out of \"vary\"",
                            "--set {0}: {0} varia in questo esercizio, e un valore dato andrebbe perso; dare un altro "
                            "parametro, o "
                            "togliere {0} da \"vary\"",
-                           each.parameter},
+                           varied},
                           language);
-    auto press = OutputWriter::open({{"", Format::pdf}}, language);
-    if (!press) return press.error();
     if (const auto status = folder_fails(request)) return *status;
-    return Run(request, *std::move(text), *std::move(variants), *names, count, *std::move(press), *theme,
-               text_of_theme(request.theme))
-        .carry_out();
+    return Run(request, *std::move(text), *std::move(variants), *names, count, std::move(options)).carry_out();
 }
 
 }  // namespace kinegraph::app
