@@ -494,21 +494,32 @@ private:
 
 Transmission least_of(const Chain& chain, Positions positions, const Travel& travel) {
     Places places;
-    const auto angle = [&](double coordinate) -> double {
-        if (!positions.move_to(coordinate)) return std::numbers::pi;
-        positions.read(places);
+    const auto angle_of = [&](Positions& there, double coordinate) -> double {
+        if (!there.move_to(coordinate)) return std::numbers::pi;
+        there.read(places);
         const auto at = [&](PointIndex point) { return places.points[at_index(point)]; };
         const Spot rod = at(chain.b) - at(chain.a);
         const Spot link =
             chain.guide == none ? at(chain.hinge) - at(chain.b) : quarter_turn(places.guides[at_index(chain.guide)]);
         return std::atan2(std::abs(cross(rod, link)), std::abs(dot(rod, link)));
     };
+    const auto angle = [&](double coordinate) { return angle_of(positions, coordinate); };
+    // As in at_limit(): by two positions near it, of a copy: from a limit no other position is reached.
+    const auto angle_at_limit = [&](double limit, double inward) {
+        constexpr double near = 1e-6;
+        Positions there = positions;
+        const double far = angle_of(there, limit + 4 * near * inward), close = angle_of(there, limit + near * inward);
+        return std::max(far, close) < std::numbers::pi ? std::max(2 * close - far, 0.0) : std::numbers::pi;
+    };
     constexpr int samples = 360;
-    const double step = (travel.to - travel.from) / samples;
+    const double way = travel.to - travel.from, step = way / samples;
     Transmission found{chain.coupler, chain.follower, chain.pin, std::numbers::pi, 0};
     for (int i = 0; i <= samples; ++i) {
         const double coordinate = i == samples ? travel.to : travel.from + i * step;
-        if (const double here = angle(coordinate); here < found.least) found.least = here, found.at = coordinate;
+        const double here = i == 0 && travel.starts_at_limit       ? angle_at_limit(travel.from, way)
+                            : i == samples && travel.ends_at_limit ? angle_at_limit(travel.to, -way)
+                                                                   : angle(coordinate);
+        if (here < found.least) found.least = here, found.at = coordinate;
     }
     // Between the neighbours of the smallest sample there is one minimum.
     const double low_end = std::min(travel.from, travel.to), high_end = std::max(travel.from, travel.to);

@@ -71,6 +71,28 @@ TEST(Cycle, PlacesAreKnownAtLimitsToo) {
     }
 }
 
+// A driver stops where a coupler lies along the link that it drives, so that it cannot turn it.
+TEST(Cycle, TheTransmissionAngleVanishesWhereTheDriverStops) {
+    for (const char* const name : {"sluice_gate_travel", "stephenson_3_driver_2", "slider_crank_long_crank"}) {
+        const Swept s = swept_example(name);
+        ASSERT_TRUE(s.travel.starts_at_limit && s.travel.ends_at_limit) << name;
+        const auto found = transmission_of(*s.mechanism, s.cycle->positions(), 0, s.travel);
+        ASSERT_TRUE(found) << name;
+        EXPECT_NEAR(found->least, 0, 1e-5) << name;
+        EXPECT_TRUE(found->at == s.travel.from || found->at == s.travel.to) << name << ": " << found->at;
+    }
+}
+
+TEST(Cycle, LookingAtALimitMovesNothing) {
+    Swept s = swept_example("sluice_gate_travel");
+    const double way = s.travel.to - s.travel.from;
+    const double here = s.cycle->positions().coordinate();
+    s.cycle->at_limit(s.travel.from, way);
+    s.cycle->at_limit(s.travel.to, -way);
+    EXPECT_EQ(s.cycle->positions().coordinate(), here);
+    for (int i = 1; i < 24; ++i) EXPECT_FALSE(s.at(s.travel.from + way * i / 24).empty()) << i;
+}
+
 TEST(Cycle, ASliderCrankFollowsItsClosedForm) {
     const double r = 0.04, l = 0.15, omega = 10;
     Swept s = swept(R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0],
