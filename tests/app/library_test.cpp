@@ -265,211 +265,213 @@ TEST(PublicFace, DrawsASweepWithItsPathsWithoutChangingItsRows) {
         EXPECT_NEAR((*rows)[i][effort] / (*undrawn)[i][effort], 1, 1e-9) << i;
     options.traces = {"Nowhere"};
     EXPECT_FALSE(Sweep::of(*file, options).has_value());
-    /// The slider-crank with crank speeds of 5 to 20 rad/s.
-    std::string with_variants(const std::string& more = {}) {
-        std::string whole = slider_crank;
-        return whole.insert(
-            whole.rfind('}'),
-            R"(, "title": "Crank", "vary": {"w": {"from": 5, "to": 20, "step": 1}}, "ask": ["omega 3"])" + more);
-    }
-    ExerciseVariants variants_of(const std::string& text, const std::vector<ParameterValue>& set = {}) {
-        auto variants = ExerciseVariants::parse(text, "v.json", 7, set);
-        EXPECT_TRUE(variants.has_value());
-        return *std::move(variants);
-    }
-    std::vector<ExerciseVariant> first_of(ExerciseVariants & variants, std::size_t count) {
-        std::vector<ExerciseVariant> all;
-        while (all.size() < count) {
-            auto variant = variants.next();
-            if (!variant || !*variant) break;
-            all.push_back(**std::move(variant));
-        }
-        EXPECT_EQ(all.size(), count);
-        return all;
-    }
+}
 
-    TEST(PublicFace, DrawsVariantsInOneOrder) {
-        ExerciseVariants first = variants_of(with_variants()), second = variants_of(with_variants());
-        EXPECT_EQ(first.title().in(Language::it), "Crank");
-        EXPECT_EQ(first.parameters(), std::vector<std::string>{"w"});
-        for (int i = 0; i < 5; ++i) {
-            const auto one = first.next(), other = second.next("other.json");
-            ASSERT_TRUE(one && *one && other && *other);
-            EXPECT_EQ((*one)->file, (*other)->file);
-            ASSERT_EQ((*one)->asked.size(), 1u);
-            EXPECT_NEAR((*one)->asked[0].value, -std::stod((*one)->values[0].value) / 4, 1e-12);
-            // The file of a variant stands by itself.
-            EXPECT_EQ(solved((*one)->file).value("omega 3")->value, (*one)->asked[0].value);
-        }
+/// The slider-crank with crank speeds of 5 to 20 rad/s.
+std::string with_variants(const std::string& more = {}) {
+    std::string whole = slider_crank;
+    return whole.insert(
+        whole.rfind('}'),
+        R"(, "title": "Crank", "vary": {"w": {"from": 5, "to": 20, "step": 1}}, "ask": ["omega 3"])" + more);
+}
+ExerciseVariants variants_of(const std::string& text, const std::vector<ParameterValue>& set = {}) {
+    auto variants = ExerciseVariants::parse(text, "v.json", 7, set);
+    EXPECT_TRUE(variants.has_value());
+    return *std::move(variants);
+}
+std::vector<ExerciseVariant> first_of(ExerciseVariants& variants, std::size_t count) {
+    std::vector<ExerciseVariant> all;
+    while (all.size() < count) {
+        auto variant = variants.next();
+        if (!variant || !*variant) break;
+        all.push_back(**std::move(variant));
     }
+    EXPECT_EQ(all.size(), count);
+    return all;
+}
 
-    TEST(PublicFace, CountsWhatTheConditionsOfAnExerciseReject) {
-        // |ω₃| = w/4 > 4 rad/s leaves 17 to 20 of 5 to 20.
-        ExerciseVariants variants = variants_of(with_variants(R"(, "require": ["omega 3 < -4 rad/s"])"));
-        EXPECT_EQ(variants.combinations(), 16u);
-        first_of(variants, 4);
-        const auto end = variants.next();
-        ASSERT_TRUE(end.has_value());
-        EXPECT_FALSE(*end);
-        EXPECT_EQ(variants.looked_at(), 16u);
-        ASSERT_EQ(variants.rejections().size(), 1u);
-        EXPECT_EQ(variants.rejections()[0].count, 12u);
-        EXPECT_NE(variants.rejections()[0].why.in(Language::en).find("omega 3 < -4"), std::string::npos);
+TEST(PublicFace, DrawsVariantsInOneOrder) {
+    ExerciseVariants first = variants_of(with_variants()), second = variants_of(with_variants());
+    EXPECT_EQ(first.title().in(Language::it), "Crank");
+    EXPECT_EQ(first.parameters(), std::vector<std::string>{"w"});
+    for (int i = 0; i < 5; ++i) {
+        const auto one = first.next(), other = second.next("other.json");
+        ASSERT_TRUE(one && *one && other && *other);
+        EXPECT_EQ((*one)->file, (*other)->file);
+        ASSERT_EQ((*one)->asked.size(), 1u);
+        EXPECT_NEAR((*one)->asked[0].value, -std::stod((*one)->values[0].value) / 4, 1e-12);
+        // The file of a variant stands by itself.
+        EXPECT_EQ(solved((*one)->file).value("omega 3")->value, (*one)->asked[0].value);
     }
+}
 
-    TEST(PublicFace, StopsBetweenVariants) {
-        ExerciseVariants variants = variants_of(with_variants());
-        const auto stopped = variants.next({}, [] { return true; });
-        ASSERT_TRUE(stopped.has_value());
-        EXPECT_FALSE(*stopped);
-        EXPECT_EQ(variants.looked_at(), 0u);
-        first_of(variants, 1);
+TEST(PublicFace, CountsWhatTheConditionsOfAnExerciseReject) {
+    // |ω₃| = w/4 > 4 rad/s leaves 17 to 20 of 5 to 20.
+    ExerciseVariants variants = variants_of(with_variants(R"(, "require": ["omega 3 < -4 rad/s"])"));
+    EXPECT_EQ(variants.combinations(), 16u);
+    first_of(variants, 4);
+    const auto end = variants.next();
+    ASSERT_TRUE(end.has_value());
+    EXPECT_FALSE(*end);
+    EXPECT_EQ(variants.looked_at(), 16u);
+    ASSERT_EQ(variants.rejections().size(), 1u);
+    EXPECT_EQ(variants.rejections()[0].count, 12u);
+    EXPECT_NE(variants.rejections()[0].why.in(Language::en).find("omega 3 < -4"), std::string::npos);
+}
+
+TEST(PublicFace, StopsBetweenVariants) {
+    ExerciseVariants variants = variants_of(with_variants());
+    const auto stopped = variants.next({}, [] { return true; });
+    ASSERT_TRUE(stopped.has_value());
+    EXPECT_FALSE(*stopped);
+    EXPECT_EQ(variants.looked_at(), 0u);
+    first_of(variants, 1);
+}
+
+TEST(PublicFace, KeysOfVariantsHaveTheirAnswers) {
+    ExerciseVariants variants = variants_of(with_variants());
+    const auto three = first_of(variants, 3);
+    AnswerKey key;
+    EXPECT_FALSE(key.drawing("Crank").has_value());
+    key.add("1", "=Anna", three[0]);
+    key.add("2", "", three[1]);
+    std::string expected = "variant,name,w,omega 3 [rad/s]\n";
+    const auto row = [](const std::string& head, const ExerciseVariant& variant) {
+        const double w = std::stod(variant.values[0].value);
+        std::ostringstream line;
+        line << head << ',' << w << ',' << -w / 4 << '\n';
+        return line.str();
+    };
+    EXPECT_EQ(key.csv(), expected + row("1,'=Anna", three[0]) + row("2,", three[1]));
+    const auto sheet = key.drawing("Crank");
+    ASSERT_TRUE(sheet.has_value());
+    EXPECT_EQ(sheet->pages(), 1u);
+    EXPECT_NE(sheet->svg(Lettering::live).front().find("Anna"), std::string::npos);
+    AnswerKey without_names;
+    without_names.add("3", "", three[2]);
+    EXPECT_EQ(without_names.csv(), "variant,w,omega 3 [rad/s]\n" + row("3", three[2]));
+}
+
+TEST(PublicFace, QuestionBanksAskForTheAnswersOfTheKey) {
+    ExerciseVariants variants = variants_of(with_variants());
+    const auto two = first_of(variants, 2);
+    QuestionBank bank("Crank", 7, {}, 40), answers("Crank", 7, {}, 0);
+    EXPECT_EQ(bank.csv(), "");
+    for (std::size_t i = 0; i < two.size(); ++i) {
+        const QuestionBank::Files files{"q.pdf", "s.pdf", "r.json", "f.json"};
+        const auto unreadable = bank.add(std::to_string(i + 1), "", two[i], files);
+        ASSERT_TRUE(unreadable.has_value());
+        EXPECT_TRUE(unreadable->empty());
+        ASSERT_TRUE(answers.add(std::to_string(i + 1), "", two[i], files).has_value());
     }
-
-    TEST(PublicFace, KeysOfVariantsHaveTheirAnswers) {
-        ExerciseVariants variants = variants_of(with_variants());
-        const auto three = first_of(variants, 3);
-        AnswerKey key;
-        EXPECT_FALSE(key.drawing("Crank").has_value());
-        key.add("1", "=Anna", three[0]);
-        key.add("2", "", three[1]);
-        std::string expected = "variant,name,w,omega 3 [rad/s]\n";
-        const auto row = [](const std::string& head, const ExerciseVariant& variant) {
-            const double w = std::stod(variant.values[0].value);
-            std::ostringstream line;
-            line << head << ',' << w << ',' << -w / 4 << '\n';
-            return line.str();
-        };
-        EXPECT_EQ(key.csv(), expected + row("1,'=Anna", three[0]) + row("2,", three[1]));
-        const auto sheet = key.drawing("Crank");
-        ASSERT_TRUE(sheet.has_value());
-        EXPECT_EQ(sheet->pages(), 1u);
-        EXPECT_NE(sheet->svg(Lettering::live).front().find("Anna"), std::string::npos);
-        AnswerKey without_names;
-        without_names.add("3", "", three[2]);
-        EXPECT_EQ(without_names.csv(), "variant,w,omega 3 [rad/s]\n" + row("3", three[2]));
+    EXPECT_EQ(bank.csv(), answers.csv());
+    EXPECT_EQ(bank.csv().substr(0, bank.csv().find('\n')),
+              "variant,seed,w,omega 3,omega 3 unit,omega 3 tolerance,question,solution,results,file");
+    const std::string moodle = bank.moodle();
+    for (const ExerciseVariant& each : two) {
+        std::ostringstream answer;
+        answer << each.asked[0].value;
+        EXPECT_NE(moodle.find(":NUMERICAL:=" + answer.str()), std::string::npos) << answer.str();
+        EXPECT_NE(bank.csv().find("," + answer.str() + ",rad/s,"), std::string::npos) << answer.str();
     }
+    EXPECT_EQ(bank.qti().value().substr(0, 2), "PK");
+    EXPECT_FALSE(QuestionBank("Crank", 7, {}, 5).add("1", "", two[0]).has_value());
+}
 
-    TEST(PublicFace, QuestionBanksAskForTheAnswersOfTheKey) {
-        ExerciseVariants variants = variants_of(with_variants());
-        const auto two = first_of(variants, 2);
-        QuestionBank bank("Crank", 7, {}, 40), answers("Crank", 7, {}, 0);
-        EXPECT_EQ(bank.csv(), "");
-        for (std::size_t i = 0; i < two.size(); ++i) {
-            const QuestionBank::Files files{"q.pdf", "s.pdf", "r.json", "f.json"};
-            const auto unreadable = bank.add(std::to_string(i + 1), "", two[i], files);
-            ASSERT_TRUE(unreadable.has_value());
-            EXPECT_TRUE(unreadable->empty());
-            ASSERT_TRUE(answers.add(std::to_string(i + 1), "", two[i], files).has_value());
-        }
-        EXPECT_EQ(bank.csv(), answers.csv());
-        EXPECT_EQ(bank.csv().substr(0, bank.csv().find('\n')),
-                  "variant,seed,w,omega 3,omega 3 unit,omega 3 tolerance,question,solution,results,file");
-        const std::string moodle = bank.moodle();
-        for (const ExerciseVariant& each : two) {
-            std::ostringstream answer;
-            answer << each.asked[0].value;
-            EXPECT_NE(moodle.find(":NUMERICAL:=" + answer.str()), std::string::npos) << answer.str();
-            EXPECT_NE(bank.csv().find("," + answer.str() + ",rad/s,"), std::string::npos) << answer.str();
-        }
-        EXPECT_EQ(bank.qti().value().substr(0, 2), "PK");
-        EXPECT_FALSE(QuestionBank("Crank", 7, {}, 5).add("1", "", two[0]).has_value());
-    }
+TEST(PublicFace, JoinsDrawings) {
+    const auto one = draw(solved(slider_crank));
+    ASSERT_TRUE(one.has_value());
+    DrawingOptions steps;
+    steps.steps = true;
+    steps.author = "\u4e2d";  // no character of the font
+    const auto other = draw(solved(slider_crank), steps);
+    ASSERT_TRUE(other.has_value());
+    const auto both = joined({*one, *other, *other});
+    ASSERT_TRUE(both.has_value());
+    std::vector<std::string> expected = one->svg();
+    for (int i = 0; i < 2; ++i)
+        for (const std::string& page : other->svg()) expected.push_back(page);
+    EXPECT_EQ(both->svg(), expected);
+    EXPECT_EQ(both->missing_characters(), std::vector<std::string>{"U+4E2D"});
+    ASSERT_EQ(both->remarks().size(), 1u);
+    EXPECT_EQ(both->remarks()[0].in(Language::en), remark_on_missing({"U+4E2D", "U+4E2D"}).in(Language::en));
+    EXPECT_FALSE(joined({}).has_value());
+}
 
-    TEST(PublicFace, JoinsDrawings) {
-        const auto one = draw(solved(slider_crank));
-        ASSERT_TRUE(one.has_value());
-        DrawingOptions steps;
-        steps.steps = true;
-        steps.author = "\u4e2d";  // no character of the font
-        const auto other = draw(solved(slider_crank), steps);
-        ASSERT_TRUE(other.has_value());
-        const auto both = joined({*one, *other, *other});
-        ASSERT_TRUE(both.has_value());
-        std::vector<std::string> expected = one->svg();
-        for (int i = 0; i < 2; ++i)
-            for (const std::string& page : other->svg()) expected.push_back(page);
-        EXPECT_EQ(both->svg(), expected);
-        EXPECT_EQ(both->missing_characters(), std::vector<std::string>{"U+4E2D"});
-        ASSERT_EQ(both->remarks().size(), 1u);
-        EXPECT_EQ(both->remarks()[0].in(Language::en), remark_on_missing({"U+4E2D", "U+4E2D"}).in(Language::en));
-        EXPECT_FALSE(joined({}).has_value());
-    }
-
-    TEST(PublicFace, ReadsRequests) {
-        Request defaults;
-        defaults.drawing.author = "Rossi";
-        defaults.set = {{"w", "7"}};
-        const Request request = Request::parse(
-            R"({"id": 1.50, "mechanism": {"b": 1e2, "a": [0.10, "x"]}, "set": {"r": "45 mm"}, "want": ["svg", "json"],
+TEST(PublicFace, ReadsRequests) {
+    Request defaults;
+    defaults.drawing.author = "Rossi";
+    defaults.set = {{"w", "7"}};
+    const Request request = Request::parse(
+        R"({"id": 1.50, "mechanism": {"b": 1e2, "a": [0.10, "x"]}, "set": {"r": "45 mm"}, "want": ["svg", "json"],
             "lang": "it", "at": "30°", "grid": true, "dpi": 60})",
-            defaults);
-        EXPECT_TRUE(request.faults.empty());
-        EXPECT_EQ(request.id, "1.50");
-        // Numbers keep their digits, members their order.
-        EXPECT_EQ(request.text, R"({"b": 1e2, "a": [0.10, "x"]})");
-        ASSERT_EQ(request.set.size(), 2u);
-        EXPECT_EQ(request.set[1].value, "45 mm");
-        EXPECT_EQ(request.want, (std::vector{Request::Format::svg, Request::Format::json}));
-        EXPECT_EQ(request.drawing.language, Language::it);
-        EXPECT_EQ(request.drawing.author, "Rossi");
-        EXPECT_EQ(request.positions.at, std::vector<std::string>{"30°"});
-        EXPECT_TRUE(request.drawing.grid);
-        EXPECT_EQ(request.dpi, 60);
+        defaults);
+    EXPECT_TRUE(request.faults.empty());
+    EXPECT_EQ(request.id, "1.50");
+    // Numbers keep their digits, members their order.
+    EXPECT_EQ(request.text, R"({"b": 1e2, "a": [0.10, "x"]})");
+    ASSERT_EQ(request.set.size(), 2u);
+    EXPECT_EQ(request.set[1].value, "45 mm");
+    EXPECT_EQ(request.want, (std::vector{Request::Format::svg, Request::Format::json}));
+    EXPECT_EQ(request.drawing.language, Language::it);
+    EXPECT_EQ(request.drawing.author, "Rossi");
+    EXPECT_EQ(request.positions.at, std::vector<std::string>{"30°"});
+    EXPECT_TRUE(request.drawing.grid);
+    EXPECT_EQ(request.dpi, 60);
 
-        const Request wrong = Request::parse(R"({"id": "x", "papre": "A4", "grid": 1})");
-        ASSERT_EQ(wrong.faults.size(), 3u);
-        EXPECT_EQ(wrong.id, "\"x\"");
-        EXPECT_EQ(wrong.faults[0].place, "/papre");
-        EXPECT_EQ(wrong.faults[0].text.in(Language::en), "a line has no key \"papre\" (did you mean \"paper\"?)");
-        EXPECT_EQ(wrong.faults[1].place, "/grid");
-        EXPECT_EQ(wrong.faults[2].text.in(Language::en), "\"file\" or \"mechanism\" is missing");
-        EXPECT_EQ(Request::parse("[").faults.size(), 1u);
-        EXPECT_EQ(Request::excerpt("a\tb"), "a\\u0009b");
-    }
+    const Request wrong = Request::parse(R"({"id": "x", "papre": "A4", "grid": 1})");
+    ASSERT_EQ(wrong.faults.size(), 3u);
+    EXPECT_EQ(wrong.id, "\"x\"");
+    EXPECT_EQ(wrong.faults[0].place, "/papre");
+    EXPECT_EQ(wrong.faults[0].text.in(Language::en), "a line has no key \"papre\" (did you mean \"paper\"?)");
+    EXPECT_EQ(wrong.faults[1].place, "/grid");
+    EXPECT_EQ(wrong.faults[2].text.in(Language::en), "\"file\" or \"mechanism\" is missing");
+    EXPECT_EQ(Request::parse("[").faults.size(), 1u);
+    EXPECT_EQ(Request::excerpt("a\tb"), "a\\u0009b");
+}
 
-    TEST(PublicFace, ReadsACam) {
-        const auto cam = CamFile::open(KINEGRAPH_EXAMPLES_DIR "/cams/disc_cam.json");
-        ASSERT_TRUE(cam.has_value());
-        EXPECT_GE(cam->profile(90).size(), 90u);
-        EXPECT_TRUE(MechanismFile::parse(cam->mechanism_at(1), "cam.json").has_value());
-        const auto cycle = CamCycle::of(*cam, {"60°", 24, ""});
-        ASSERT_TRUE(cycle.has_value());
-        EXPECT_TRUE(cycle->keeps_law());
-        EXPECT_FALSE(cycle->facts().empty() || cycle->comparison().empty());
-        EXPECT_TRUE(cycle->remarks().empty()) << "its law has no shock";
-        const std::string csv = cycle->csv();
-        EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 26);
-        EXPECT_EQ(cycle->mechanism(), cam->mechanism_at(std::acos(-1.0) / 3));
-        EXPECT_NE(draw(*cycle)->svg().back().find("data-name=\"pressure angle\""), std::string::npos);
-        EXPECT_FALSE(CamCycle::of(*cam, {"400°", 24, ""}).has_value());
-    }
+TEST(PublicFace, ReadsACam) {
+    const auto cam = CamFile::open(KINEGRAPH_EXAMPLES_DIR "/cams/disc_cam.json");
+    ASSERT_TRUE(cam.has_value());
+    EXPECT_GE(cam->profile(90).size(), 90u);
+    EXPECT_TRUE(MechanismFile::parse(cam->mechanism_at(1), "cam.json").has_value());
+    const auto cycle = CamCycle::of(*cam, {"60°", 24, ""});
+    ASSERT_TRUE(cycle.has_value());
+    EXPECT_TRUE(cycle->keeps_law());
+    EXPECT_FALSE(cycle->facts().empty() || cycle->comparison().empty());
+    EXPECT_TRUE(cycle->remarks().empty()) << "its law has no shock";
+    const std::string csv = cycle->csv();
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 26);
+    EXPECT_EQ(cycle->mechanism(), cam->mechanism_at(std::acos(-1.0) / 3));
+    EXPECT_NE(draw(*cycle)->svg().back().find("data-name=\"pressure angle\""), std::string::npos);
+    EXPECT_FALSE(CamCycle::of(*cam, {"400°", 24, ""}).has_value());
+}
 
-    TEST(PublicFace, ComparesPictures) {
-        const auto drawing = draw(solved(slider_crank));
-        const auto decoded = [](const Drawing& drawn) { return PngPicture::decode(drawn.png(0, 30).value()).value(); };
-        const PngPicture one = decoded(*drawing);
-        EXPECT_EQ(compare_pictures(one, one).differing, 0u);
-        DrawingOptions dark;
-        dark.theme = "dark";
-        const PictureComparison found = compare_pictures(one, decoded(*draw(solved(slider_crank), dark)));
-        EXPECT_GT(found.share(), 0.5);
-        EXPECT_TRUE(PngPicture::is_png(found.side_by_side));
-        EXPECT_TRUE(compare_pictures(one, one, 0.1, false).side_by_side.empty());
-        EXPECT_FALSE(PngPicture::decode("no picture").has_value());
-    }
+TEST(PublicFace, ComparesPictures) {
+    const auto drawing = draw(solved(slider_crank));
+    const auto decoded = [](const Drawing& drawn) { return PngPicture::decode(drawn.png(0, 30).value()).value(); };
+    const PngPicture one = decoded(*drawing);
+    EXPECT_EQ(compare_pictures(one, one).differing, 0u);
+    DrawingOptions dark;
+    dark.theme = "dark";
+    const PictureComparison found = compare_pictures(one, decoded(*draw(solved(slider_crank), dark)));
+    EXPECT_GT(found.share(), 0.5);
+    EXPECT_TRUE(PngPicture::is_png(found.side_by_side));
+    EXPECT_TRUE(compare_pictures(one, one, 0.1, false).side_by_side.empty());
+    EXPECT_FALSE(PngPicture::decode("no picture").has_value());
+}
 
-    TEST(PublicFace, ServesThreadsThatCallNothingBesides) {
-        std::vector<std::string> sheets(4);
-        std::vector<std::jthread> threads;
-        for (std::string& sheet : sheets)
-            threads.emplace_back([&sheet] {
-                for (int i = 0; i < 3; ++i) sheet = draw(solved(slider_crank))->svg().front();
-            });
-        threads.clear();
-        const std::string here = draw(solved(slider_crank))->svg().front();
-        for (const std::string& sheet : sheets) EXPECT_EQ(sheet, here);
-    }
+TEST(PublicFace, ServesThreadsThatCallNothingBesides) {
+    std::vector<std::string> sheets(4);
+    std::vector<std::jthread> threads;
+    for (std::string& sheet : sheets)
+        threads.emplace_back([&sheet] {
+            for (int i = 0; i < 3; ++i) sheet = draw(solved(slider_crank))->svg().front();
+        });
+    threads.clear();
+    const std::string here = draw(solved(slider_crank))->svg().front();
+    for (const std::string& sheet : sheets) EXPECT_EQ(sheet, here);
+}
 
 }  // namespace
 }  // namespace library_test
