@@ -86,7 +86,7 @@ check() {
         floor app files
         floor app server files
         floor app late
-        floor app commands files server late library
+        floor app commands files server late
         floor app modules late
         unordered
         includes '["<](engine|constructions|render)/' app |
