@@ -74,8 +74,7 @@ std::optional<render::Theme> dark_beside(const DrawingOptions& options) {
 std::vector<std::string> in_unicode_order(std::vector<std::string> codes) {
     const auto size_and_digits = [](const std::string& code) { return std::pair(code.size(), std::string_view(code)); };
     std::ranges::sort(codes, {}, size_and_digits);
-    const auto repeated = std::ranges::unique(codes);
-    codes.erase(repeated.begin(), repeated.end());
+    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
     return codes;
 }
 
