@@ -81,7 +81,7 @@ std::string BatchWorker::answer(const std::string& line) {
     ++tally_.answered;
     if (refused) ++tally_.refused;
     if (refused) answer.members = member("errors", errors);
-    if (refused && read.id == "null") answer.members += ", \"line\": " + json_quoted(Request::excerpt(line));
+    if (refused && read.id == "null") answer.members += ", \"line\": " + json_string(Request::excerpt(line));
     std::string text = R"({"id": )" + read.id;
     if (!answer.members.starts_with(", \"status\""))
         text += ", \"status\": " + std::to_string(static_cast<int>(answer.status));

@@ -16,7 +16,6 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/outputs.hpp"
 #include "app/files/files.hpp"
-#include "app/files/json_text.hpp"
 #include "app/server/local_server.hpp"
 #include "app/server/watched_file.hpp"
 
@@ -72,9 +71,9 @@ std::string as_json(const Watched& watched) {
         if (fault.place)
             faults += "\"line\": " + std::to_string(fault.place->line) +
                       ", \"column\": " + std::to_string(fault.place->column) + ", ";
-        faults += "\"where\": " + json_quoted(fault.fault.place);
+        faults += "\"where\": " + json_string(fault.fault.place);
         for (const Language language : languages)
-            faults += ", \"" + code_of(language) + "\": " + json_quoted(fault.fault.text.in(language));
+            faults += ", \"" + code_of(language) + "\": " + json_string(fault.fault.text.in(language));
         faults += '}';
     }
     return "{\"page\": " + std::to_string(watched.pages) + ", \"faults\": [" + faults + "]}\n";

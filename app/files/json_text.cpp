@@ -1,23 +1,14 @@
 #include "app/files/json_text.hpp"
 
-#include <nlohmann/json.hpp>
+#include <kinegraph/request.hpp>
 
 namespace kinegraph::app {
-namespace {
-
-std::string dumped(const nlohmann::json& json) {
-    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-}  // namespace
-
-std::string json_quoted(std::string_view text) { return dumped(text); }
 
 std::string json_quoted(const std::vector<std::string>& texts) {
     std::string json = "[";
     for (const std::string& text : texts) {
         if (json.size() > 1) json += ", ";
-        json += dumped(text);
+        json += json_string(text);
     }
     return json + ']';
 }

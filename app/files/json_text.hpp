@@ -7,8 +7,6 @@
 
 namespace kinegraph::app {
 
-/// A text in quotes. Bytes that are not UTF-8 are replaced by U+FFFD.
-std::string json_quoted(std::string_view text);
 /// ["…", "…"]
 std::string json_quoted(const std::vector<std::string>& texts);
 /// A JSON document on one line. (JSON strings contain no line feed.)

@@ -302,6 +302,13 @@ Request Request::parse(std::string_view json, const Request& defaults) {
 
 Request Request::parse(std::string_view json) { return parse(json, Request()); }
 
+std::string json_string(std::string_view text) {
+    std::string json;
+    json.reserve(text.size() + 2);
+    append_json_text(json, text, "\\n");
+    return json;
+}
+
 std::string Request::excerpt(std::string_view json) {
     constexpr std::size_t longest = 80;
     return shown(json, longest);

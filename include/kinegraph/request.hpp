@@ -42,4 +42,7 @@ struct Request {
     static std::string excerpt(std::string_view json);
 };
 
+/// A text as a JSON string, in quotation marks, for an answer. `text` must be UTF-8.
+std::string json_string(std::string_view text);
+
 }  // namespace kinegraph

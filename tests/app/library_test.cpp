@@ -428,6 +428,7 @@ TEST(PublicFace, ReadsRequests) {
     EXPECT_EQ(wrong.faults[2].text.in(Language::en), "\"file\" or \"mechanism\" is missing");
     EXPECT_EQ(Request::parse("[").faults.size(), 1u);
     EXPECT_EQ(Request::excerpt("a\tb"), "a\\u0009b");
+    EXPECT_EQ(json_string("è \"\n\t"), R"("è \"\n\u0009")");
 }
 
 TEST(PublicFace, ReadsACam) {
