@@ -130,6 +130,30 @@ struct Owner {
     int driver = -1;
 };
 
+/// Which rows are eliminated.
+struct Rows {
+    bool drivers = true;  ///< those of drivers and of a given motion, after the joints'
+    /// Only joints between bodies of one group, each joint within each of its groups; null: all.
+    const std::vector<BodyIndex>* within = nullptr;
+};
+
+/// The joints' rows, restricted to these groups: where a joint connects more than two bodies, each is bound to the
+/// first of its own group.
+std::vector<ConstraintRow> rows_within(const std::vector<BodyIndex>& groups, std::vector<ConstraintRow> rows,
+                                       const Mechanism& mechanism) {
+    std::vector<ConstraintRow> kept;
+    for (ConstraintRow& row : rows) {
+        const std::vector<BodyIndex>& bodies = mechanism.joint(row.joint).bodies;
+        const auto first = std::find_if(bodies.begin(), bodies.end(), [&](BodyIndex body) {
+            return groups[at_index(body)] == groups[at_index(row.j)];
+        });
+        if (*first == row.j) continue;
+        row.i = *first;
+        kept.push_back(row);
+    }
+    return kept;
+}
+
 template <class Field>
 class Constraints {
 public:
@@ -137,7 +161,7 @@ public:
     std::vector<SparseRow<Number>> rows;
     std::vector<Owner> owners;  ///< joints first, then drivers
 
-    Constraints(Field& field, const Mechanism& mechanism, const Pose& pose)
+    Constraints(Field& field, const Mechanism& mechanism, const Pose& pose, const Rows& asked = {})
         : field_(field), mechanism_(mechanism), pose_(pose) {
         // Lengths are relative to the first point and divided by the size, so that distance from the origin does not
         // enlarge entries.
@@ -152,7 +176,10 @@ public:
             }
             points_.push_back(std::move(place));
         }
-        for (const ConstraintRow& row : constraint_rows(mechanism, pose)) write(row);
+        std::vector<ConstraintRow> joints = constraint_rows(mechanism, pose);
+        if (asked.within != nullptr) joints = rows_within(*asked.within, std::move(joints), mechanism);
+        for (const ConstraintRow& row : joints) write(row);
+        if (!asked.drivers) return;
         for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
             owner_ = {none, static_cast<int>(i)};
             std::visit([&](const auto& driver) { write(driver); }, mechanism.drivers[i]);
@@ -297,8 +324,27 @@ public:
         }
         kept_.emplace_back(pivot, std::move(kept));
     }
-    int rank() const { return static_cast<int>(kept_.size()); }
-    int columns() const { return static_cast<int>(row_.size()); }
+    /// A motion that the kept rows allow: the columns without a pivot have arbitrary values, always the same ones.
+    std::vector<Number> free_motion() {
+        std::vector<Number> motion;
+        std::uint64_t state = 0;
+        for (std::size_t i = 0; i < row_.size(); ++i) {
+            // splitmix64: numbers in [1, 2) among which no small relation is to be expected.
+            std::uint64_t bits = state += 0x9E3779B97F4A7C15U;
+            bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9U;
+            bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBU;
+            constexpr std::int64_t one = std::int64_t{1} << 60;
+            motion.push_back(field_.from(Exact::ratio(one + static_cast<std::int64_t>(bits >> 4), one)));
+        }
+        // A kept row has entries in its own pivot column and in those of later rows.
+        for (auto kept = kept_.rbegin(); kept != kept_.rend(); ++kept) {
+            Number value = field_.zero();
+            for (const auto& [column, entry] : kept->second)
+                field_.subtract_product(value, entry, motion[at_index(column)]);
+            motion[at_index(kept->first)] = std::move(value);
+        }
+        return motion;
+    }
 
 private:
     Field& field_;
@@ -312,15 +358,49 @@ struct Verdict {
     std::vector<bool> independent;
     std::vector<Owner> owners;
     std::vector<bool> determined;
+    std::vector<BodyIndex> rest;  ///< where drivers are left out: as RelativeRest
     bool decided_by_finer_pose = false;
     bool decided_by_precision = false;
     bool is_full = false;  ///< the rank is maximal
 };
 
+/// The motion of body i relative to body j.
+template <class Field>
+std::array<typename Field::Number, 3> relative(Field& field, const std::vector<typename Field::Number>& motion,
+                                               BodyIndex i, BodyIndex j) {
+    const auto component = [&](int k) {
+        const auto of = [&](BodyIndex body) {
+            return body == frame ? field.zero() : motion[at_index(3 * (body.number() - 1) + k)];
+        };
+        typename Field::Number value = of(i);
+        field.subtract_product(value, field.from(1), of(j));  // which knows what is rounding
+        return value;
+    };
+    return {component(0), component(1), component(2)};
+}
+template <class Field, class Number>
+double size_of(Field& field, const std::array<Number, 3>& motion) {
+    return std::max({field.magnitude(motion[0]), field.magnitude(motion[1]), field.magnitude(motion[2])});
+}
+
+/// By BodyIndex: the first body that `together(i, j)` puts into the same group.
+template <class Together>
+std::vector<BodyIndex> groups_of(int bodies, Together together) {
+    std::vector<BodyIndex> groups, firsts;
+    for (const BodyIndex body : indices<BodyIndex>(at_index(bodies))) {
+        const auto first =
+            std::find_if(firsts.begin(), firsts.end(), [&](BodyIndex other) { return together(other, body); });
+        groups.push_back(first == firsts.end() ? body : *first);
+        if (first == firsts.end()) firsts.push_back(body);
+    }
+    return groups;
+}
+
 /// `keep(i)`: reduces row i, keeps the result, and returns whether it is not zero. `spanned(row)`: returns whether the
 /// row reduces to zero.
 template <class Field, class Keep, class Spanned>
-Verdict judge(Field& field, const Constraints<Field>& constraints, int bodies, Keep keep, Spanned spanned) {
+Verdict judge(Field& field, const Constraints<Field>& constraints, int bodies, const Rows& asked, Keep keep,
+              Spanned spanned) {
     Verdict verdict;
     verdict.owners = constraints.owners;
     const auto one = field.from(1);
@@ -331,6 +411,7 @@ Verdict judge(Field& field, const Constraints<Field>& constraints, int bodies, K
     }
     const int columns = 3 * (bodies - 1);
     verdict.is_full = rank == columns || rank == static_cast<int>(constraints.rows.size());
+    if (!asked.drivers) return verdict;
     verdict.determined.assign(at_index(bodies), true);
     for (int body = 1; body < bodies && rank < columns; ++body) {
         for (int k = 0; k < 3 && verdict.determined[at_index(body)]; ++k) {
@@ -340,9 +421,10 @@ Verdict judge(Field& field, const Constraints<Field>& constraints, int bodies, K
     return verdict;
 }
 
-std::optional<Verdict> judge_exactly(const Mechanism& mechanism, const Pose& pose, std::uint64_t prime) {
+std::optional<Verdict> judge_exactly(const Mechanism& mechanism, const Pose& pose, const Rows& asked,
+                                     std::uint64_t prime) {
     Residues field(prime);
-    const Constraints<Residues> constraints(field, mechanism, pose);
+    const Constraints<Residues> constraints(field, mechanism, pose, asked);
     if (field.failed()) return std::nullopt;
     const auto bodies = static_cast<int>(mechanism.bodies.size());
     Echelon<Residues> echelon(field, 3 * (bodies - 1));
@@ -356,17 +438,22 @@ std::optional<Verdict> judge_exactly(const Mechanism& mechanism, const Pose& pos
         echelon.reduce(row);
         return echelon.largest().first < 0;
     };
-    return judge(field, constraints, bodies, keep, spanned);
+    Verdict verdict = judge(field, constraints, bodies, asked, keep, spanned);
+    if (asked.drivers) return verdict;
+    const std::vector<std::uint64_t> motion = echelon.free_motion();
+    verdict.rest =
+        groups_of(bodies, [&](BodyIndex i, BodyIndex j) { return size_of(field, relative(field, motion, i, j)) == 0; });
+    return verdict;
 }
 
-Verdict judge_exactly(const Mechanism& mechanism, const Pose& pose) {
+Verdict judge_exactly(const Mechanism& mechanism, const Pose& pose, const Rows& asked) {
     // The largest primes below 2^61.
     constexpr std::array<std::uint64_t, 6> primes{2305843009213693951U, 2305843009213693921U, 2305843009213693907U,
                                                   2305843009213693723U, 2305843009213693693U, 2305843009213693669U};
     std::optional<Verdict> best;
     int looks = 0;
     for (const std::uint64_t prime : primes) {
-        auto verdict = judge_exactly(mechanism, pose, prime);
+        auto verdict = judge_exactly(mechanism, pose, asked, prime);
         if (!verdict) continue;
         const auto rank = [](const Verdict& v) { return std::count(v.independent.begin(), v.independent.end(), true); };
         if (!best || rank(*verdict) > rank(*best)) best = std::move(verdict);
@@ -378,16 +465,17 @@ Verdict judge_exactly(const Mechanism& mechanism, const Pose& pose) {
 
 /// On an inexact pose. Once a pivot is small enough to be an error of the pose, a finer pose is reduced in parallel: a
 /// value that shrinks with the pose is zero, one that stays is not. Empty where the finer pose is needed and not given.
-std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& pose, const Pose* finer) {
+std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& pose, const Rows& asked,
+                                      const Pose* finer) {
     const double suspicious = std::ldexp(1, -pose.bits * 2 / 5);
     const double shrinks = std::ldexp(1, -pose.bits / 2);
     Reals field;
     const auto bodies = static_cast<int>(mechanism.bodies.size());
-    const Constraints<Reals> rows(field, mechanism, pose);
+    const Constraints<Reals> rows(field, mechanism, pose, asked);
     Echelon<Reals> echelon(field, 3 * (bodies - 1));
     std::optional<Constraints<Reals>> finer_rows;
     Echelon<Reals> finer_echelon(field, 3 * (bodies - 1));
-    if (finer != nullptr) finer_rows.emplace(field, mechanism, *finer);
+    if (finer != nullptr) finer_rows.emplace(field, mechanism, *finer, asked);
     bool needs_finer = false;
     bool decided = false;
 
@@ -414,24 +502,34 @@ std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& po
         return true;
     };
     const auto spanned = [&](const SparseRow<mpf_class>& row) { return needs_finer || left_of(row, row) < 0; };
-    Verdict verdict = judge(field, rows, bodies, keep, spanned);
+    Verdict verdict = judge(field, rows, bodies, asked, keep, spanned);
+    if (!asked.drivers && !needs_finer) {
+        const std::vector<mpf_class> motion = echelon.free_motion();
+        const std::vector<mpf_class> finer_motion = finer != nullptr ? finer_echelon.free_motion() : motion;
+        verdict.rest = groups_of(bodies, [&](BodyIndex i, BodyIndex j) {
+            const double size = size_of(field, relative(field, motion, i, j));
+            if (size == 0 || size > suspicious) return size == 0;
+            needs_finer = needs_finer || finer == nullptr;
+            return size_of(field, relative(field, finer_motion, i, j)) <= shrinks * size;
+        });
+    }
     if (needs_finer) return std::nullopt;
     verdict.decided_by_finer_pose = decided;
     return verdict;
 }
 
-Verdict judge_in_reals(const Mechanism& mechanism, const Pose& pose, const FinerPose& given) {
-    if (auto verdict = judge_in_reals(mechanism, pose, nullptr)) return *std::move(verdict);
+Verdict judge_in_reals(const Mechanism& mechanism, const Pose& pose, const Rows& asked, const FinerPose& given) {
+    if (auto verdict = judge_in_reals(mechanism, pose, asked, nullptr)) return *std::move(verdict);
     // A drawing that closes at 100 bits and not at 200 depends on a coincidence of its numbers; then nothing shrinks.
     const Result<Pose> finer = given ? Result<Pose>(given()) : draw_pose(mechanism, 2 * pose.bits);
-    const auto verdict = judge_in_reals(mechanism, pose, finer ? &*finer : &pose);
+    auto verdict = judge_in_reals(mechanism, pose, asked, finer ? &*finer : &pose);
     KG_ASSERT(verdict, "a finer pose decides every pivot");
-    return *verdict;
+    return *std::move(verdict);
 }
 
 /// On rounded data, in parallel with the shifted drawings: a reduced row is zero if the precision explains it. A row
 /// above bits_in_question is never zero.
-Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
+Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose, const Rows& asked) {
     Reals field;
     const auto bodies = static_cast<int>(mechanism.bodies.size());
     struct Elimination {
@@ -441,7 +539,7 @@ Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
     std::vector<Elimination> all;
     all.reserve(pose.shifted->size() + 1);
     const auto add = [&](const Mechanism& drawn, const Pose& as) {
-        all.push_back({Constraints<Reals>(field, drawn, as), Echelon<Reals>(field, 3 * (bodies - 1))});
+        all.push_back({Constraints<Reals>(field, drawn, as, asked), Echelon<Reals>(field, 3 * (bodies - 1))});
     };
     add(mechanism, pose);
     for (const ShiftedDrawing& each : *pose.shifted) add(each.mechanism, each.pose);
@@ -449,6 +547,11 @@ Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
     const double in_question = std::ldexp(1, -bits_in_question(pose.rounding()));
     bool decided = false;
 
+    // Whether a value of this size is zero, since the shifts change it by so much.
+    const auto vanishes = [&](double size, double spread) {
+        const bool finer = !pose.exact && size < std::ldexp(1, -pose.bits * 2 / 5);
+        return size <= in_question && (is_zero_within(size, spread) || finer);
+    };
     // The pivot column, or −1 where the result is zero. `row(i)` is that of the i-th drawing.
     const auto left_of = [&](auto row) {
         for (Elimination& each : all) each.echelon.reduce(row(each));
@@ -456,8 +559,7 @@ Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
         if (pivot < 0 || size > in_question) return pivot;
         double spread = 0;
         for (std::size_t k = 1; k < all.size(); ++k) spread = std::max(spread, given.echelon.distance(all[k].echelon));
-        const bool finer = !pose.exact && size < std::ldexp(1, -pose.bits * 2 / 5);
-        if (!is_zero_within(size, spread) && !finer) return pivot;
+        if (!vanishes(size, spread)) return pivot;
         decided = true;
         return -1;
     };
@@ -470,14 +572,29 @@ Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
     const auto spanned = [&](const SparseRow<mpf_class>& row) {
         return left_of([&](const Elimination&) -> const auto& { return row; }) < 0;
     };
-    Verdict verdict = judge(field, given.rows, bodies, keep, spanned);
+    Verdict verdict = judge(field, given.rows, bodies, asked, keep, spanned);
     verdict.decided_by_precision = decided;
+    if (asked.drivers) return verdict;
+    std::vector<std::vector<mpf_class>> motions;
+    for (Elimination& each : all) motions.push_back(each.echelon.free_motion());
+    verdict.rest = groups_of(bodies, [&](BodyIndex i, BodyIndex j) {
+        const auto here = relative(field, motions.front(), i, j);
+        const double size = size_of(field, here);
+        if (size == 0 || size > in_question) return size == 0;
+        double spread = 0;
+        for (const auto& motion : motions) {
+            const auto there = relative(field, motion, i, j);
+            for (std::size_t k = 0; k < here.size(); ++k)
+                spread = std::max(spread, field.magnitude(field.difference(here[k], there[k])));
+        }
+        return vanishes(size, spread);
+    });
     return verdict;
 }
 
-Verdict judge(const Mechanism& mechanism, const Pose& pose, const FinerPose& finer) {
-    if (pose.is_rounded()) return judge_within_precision(mechanism, pose);
-    return pose.exact ? judge_exactly(mechanism, pose) : judge_in_reals(mechanism, pose, finer);
+Verdict judge(const Mechanism& mechanism, const Pose& pose, const Rows& asked, const FinerPose& finer) {
+    if (pose.is_rounded()) return judge_within_precision(mechanism, pose, asked);
+    return pose.exact ? judge_exactly(mechanism, pose, asked) : judge_in_reals(mechanism, pose, asked, finer);
 }
 
 void count_joints(const Mechanism& mechanism, Mobility& mobility) {
@@ -516,7 +633,7 @@ const char* name_of(Mobility::Verdict verdict) {
 Mobility mobility_of(const Mechanism& mechanism, const Pose& pose, const FinerPose& finer) {
     Mobility mobility;
     count_joints(mechanism, mobility);
-    Verdict verdict = judge(mechanism, pose, finer);
+    Verdict verdict = judge(mechanism, pose, {}, finer);
     int rank = 0;
     for (std::size_t i = 0; i < verdict.owners.size(); ++i) {
         const auto [joint, driver] = verdict.owners[i];
@@ -535,6 +652,21 @@ Mobility mobility_of(const Mechanism& mechanism, const Pose& pose, const FinerPo
     mobility.decided_by_finer_pose = verdict.decided_by_finer_pose;
     mobility.decided_by_precision = verdict.decided_by_precision;
     return mobility;
+}
+
+RelativeRest relative_rest(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility,
+                           const FinerPose& finer) {
+    RelativeRest rest;
+    if (mobility.effective == 0) {
+        rest.here.assign(mechanism.bodies.size(), frame);
+        rest.always = rest.here;
+        return rest;
+    }
+    rest.here = judge(mechanism, pose, {.drivers = false}, finer).rest;
+    const bool all_move = std::is_sorted(rest.here.begin(), rest.here.end()) &&
+                          std::adjacent_find(rest.here.begin(), rest.here.end()) == rest.here.end();
+    rest.always = all_move ? rest.here : judge(mechanism, pose, {.drivers = false, .within = &rest.here}, finer).rest;
+    return rest;
 }
 
 std::vector<JointIndex> nearly_redundant_joints(const Mechanism& mechanism, const Pose& pose,

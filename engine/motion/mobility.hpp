@@ -49,6 +49,19 @@ const char* name_of(Mobility::Verdict verdict);
 /// from the file, unless `finer` supplies one.
 Mobility mobility_of(const Mechanism& mechanism, const Pose& pose, const FinerPose& finer = {});
 
+/// Bodies that no motion allowed by the joints at this pose moves against each other; the drivers do not count. Both
+/// lists are by BodyIndex and give the first body of the group, which is the body itself where it moves against all
+/// others.
+struct RelativeRest {
+    std::vector<BodyIndex> here;    ///< at this pose, perhaps in passing (a slider at its dead centre)
+    std::vector<BodyIndex> always;  ///< within these: joined by their own joints to one rigid body, in every position
+};
+
+/// By the same rank as `mobility`, which must be that of this pose: one motion with arbitrary values of all freedoms
+/// moves all bodies against each other that can so move. In exact arithmetic with residues modulo a prime near 2^61.
+RelativeRest relative_rest(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility,
+                           const FinerPose& finer = {});
+
 /// Joints, in the file's order, whose constraints are independent of earlier ones by less than a thousandth (lengths
 /// over the drawing's size): in doubles, for a remark.
 std::vector<JointIndex> nearly_redundant_joints(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility);
