@@ -1,6 +1,7 @@
 #include "constructions/kinematics/instant_centres.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -24,9 +25,10 @@ std::optional<Sentence> primary_sentence(const PlanePair& pair) {
 
 }  // namespace
 
-InstantCentres::InstantCentres(Structure& structure, Board& board)
+InstantCentres::InstantCentres(Structure& structure, Board& board, RelativeRest rest)
     : structure_(structure),
       board_(board),
+      rest_(std::move(rest)),
       diagram_(structure, board),
       count_(static_cast<int>(structure.mechanism().bodies.size())) {
     for (const BodyIndex i : indices_of(structure_.mechanism().bodies)) {
@@ -84,13 +86,13 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
         return;
     }
     const std::optional<Sentence> says = primary_sentence(known);
-    if (entry.centre.everywhere || !says) return;
+    if (entry.centre.as_one || !says) return;
     const auto names = [&] {
         return std::vector<Argument>{symbol(i, j),
                                      PointName{structure_.mechanism().points[at_index(joint.point)].name}};
     };
     if (lies == PlanePair::Centre::everywhere) {
-        entry.centre.everywhere = true;
+        entry.centre.everywhere = entry.centre.as_one = true;
         entry.centre.how = InstantCentre::How::primary;
         entry.centre.order = order_++;
         entry.centre.statement = say(*says, names());
@@ -101,11 +103,7 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
                    ? board_.at_infinity(board_.perpendicular(board_.guide(index_of_joint)))
                    : board_.place(joint.point);
     };
-    if (entry.point) {
-        // Two pairs between the same bodies: the centres coincide, or there is no relative motion.
-        if (!board_.coincide(*entry.point, place())) entry.centre.everywhere = true;
-        return;
-    }
+    if (entry.point) return;  // two pairs between the same bodies: if their centres differ, the bodies are at rest
     entry.centre.statement = say(*says, {});
     settle(entry, place(), InstantCentre::How::primary);
     board_.statement(entry.centre.statement).message.arguments = names();
@@ -119,7 +117,9 @@ std::vector<BodyIndex> InstantCentres::intermediates(BodyIndex i, BodyIndex j) {
         if (k == i || k == j) continue;
         const Pair& first = pair(i, k);
         const Pair& second = pair(k, j);
-        if (!first.point || !second.point || first.centre.everywhere || second.centre.everywhere) continue;
+        // Of two bodies that rest in passing, the centre of their pair is that of the neighbouring positions, and the
+        // line holds there too. Bodies that move as one have none.
+        if (!first.point || !second.point || first.centre.as_one || second.centre.as_one) continue;
         const bool both_finite = !board_.is_at_infinity(*first.point) && !board_.is_at_infinity(*second.point);
         (both_finite ? finite : infinite).push_back(k);
     }
@@ -186,20 +186,47 @@ bool InstantCentres::kennedy(BodyIndex i, BodyIndex j) {
     return true;
 }
 
-bool InstantCentres::by_rigidity(BodyIndex i, BodyIndex j) {
+/// Bodies at rest against each other; the centre of a pair between them is kept. One sentence says it of each group,
+/// unless every two of its bodies are a pair, which has its own.
+void InstantCentres::mark_rest() {
+    std::map<BodyIndex, StatementIndex> said;
+    for (Pair& entry : pairs_) {
+        InstantCentre& centre = entry.centre;
+        const auto same = [&](const std::vector<BodyIndex>& groups) {
+            return groups[at_index(centre.first)] == groups[at_index(centre.second)];
+        };
+        if (!same(rest_.here)) continue;
+        centre.everywhere = true;
+        centre.as_one = centre.as_one || same(rest_.always);
+        if (centre.how != InstantCentre::How::unknown) continue;
+        centre.how = InstantCentre::How::rest;
+        centre.order = order_++;
+        const BodyIndex group = rest_.here[at_index(centre.first)];
+        const auto [known, is_new] = said.try_emplace(group, StatementIndex());
+        if (is_new) known->second = say(Sentence::no_relative_motion, {names_of_group(group)});
+        centre.statement = known->second;
+    }
+}
+
+Names InstantCentres::names_of_group(BodyIndex first) const {
+    Names names;
+    for (const BodyIndex body : indices_of(structure_.mechanism().bodies))
+        if (rest_.here[at_index(body)] == first) names.push_back(structure_.body_name(body));
+    return names;
+}
+
+bool InstantCentres::by_rigidity(BodyIndex i, BodyIndex j) { return by_relative_rest(i, j, &InstantCentre::as_one); }
+bool InstantCentres::by_rest(BodyIndex i, BodyIndex j) { return by_relative_rest(i, j, &InstantCentre::everywhere); }
+
+/// The centre of a body is that of another one which does not move against it.
+bool InstantCentres::by_relative_rest(BodyIndex i, BodyIndex j, bool InstantCentre::*rests) {
     Pair& entry = pair(i, j);
     for (const BodyIndex k : indices_of(structure_.mechanism().bodies)) {
         if (k == i || k == j) continue;
         for (const auto& [rigid, other] : {std::pair(index(i, k), index(k, j)), std::pair(index(k, j), index(i, k))}) {
-            if (!pairs_[rigid].centre.everywhere || !solved(pairs_[other])) continue;
             const Pair& source = pairs_[other];
-            if (source.point) {
-                settle(entry, *source.point, InstantCentre::How::kennedy);
-            } else {
-                entry.centre.how = InstantCentre::How::kennedy;
-                entry.centre.order = order_++;
-            }
-            entry.centre.everywhere = source.centre.everywhere;
+            if (!(pairs_[rigid].centre.*rests) || !source.point) continue;
+            settle(entry, *source.point, InstantCentre::How::kennedy);
             entry.centre.statement =
                 say(Sentence::centre_by_rigidity, {symbol(i, j), symbol(source.centre.first, source.centre.second)});
             return true;
@@ -223,6 +250,7 @@ bool InstantCentres::by_coincidence(BodyIndex i, BodyIndex j) {
 
 void InstantCentres::draw() {
     for (const JointIndex joint : indices_of(structure_.mechanism().joints)) primary(joint);
+    mark_rest();
     const auto sweep = [&](auto rule) {
         bool found = false;
         for (const BodyIndex i : indices_of(structure_.mechanism().bodies)) {
@@ -232,7 +260,8 @@ void InstantCentres::draw() {
         return found;
     };
     while (sweep([&](BodyIndex i, BodyIndex j) { return by_rigidity(i, j) || kennedy(i, j); }) ||
-           sweep([&](BodyIndex i, BodyIndex j) { return by_coincidence(i, j); })) {
+           sweep([&](BodyIndex i, BodyIndex j) { return by_coincidence(i, j); }) ||
+           sweep([&](BodyIndex i, BodyIndex j) { return by_rest(i, j); })) {
     }
 }
 
@@ -259,8 +288,10 @@ void InstantCentres::complete(const Motion& motion, int freedoms) {
         if (!solved(entry)) {
             from_velocities(entry, motion);
             entry.centre.depends_on_drivers = freedoms > 1;
-        } else if (!entry.centre.everywhere && at_relative_rest(entry, motion)) {
-            entry.centre.everywhere = true;
+        } else if (!entry.centre.as_one) {
+            // The verdict is known from the rank. The question becomes a guard: where the bodies begin or cease to rest
+            // against each other, the centres are found anew.
+            static_cast<void>(at_relative_rest(entry, motion));
         }
     }
 }

@@ -11,19 +11,21 @@
 #include "constructions/kinematics/motion.hpp"
 #include "constructions/kinematics/space_diagram.hpp"
 #include "constructions/kinematics/structure.hpp"
+#include "engine/motion/mobility.hpp"
 #include "engine/solution/solution.hpp"
 
 namespace kinegraph {
 
 class InstantCentres {
 public:
-    InstantCentres(Structure& structure, Board& board);
+    /// `rest`: of this position. The centre of two bodies at rest against each other is everywhere, whatever else is
+    /// requested and in whatever order the file gives the bodies; the theorem holds for bodies that move.
+    InstantCentres(Structure& structure, Board& board, RelativeRest rest);
 
     /// Primary centres and Kennedy's theorem; uses geometry only, no velocities.
     void draw();
-    /// The centres that Kennedy's theorem does not give, from velocities; and the pairs without relative motion in this
-    /// position. `freedoms`: of the mechanism; with more than one, a centre found this way is valid for this ratio of
-    /// the drivers only.
+    /// The centres that Kennedy's theorem does not give, from velocities. `freedoms`: of the mechanism; with more than
+    /// one, a centre found this way is valid for this ratio of the drivers only.
     void complete(const Motion& motion, int freedoms);
     /// Angular velocities again, by instant centres: ω_b = ω_d · P_1d P_db / P_1b P_db, for a body d driven against the
     /// frame.
@@ -53,7 +55,11 @@ private:
     LineOn<Plane::drawing> line_of(BodyIndex i, BodyIndex j, const Line& line);
     std::optional<std::pair<Line, Line>> lines_that_meet(BodyIndex i, BodyIndex j);
     bool kennedy(BodyIndex i, BodyIndex j);
+    void mark_rest();
+    Names names_of_group(BodyIndex first) const;
     bool by_rigidity(BodyIndex i, BodyIndex j);
+    bool by_rest(BodyIndex i, BodyIndex j);
+    bool by_relative_rest(BodyIndex i, BodyIndex j, bool InstantCentre::*rests);
     bool by_coincidence(BodyIndex i, BodyIndex j);
     std::vector<BodyIndex> intermediates(BodyIndex i, BodyIndex j);
     LineOn<Plane::drawing> line_over(BodyIndex i, BodyIndex k, BodyIndex j);
@@ -69,6 +75,7 @@ private:
 
     Structure& structure_;
     Board& board_;
+    RelativeRest rest_;
     SpaceDiagram diagram_;
     int count_ = 0;  ///< bodies
     std::vector<Pair> pairs_;

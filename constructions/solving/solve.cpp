@@ -90,7 +90,7 @@ public:
     void run() {
         solution_.remarks = solution_.pose.remarks;
         remark_degeneracies();
-        likely_mistakes_ = likely_mistakes(mechanism_, solution_.pose, solution_.mobility);
+        likely_mistakes_ = likely_mistakes(mechanism_, solution_.pose, solution_.mobility, false);
         add_nodes_of_interest(structure_);
         solution_.bodies.resize(mechanism_.bodies.size());
         if (mechanism_.motion) {
@@ -120,7 +120,7 @@ private:
     }
 
     void draw_mechanism() {
-        InstantCentres centres(structure_, board_);
+        InstantCentres centres(structure_, board_, wanted_.centres ? rest_here() : RelativeRest{});
         if (wanted_.centres) centres.draw();
         if (wanted_.velocities || wanted_.accelerations) {
             draw_motion_of_bodies();
@@ -137,6 +137,11 @@ private:
             if (wanted_.curvature) explain_missing_curvature(drawn_motion());
         }
         if (wanted_.centres) collect_centres(centres);
+    }
+
+    RelativeRest rest_here() {
+        if (solution_.mobility.effective == 0) solution_.remarks.push_back({Sentence::nothing_moves, {}});
+        return relative_rest(mechanism_, solution_.pose, solution_.mobility, [this] { return finer_pose(); });
     }
 
     /// Reduces the record to what is drawn and found; its values become the solution's.

@@ -175,17 +175,41 @@ private:
     std::vector<Message> found_;
 };
 
+/// Drivers and input forces in another number than the freedoms. Without any nothing is said: the centres are wanted,
+/// or whether the loads balance. With redundant constraints the freedoms of this position may be those of an instant,
+/// and another driver is no remedy.
+std::vector<Message> unequal_counts(const Mechanism& mechanism, const Mobility& mobility) {
+    std::vector<Message> found;
+    if (!mobility.redundant.empty()) return found;
+    const Count freedoms{mobility.effective};
+    const int drivers = static_cast<int>(mechanism.drivers.size());
+    const int efforts = static_cast<int>(mechanism.efforts.size());
+    if (drivers > mobility.effective)
+        found.push_back({Sentence::drivers_without_freedom, {freedoms, Count{drivers}}});
+    else if (drivers > 0 && mobility.driven < mobility.effective)
+        found.push_back({Sentence::freedoms_without_driver, {freedoms, Count{mobility.driven}}});
+    if (efforts > 0 && efforts < mobility.effective)
+        found.push_back({Sentence::freedoms_without_effort, {freedoms, Count{efforts}}});
+    else if (efforts > mobility.effective)
+        found.push_back({Sentence::efforts_without_freedom, {freedoms, Count{efforts}}});
+    return found;
+}
+
 }  // namespace
 
-std::vector<Message> likely_mistakes(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility) {
+std::vector<Message> likely_mistakes(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility,
+                                     bool counted) {
     const int efforts = static_cast<int>(mechanism.efforts.size());
     // In a mechanism without drivers, input forces and loads one freedom is intended: its instant centres are wanted.
     const bool bare = mechanism.drivers.empty() && mechanism.efforts.empty() && mechanism.loads.empty();
     const int meant = std::max({mobility.driven, efforts, bare ? 1 : 0});
     // For loads on bodies without joints or drivers the resultant is wanted.
     const bool adrift = mechanism.joints.empty() && mechanism.drivers.empty() && !mechanism.loads.empty();
-    if (mechanism.motion || adrift || mobility.effective <= meant) return {};
-    return Search(mechanism, pose).run();
+    if (mechanism.motion || adrift) return {};
+    std::vector<Message> found;
+    if (mobility.effective > meant) found = Search(mechanism, pose).run();
+    // A missing joint explains a freedom too many.
+    return found.empty() && counted ? unequal_counts(mechanism, mobility) : found;
 }
 
 }  // namespace kinegraph

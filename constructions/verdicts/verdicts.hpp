@@ -29,11 +29,13 @@ void forget_noise(Solution& solution, const FinerPose& finer);
 void forget_noise(Equations& equations, const Solution& solution, const FinerPose& finer);
 
 // ----- Likely mistakes: what the author of a file probably forgot, seen in the structure if it has more freedoms than
-// drivers. A mechanism whose motion is determined gives no remark.
+// drivers. A mechanism whose motion and input forces are determined gives no remark.
 
 /// Points that two bodies share without a joint, bodies with one joint or none, groups without connection to the frame:
 /// a sentence for each, with the joint that is probably missing. At most one remark for each body.
-std::vector<Message> likely_mistakes(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility);
+/// Where there are none and `counted`, drivers and input forces are compared with the freedoms, if the file gives any.
+std::vector<Message> likely_mistakes(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility,
+                                     bool counted = true);
 
 // ----- Worked arithmetic of the sentences, once the record has its values: v_A = ω·r, ω_3 = v_BA/AB, a_cor =
 // 2·ω·v_rel, F_i = m·a_G. Uses the numbers that the drawing gives; no result depends on it.

@@ -102,6 +102,7 @@ enum class Sentence {
     kennedy_two_normals,   ///< {0} centre, {1} {2} points whose normals meet
     kennedy_same,          ///< {0} centre, {1} {2} two centres that coincide: the third coincides with them
     centre_by_rigidity,  ///< {0} centre, {1} centre with which it coincides because two bodies have no relative motion
+    no_relative_motion,  ///< {0} bodies that no motion moves against each other in this position
     centre_from_velocities,  ///< {0} centre, {1} {2} points whose relative velocities were used
     second_way,              ///< {0} omega, {1} centre, {2} centre, {3} centre, {4} omega of the driver body
     trial_on_line,  ///< {0} image, {1} its line's reason: no rule applies, so two trial positions on its line are used
@@ -241,10 +242,15 @@ enum class Sentence {
     branch_without_turning,  ///< {0} its number
     instant_only,            ///< {0} count of freedoms that have no acceleration
     bound_velocities,        ///< {0} count of freedoms, {1} count of conditions on them
+    nothing_moves,           ///< no body can move, so every centre is everywhere
     still_bodies,            ///< {0} bodies at rest in every motion
     unturning_bodies,        ///< {0} bodies that never rotate
-    body_without_joint,      ///< {0} body, {1} the joint that may be meant, as a file writes it (or absent)
-    body_of_one_joint,       ///< {0} body, {1} its joint, {2} the joint that may be missing (or absent)
+    freedoms_without_driver,  ///< {0} freedoms, {1} those that the drivers determine
+    drivers_without_freedom,  ///< {0} freedoms, {1} drivers
+    freedoms_without_effort,  ///< {0} freedoms, {1} input forces and couples
+    efforts_without_freedom,  ///< {0} freedoms, {1} input forces and couples
+    body_without_joint,       ///< {0} body, {1} the joint that may be meant, as a file writes it (or absent)
+    body_of_one_joint,        ///< {0} body, {1} its joint, {2} the joint that may be missing (or absent)
     unjoined_pin,  ///< {0} {1} bodies, {2} point, {3} another point at its place (or absent), {4} the joint that may be
                    ///< missing
     off_the_frame,   ///< {0} bodies that no joint connects with {1}, the frame, {2} the joint that may be missing (or

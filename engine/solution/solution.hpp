@@ -49,9 +49,10 @@ struct EquivalentLinkage {
 /// An instant centre P_ij.
 struct InstantCentre {
     BodyIndex first = frame, second = frame;  ///< frame first, then in the file's order
-    enum class How { unknown, primary, kennedy, velocities } how = How::unknown;
+    enum class How { unknown, primary, kennedy, velocities, rest } how = How::unknown;
     Recorded<ProjectivePoint> at;     ///< finite or at infinity
     bool everywhere = false;          ///< the bodies have no relative motion
+    bool as_one = false;              ///< … in any position: their joints make them one rigid body
     bool depends_on_drivers = false;  ///< several freedoms: valid for this ratio of the drivers
     std::vector<std::pair<int, int>>
         through;  ///< the lines used: pairs of indices into Solution::centres (P_ik, P_kj); empty for primary ones

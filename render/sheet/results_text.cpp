@@ -242,7 +242,9 @@ private:
         std::vector<Cells> rows{{word("centre", language_), "x [" + unit.symbol + "]", "y [" + unit.symbol + "]"}};
         for (const InstantCentre& centre : solution_.centres) {
             const std::string name = body(centre.first) + "," + body(centre.second);
-            if (centre.at && !centre.at->at_infinity()) {
+            if (centre.as_one) {
+                rows.push_back({name, word("everywhere", language_), ""});
+            } else if (centre.at && !centre.at->at_infinity()) {
                 const Vector at = centre.at->place();
                 const Quantity place{.kind = Kind::centre};
                 rows.push_back(

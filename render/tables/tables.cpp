@@ -614,6 +614,7 @@ RichText how_found(const InstantCentre& centre, const Solution& solution, Langua
             return text;
         }
     }
+    if (centre.how == InstantCentre::How::rest) return one_piece(word("found by rest", language));
     const auto join = [&] {
         if (!text.empty()) append(text, " " + word("and", language) + " ");
     };
@@ -634,6 +635,7 @@ RichText how_found(const InstantCentre& centre, const Solution& solution, Langua
 }
 
 RichText where_found(const InstantCentre& centre, const Solution& solution, Language language) {
+    if (centre.as_one) return one_piece(word("everywhere", language));
     if (centre.at && !centre.at->at_infinity()) {
         const Unit& unit = solution.mechanism.units.length;
         const Vector place = centre.at->place();

@@ -184,6 +184,11 @@ constexpr std::array
         Row{Sentence::centre_by_rigidity, "Two of the bodies do not move relative to each other: {0} coincides with "
                                           "{1}.",
             "Due dei corpi non si muovono l’uno rispetto all’altro: {0} coincide con {1}."},
+        Row{Sentence::no_relative_motion,
+            "No motion that this position allows moves bodies {0} against each other: every point may serve as "
+            "their centre.",
+            "Nessun moto possibile in questa configurazione muove i corpi {0} l’uno rispetto all’altro: ogni punto può "
+            "fare da loro centro."},
         Row{Sentence::centre_from_velocities,
             "{0} from the velocities: the normals to the relative velocities[ of {1} and {2}] meet there.",
             "{0} dalle velocità: vi si incontrano le normali alle velocità relative[ di {1} e {2}]."},
@@ -646,6 +651,11 @@ constexpr std::array
             "velocities, so that not all of them can leave it.",
             "La configurazione ha {0} gradi di libertà per un istante; {1} {1|condizione|condizioni} del secondo "
             "ordine {1|vincola|vincolano} le velocità: non tutte possono uscirne."},
+        Row{Sentence::nothing_moves,
+            "Nothing moves in this position: any two bodies are at rest against each other, and every point may serve "
+            "as their instant centre.",
+            "In questa configurazione nulla si muove: due corpi qualsiasi sono fermi l’uno rispetto all’altro e ogni "
+            "punto può fare da loro centro di istantanea rotazione."},
         Row{Sentence::still_bodies,
             "{0|Body|Bodies} {0} {0|stands|stand} still in every motion that this position allows and cannot be "
             "driven here.",
@@ -656,6 +666,26 @@ constexpr std::array
             "can be driven there.",
             "{0|Il corpo|I corpi} {0} non {0|ruota|ruotano} in alcun moto possibile in questa configurazione: la "
             "velocità angolare non può essere assegnata."},
+        Row{Sentence::freedoms_without_driver,
+            "{0} {0|freedom|freedoms} in this position, of which the drivers determine {1}: the motion of the rest is "
+            "open; give a driver for each.",
+            "{0} {0|grado|gradi} di libertà in questa configurazione, di cui i moventi ne determinano {1}: il moto del "
+            "resto è indeterminato; assegnare un movente per ciascuno."},
+        Row{Sentence::drivers_without_freedom,
+            "{1} {1|driver|drivers} for {0} {0|freedom|freedoms} in this position: not all of them can be given; take "
+            "out what the others determine.",
+            "{1} {1|movente|moventi} per {0} {0|grado|gradi} di libertà in questa configurazione: non si possono "
+            "assegnare tutti; togliere ciò che gli altri determinano."},
+        Row{Sentence::freedoms_without_effort,
+            "{0} {0|freedom|freedoms} in this position and {1} input {1|force or couple|forces or couples}: "
+            "equilibrium needs one for each freedom.",
+            "{0} {0|grado|gradi} di libertà in questa configurazione e {1} {1|azione motrice|azioni motrici}: "
+            "l’equilibrio ne richiede una per ogni grado di libertà."},
+        Row{Sentence::efforts_without_freedom,
+            "{1} input {1|force or couple|forces or couples} for {0} {0|freedom|freedoms} in this position: "
+            "equilibrium does not determine all of them.",
+            "{1} {1|azione motrice|azioni motrici} per {0} {0|grado|gradi} di libertà in questa configurazione: "
+            "l’equilibrio non le determina tutte."},
         Row{Sentence::body_without_joint, "Body {0} has no joint, so nothing holds it; give it one[, perhaps {1}].",
             "Il corpo {0} non ha coppie: nulla lo trattiene; assegnargliene una[, forse {1}]."},
         Row{Sentence::body_of_one_joint,
@@ -1185,6 +1215,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"found weld", "clamped at", "incastro in"},
     FixedWords{"normal at", "normal at", "normale in"},
     FixedWords{"and", "and", "e"},
+    FixedWords{"found by rest", "no relative motion", "nessun moto relativo"},
     FixedWords{"from velocities", "from the velocities", "dalle velocità"},
     FixedWords{"depends on drivers", "for this ratio of the drivers", "per questo rapporto dei moventi"},
     FixedWords{"point", "point", "punto"},

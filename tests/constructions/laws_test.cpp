@@ -2,9 +2,16 @@
 // what a mechanism that cannot give an answer says instead of a number.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "constructions/solving/solve.hpp"
@@ -251,6 +258,211 @@ TEST(Similar, FasterDriversScaleVelocitiesAndSquareAccelerations) {
             EXPECT_EQ(k * *slow.points[i].velocity, *fast.points[i].velocity) << "seed " << seed;
             EXPECT_EQ(square(k) * *slow.points[i].acceleration, *fast.points[i].acceleration) << "seed " << seed;
         }
+    }
+}
+
+// --- centres of what moves and of what cannot
+// --------------------------------------------------------------------------------------------------------
+
+/// Two bodies by name, in the order of the alphabet.
+using NamedPair = std::pair<std::string, std::string>;
+std::map<NamedPair, InstantCentre> centres_of(const Solution& solution) {
+    std::map<NamedPair, InstantCentre> named;
+    for (const InstantCentre& centre : solution.centres) {
+        const auto name = [&](BodyIndex body) { return solution.mechanism.body(body).name; };
+        named[std::minmax(name(centre.first), name(centre.second))] = centre;
+    }
+    return named;
+}
+
+/// The determinant of three projective points relative to the size of its terms, and the same for two.
+bool vanishes(const Exact& value, const Exact& beside, bool exact) {
+    return exact ? value.is_zero() : abs(value) <= Exact::power_of_two(-60) * beside;
+}
+ProjectivePoint by_size(ProjectivePoint p, const Solution& solution) {
+    if (p.at_infinity()) return p;
+    p.x /= solution.pose.size;
+    p.y /= solution.pose.size;
+    return p;
+}
+Exact largest(const ProjectivePoint& p) { return std::max({abs(p.x), abs(p.y), abs(p.w)}); }
+bool are_collinear(const ProjectivePoint& p, const ProjectivePoint& q, const ProjectivePoint& r, bool exact) {
+    const Exact determinant =
+        p.x * (q.y * r.w - r.y * q.w) - p.y * (q.x * r.w - r.x * q.w) + p.w * (q.x * r.y - r.x * q.y);
+    return vanishes(determinant, largest(p) * largest(q) * largest(r), exact);
+}
+bool are_one_point(const ProjectivePoint& p, const ProjectivePoint& q, bool exact) {
+    const Exact beside = largest(p) * largest(q);
+    return vanishes(p.x * q.y - q.x * p.y, beside, exact) && vanishes(p.x * q.w - q.x * p.w, beside, exact) &&
+           vanishes(p.y * q.w - q.y * p.w, beside, exact);
+}
+
+/// Aronhold and Kennedy, also of bodies that cannot move: if two of three are at rest against each other, the third
+/// body has one and the same centre with both.
+void expect_three_centres_on_a_line(const Solution& solution) {
+    const bool exact = solution.pose.exact;
+    const auto centres = centres_of(solution);
+    std::set<std::string> names;
+    for (const Body& body : solution.mechanism.bodies) names.insert(body.name);
+    const auto of = [&](const std::string& i, const std::string& j) { return centres.at(std::minmax(i, j)); };
+    const auto at = [&](const InstantCentre& centre) { return by_size(*centre.at, solution); };
+    for (auto i = names.begin(); i != names.end(); ++i)
+        for (auto j = std::next(i); j != names.end(); ++j)
+            for (auto k = names.begin(); k != names.end(); ++k) {
+                if (k == i || k == j) continue;
+                const InstantCentre ij = of(*i, *j), ik = of(*i, *k), jk = of(*j, *k);
+                const std::string what = "bodies " + *i + ", " + *j + ", " + *k;
+                if (ij.depends_on_drivers || ik.depends_on_drivers || jk.depends_on_drivers) continue;
+                if (ij.everywhere) {
+                    EXPECT_EQ(ik.everywhere, jk.everywhere) << what;
+                    const bool both = ik.at && jk.at && !ik.everywhere && !jk.everywhere;
+                    EXPECT_TRUE(!both || are_one_point(at(ik), at(jk), exact)) << what;
+                } else if (ij.at && ik.at && jk.at && !ik.everywhere && !jk.everywhere && *j < *k) {
+                    EXPECT_TRUE(are_collinear(at(ij), at(ik), at(jk), exact)) << what;
+                }
+            }
+}
+
+/// `image`: of the same mechanism, turned and given in another order. With `less` a centre that only the velocities
+/// give may be missing there.
+void expect_same_centres(const Solution& original, const Solution& image, const Similarity& by, bool less) {
+    const bool exact = original.pose.exact;
+    const auto there = centres_of(image);
+    ASSERT_EQ(there.size(), original.centres.size());
+    for (const auto& [names, a] : centres_of(original)) {
+        const InstantCentre& b = there.at(names);
+        const std::string what = "centre " + names.first + "," + names.second;
+        const bool by_velocities = a.how == InstantCentre::How::velocities;
+        if (less && by_velocities && b.how == InstantCentre::How::unknown) continue;
+        EXPECT_EQ(a.everywhere, b.everywhere) << what;
+        ASSERT_EQ(a.at.has_value(), b.at.has_value()) << what;
+        if (!a.at) continue;
+        ASSERT_EQ(a.at->at_infinity(), b.at->at_infinity()) << what;
+        ProjectivePoint expected = *a.at;
+        const Vector place = a.at->at_infinity() ? by.direction(a.at->place()) : by.place(a.at->place());
+        expected = {place.x, place.y, a.at->at_infinity() ? Exact(0) : Exact(1)};
+        EXPECT_TRUE(are_one_point(by_size(expected, original), by_size(*b.at, original), exact)) << what;
+    }
+}
+
+/// The file with its bodies and joints in another order, and with links of two pins between points of its bodies: each
+/// takes a freedom, so that parts of it or the whole become rigid.
+class VariedFile {
+public:
+    VariedFile(const std::string& text, Random& random) : random_(random), file_(Json::parse(text)) {}
+
+    void add_link() {
+        std::vector<std::pair<std::string, std::string>> carried;
+        for (const auto& [body, points] : file_["bodies"].items())
+            for (const auto& point : points) carried.emplace_back(body, point.get<std::string>());
+        for (const auto& point : {file_["points"].begin().key()}) carried.emplace_back("1", point);
+        const auto any = [&] { return carried[index(random_.whole(0, static_cast<int>(carried.size()) - 1))]; };
+        const auto from = any(), to = any();
+        if (from.first == to.first || from.second == to.second) return;
+        const std::string name = "link " + std::to_string(++links_);
+        file_["bodies"][name] = {from.second, to.second};
+        for (const auto& [body, point] : {from, to})
+            file_["joints"].push_back(
+                {{"revolute", point}, {"bodies", {body, name}}, {"name", name + " " + std::to_string(++pins_)}});
+    }
+    void drive_nothing() { file_.erase("drivers"); }
+    std::string text() const { return file_.dump(); }
+    std::string reordered() {
+        Json other = file_;
+        other["bodies"] = Json::object();
+        std::vector<std::pair<std::string, Json>> bodies;
+        for (const auto& [name, points] : file_["bodies"].items()) bodies.emplace_back(name, points);
+        shuffle(bodies);
+        for (const auto& [name, points] : bodies) other["bodies"][name] = points;
+        std::vector<Json> joints(file_["joints"].begin(), file_["joints"].end());
+        shuffle(joints);
+        other["joints"] = joints;
+        return other.dump();
+    }
+
+private:
+    using Json = nlohmann::ordered_json;
+    template <class List>
+    void shuffle(List& list) {
+        for (std::size_t i = list.size(); i > 1; --i)
+            std::swap(list[i - 1], list[index(random_.whole(0, static_cast<int>(i) - 1))]);
+    }
+
+    Random& random_;
+    Json file_;
+    int links_ = 0, pins_ = 0;
+};
+
+/// What a file asks for: the centres alone, or everything.
+Solution with_find(Mechanism mechanism, bool all) {
+    mechanism.find = {};
+    mechanism.find.stated = mechanism.find.instant_centres = true;
+    mechanism.find.velocity = mechanism.find.acceleration = all;
+    return solved(mechanism);
+}
+
+/// Mechanisms with up to three links too many, half of them without drivers.
+void hold_centres(int quarter) {
+    int immobile = 0, rigid_parts = 0, mobile = 0, driven = 0;
+    const int count = unless_sanitized(500, 40);
+    for (int n = 0; n < count && !testing::Test::HasFailure(); ++n) {
+        const auto seed = static_cast<std::uint64_t>(40000 + 4 * n + quarter);
+        Random random(seed);
+        const RandomMechanism drawn = random_mechanism(seed);
+        SCOPED_TRACE("seed " + std::to_string(seed) + ": " + drawn.recipe);
+        VariedFile file(drawn.text, random);
+        for (int links = random.whole(0, 3); links > 0; --links) file.add_link();
+        if (random.chance(50)) file.drive_nothing();
+        const Mechanism mechanism = from_text(file.text());
+        const Solution solution = with_find(mechanism, true);
+        expect_three_centres_on_a_line(solution);
+        expect_same_centres(solution, with_find(mechanism, false), {}, true);
+        expect_same_centres(solution, with_find(from_text(file.reordered()), true), {}, false);
+        const Similarity by{pythagorean, true, 1, at("3", "-4")};
+        if (solution.pose.exact) expect_same_centres(solution, with_find(moved(by, mechanism), true), by, false);
+        const bool moves = solution.mobility.effective > 0;
+        const auto as_one = std::count_if(solution.centres.begin(), solution.centres.end(),
+                                          [](const InstantCentre& each) { return each.everywhere; });
+        EXPECT_TRUE(moves || as_one == static_cast<int>(solution.centres.size()));
+        ++(moves ? mobile : immobile);
+        rigid_parts += moves && as_one > 0 ? 1 : 0;
+        driven += mechanism.drivers.empty() ? 0 : 1;
+        if (testing::Test::HasFailure()) std::cerr << file.text() << "\n";
+    }
+    EXPECT_GT(immobile, count / 10);
+    EXPECT_GT(rigid_parts, count / 20);
+    EXPECT_GT(mobile, count / 4);
+    EXPECT_GT(driven, count / 4);
+}
+
+TEST(Centres1, AreOnALineWhateverIsAskedInAnyOrder) { hold_centres(0); }
+TEST(Centres2, AreOnALineWhateverIsAskedInAnyOrder) { hold_centres(1); }
+TEST(Centres3, AreOnALineWhateverIsAskedInAnyOrder) { hold_centres(2); }
+TEST(Centres4, AreOnALineWhateverIsAskedInAnyOrder) { hold_centres(3); }
+
+TEST(Centres, OfATriangleAreEverywhereAndItIsSaid) {
+    const Solution solution = solved(from_text(R"({"kinegraph": 1, "points": {"A": [0, 0], "B": [5, 0], "C": [1, 4]},
+        "bodies": {"2": ["A", "C"], "3": ["B", "C"]}, "frame": 1, "joints": [{"revolute": "A", "bodies": [1, 2]},
+        {"revolute": "B", "bodies": [1, 3]}, {"revolute": "C", "bodies": [2, 3]}]})"));
+    ASSERT_EQ(solution.centres.size(), 3U);
+    for (const InstantCentre& centre : solution.centres) EXPECT_TRUE(centre.everywhere && centre.as_one && centre.at);
+    ASSERT_EQ(solution.remarks.size(), 1U);
+    EXPECT_EQ(solution.remarks.front().sentence, Sentence::nothing_moves);
+    EXPECT_TRUE(solution.unsolved.empty());
+}
+
+/// Kennedy's line over a slider in its dead centre is that of the neighbouring positions; the pair rests in passing.
+TEST(Centres, OfASliderInItsDeadCentreAreEverywhereWithoutVelocitiesToo) {
+    const Mechanism mechanism = from_text(R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [2, 0], "B": [7, 0]},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]}, "frame": 1,
+        "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+        {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 0}],
+        "drivers": [{"body": 2, "omega": 1}]})");
+    for (const bool all : {false, true}) {
+        const auto centres = centres_of(with_find(mechanism, all));
+        EXPECT_TRUE(centres.at({"1", "4"}).everywhere);
+        EXPECT_FALSE(centres.at({"1", "4"}).as_one);
+        EXPECT_EQ(centres.at({"1", "3"}).at->place(), at("7", "0"));
     }
 }
 

@@ -134,5 +134,36 @@ TEST(LikelyMistakes, TheDriversThatLackAreCounted) {
               "the mechanism has 2 freedoms and 1 of them driven; give one driver more");
 }
 
+/// A five-bar linkage under a load: two freedoms.
+std::string five_bar(const std::string& more) {
+    return R"({"kinegraph": 1, "points": {"A": [0, 0], "B": [1, 3], "C": [3, 5], "D": [6, 3], "E": [7, 0]},
+        "bodies": {"2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"], "5": ["D", "E"]}, "frame": 1,
+        "joints": [{"revolute": "A", "bodies": [1, 2]}, {"revolute": "B", "bodies": [2, 3]},
+        {"revolute": "C", "bodies": [3, 4]}, {"revolute": "D", "bodies": [4, 5]}, {"revolute": "E", "bodies": [1, 5]}],
+        "loads": [{"force": "F", "body": 3, "at": "C", "value": [0, -5]}])" +
+           more + "}";
+}
+
+TEST(LikelyMistakes, AFreedomWithoutItsEffort) {
+    const std::string one = R"({"couple": "M", "body": 2})", other = R"({"couple": "N", "body": 5})";
+    EXPECT_EQ(
+        remarks(five_bar(", \"effort\": " + one)),
+        Lines{"2 freedoms in this position and 1 input force or couple: equilibrium needs one for each freedom."});
+    EXPECT_EQ(remarks(five_bar(", \"effort\": [" + one + "," + other + "]")), Lines{});
+    EXPECT_EQ(remarks(five_bar(", \"effort\": [" + one + "," + other + R"(, {"couple": "L", "body": 3}])")),
+              Lines{"3 input forces or couples for 2 freedoms in this position: equilibrium does not determine all of "
+                    "them."});
+}
+
+TEST(LikelyMistakes, AFreedomWithoutItsDriver) {
+    EXPECT_EQ(remarks(five_bar(R"(, "drivers": [{"body": 2, "omega": 1}])")),
+              Lines{"2 freedoms in this position, of which the drivers determine 1: the motion of the rest is open; "
+                    "give a driver for each."});
+    EXPECT_EQ(remarks(five_bar(R"(, "drivers": [{"body": 2, "omega": 1}, {"body": 5, "omega": 1},
+                                                {"body": 3, "omega": 1}])")),
+              Lines{"3 drivers for 2 freedoms in this position: not all of them can be given; take out what the others "
+                    "determine."});
+}
+
 }  // namespace
 }  // namespace kinegraph::tests::likely_mistakes_test
