@@ -34,6 +34,7 @@ struct UnitFactors {
     Exact kilopond = decimal("9.80665");
     Exact pound_force = pound * kilopond;
     Exact degree = pi() / 180;
+    Exact turn = pi() * 2;
     Exact turn_a_minute = pi() / 30;
 };
 
@@ -47,9 +48,11 @@ std::vector<KnownUnit> units_of_motion(const UnitFactors& in) {
         {length, "ft", in.foot},
         {angle, "deg", in.degree},
         {angle, "rad", 1},
+        {angle, "rev", in.turn},
         {angular_velocity, "rad/s", 1},
         {angular_velocity, "rpm", in.turn_a_minute},
         {angular_velocity, "deg/s", in.degree},
+        {angular_velocity, "rev/s", in.turn},
         {angular_acceleration, "rad/s²", 1},
         {angular_acceleration, "deg/s²", in.degree},
         {angular_acceleration, "rpm/s", in.turn_a_minute},
@@ -58,6 +61,7 @@ std::vector<KnownUnit> units_of_motion(const UnitFactors& in) {
         {velocity, "mm/s", Exact::ratio(1, 1000)},
         {velocity, "in/s", in.inch},
         {velocity, "ft/s", in.foot},
+        {velocity, "km/h", Exact::ratio(5, 18)},
         {acceleration, "m/s²", 1},
         {acceleration, "cm/s²", Exact::ratio(1, 100)},
         {acceleration, "mm/s²", Exact::ratio(1, 1000)},
@@ -72,6 +76,7 @@ std::vector<KnownUnit> units_of_forces(const UnitFactors& in) {
         {mass, "g", Exact::ratio(1, 1000)},
         {mass, "t", 1000},
         {mass, "lb", in.pound},
+        {mass, "oz", in.pound / 16},
         {mass, "slug", in.pound_force / in.foot},
         {mass, "lb s²/in", in.pound_force / in.inch},
         {force, "N", 1},
@@ -80,6 +85,7 @@ std::vector<KnownUnit> units_of_forces(const UnitFactors& in) {
         {force, "lbf", in.pound_force},
         {force, "kgf", in.kilopond},
         {moment, "N m", 1},
+        {moment, "N cm", Exact::ratio(1, 100)},
         {moment, "N mm", Exact::ratio(1, 1000)},
         {moment, "kN m", 1000},
         {moment, "lbf in", in.pound_force * in.inch},
@@ -373,6 +379,18 @@ bool is_within_range(const Exact& in_si) {
     return smallest <= magnitude && magnitude <= largest;
 }
 
+namespace {
+
+/// Numbers joined by signs of arithmetic, as "1/3" or "2*(3 + 4)": a formula whose "=" was forgotten.
+bool is_arithmetic(std::string_view text) {
+    const auto first = std::find_if(text.begin() + 1, text.end(),
+                                    [](char c) { return std::string_view("+-*/^").find(c) != std::string_view::npos; });
+    return text.find_first_not_of("0123456789.+-*/^() ") == std::string_view::npos && first != text.end() &&
+           std::any_of(first, text.end(), is_digit);
+}
+
+}  // namespace
+
 tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, QuantityKind wanted) {
     const std::size_t length = number_length(text);
     const std::string_view number = text.substr(0, length);
@@ -397,6 +415,10 @@ tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, Quanti
                                          "{0} non ha unità; aggiungerla{1}, o scrivere il numero senza virgolette",
                                          quoted(text), example));
     const KnownUnit* known = unit_spelt(unit);
+    if (known == nullptr && is_arithmetic(text))
+        return tl::make_unexpected(Words("{0} is no number; a formula begins with \"=\": \"= {1}\"",
+                                         "{0} non è un numero; una formula comincia con \"=\": \"= {1}\"", quoted(text),
+                                         shown(text, 60)));
     if (known == nullptr) return tl::make_unexpected(unknown_unit_message(unit, wanted));
     return WrittenQuantity{std::move(*value), known};
 }

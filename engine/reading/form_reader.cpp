@@ -405,6 +405,8 @@ std::optional<Exact> FormReader::bare_number(JsonValue value) {
 std::optional<Angle> FormReader::angle(JsonValue value) {
     const auto written = quantity_as_written(value, QuantityKind::angle);
     if (!written) return std::nullopt;
+    // A turn is 360 degrees exactly.
+    if (written->unit->symbol == "rev") return Angle{written->value * 360, true};
     return Angle{written->value, written->unit->symbol == "deg"};
 }
 

@@ -41,6 +41,8 @@ TEST(Units, TurnsHaveOnePi) {
     EXPECT_EQ(si("180 deg"), si("180°"));
     EXPECT_EQ(si("2 rad/s²"), Exact(2));
     EXPECT_EQ(si("60 rpm/s"), si("360 deg/s^2"));
+    EXPECT_EQ(si("0.5 rev"), kinegraph::pi());
+    EXPECT_EQ(si("2 rev/s"), si("120 rpm"));
 }
 
 TEST(Units, MassesForcesMoments) {
@@ -49,6 +51,9 @@ TEST(Units, MassesForcesMoments) {
     EXPECT_EQ(si("1 lbf"), exact("4.4482216152605"));
     EXPECT_EQ(si("1 slug") * exact("0.3048"), si("1 lbf"));
     EXPECT_EQ(si("3 t"), Exact(3000));
+    EXPECT_EQ(si("16 oz"), si("1 lb"));
+    EXPECT_EQ(si("36 km/h"), Exact(10));
+    EXPECT_EQ(si("250 N cm"), exact("2.5"));
     EXPECT_EQ(si("1 lbf ft"), si("12 lbf in"));
     EXPECT_EQ(si("1 kN m"), si("1000000 N mm"));
     EXPECT_EQ(si("1 kg m²"), si("10000 kg cm²"));
@@ -78,20 +83,25 @@ TEST(Units, FirstUnitOfEachKindIsItsDefault) {
 }
 
 TEST(Units, RefusalsNameTheRemedy) {
-    EXPECT_EQ(refusal("3 Nm", QuantityKind::moment),
-              "unknown unit \"Nm\" (did you mean \"N m\"?); the units of moment are N m, N mm, kN m, lbf in, lbf ft");
+    EXPECT_EQ(
+        refusal("3 Nm", QuantityKind::moment),
+        "unknown unit \"Nm\" (did you mean \"N m\"?); the units of moment are N m, N cm, N mm, kN m, lbf in, lbf ft");
     EXPECT_EQ(refusal("3 parsec"), "unknown unit \"parsec\"; the units of length are m, cm, mm, in, ft");
     EXPECT_EQ(refusal("5"), "\"5\" has no unit; add one, as \"2 m\", or write the number without quotes");
     EXPECT_EQ(refusal("mm"), "\"mm\" is no quantity; write a number and its unit, as \"2 m\"");
     EXPECT_EQ(refusal("−3 mm"), "\"−3 mm\" is no quantity; a minus is written \"-\"");
     EXPECT_EQ(refusal(""), "\"\" is no quantity; write a number and its unit, as \"2 m\"");
     EXPECT_EQ(refusal("1. m"), "\"1.\" is no decimal number");
+    for (const char* formula : {"1/3", "2*(3 + 4)", "-1 + 2", "2^3"})
+        EXPECT_EQ(refusal(formula),
+                  '"' + std::string(formula) + "\" is no number; a formula begins with \"=\": \"= " + formula + '"');
+    EXPECT_EQ(refusal("5 - mm"), "unknown unit \"- mm\"; the units of length are m, cm, mm, in, ft");
     EXPECT_EQ(refusal("1,5 m"), "unknown unit \",5 m\"; the units of length are m, cm, mm, in, ft");
 }
 
 TEST(Units, AnExponentNeedsItsDigits) {
     EXPECT_EQ(refusal("2 e", QuantityKind::mass),
-              "unknown unit \"e\"; the units of mass are kg, g, t, lb, slug, lb s²/in");
+              "unknown unit \"e\"; the units of mass are kg, g, t, lb, oz, slug, lb s²/in");
 }
 
 TEST(Decimals, AreExactAsWritten) {
