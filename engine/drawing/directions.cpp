@@ -119,7 +119,7 @@ void Directions::read_contact(const Joint& joint, std::size_t index) {
     }
     for (const auto& [body, profile] : joint.profiles) {
         const auto* circle = std::get_if<CircleProfile>(&profile);
-        if (circle != nullptr && !fits_radius(joint, body, circle->centre)) return;
+        if (circle != nullptr && circle->of_body && !fits_radius(joint, body, circle->centre)) return;
     }
     const Vector normal = tangent ? quarter_turn(*tangent) : draft_.pose.at(centres[0]) - draft_.pose.at(joint.point);
     if (!tangent) tangent = -quarter_turn(normal);
@@ -159,8 +159,10 @@ bool Directions::fits_radius(const Joint& joint, BodyIndex body, PointIndex cent
     const double misfit = std::abs(excess.to_double()) / (length(arm) + circle->radius.to_double());
     if (is_refused(misfit)) {
         return draft_.fail(joint.where,
-                           {"{0} lies {1} from {2}, but the circle of body {3} has radius {4}: {5} off",
-                            "{0} dista {1} da {2}, ma la circonferenza del corpo {3} ha raggio {4}: scarto {5}",
+                           {"{0} lies {1} from {2}, but the circle of body {3} has radius {4}: {5} off; if body {3} "
+                            "touches there with another circle, give that under the joint’s \"profiles\"",
+                            "{0} dista {1} da {2}, ma la circonferenza del corpo {3} ha raggio {4}: scarto {5}; se il "
+                            "corpo {3} tocca lì con un’altra circonferenza, assegnarla nei \"profiles\" della coppia",
                             draft_.name_of(joint.point), draft_.in_file_units(length(arm)), draft_.name_of(centre),
                             mechanism_.body(body).name, draft_.in_file_units(circle->radius.to_double()),
                             draft_.in_file_units(misfit)});

@@ -100,6 +100,7 @@ struct LineProfile {
 };
 struct CircleProfile {
     PointIndex centre = none;
+    bool of_body = false;  ///< the joint gives no profile of the body, whose own circle counts: its radius binds P
 };
 struct TipProfile {};
 using Profile = std::variant<LineProfile, CircleProfile, TipProfile>;

@@ -29,7 +29,7 @@ void ProfilesOfContact::read_profiles(const Members& form, Joint& joint) {
                             {"the circle of body {0} has its centre at the contact itself",
                              "la circonferenza del corpo {0} ha il centro nel contatto stesso", quoted(owner.name)});
             }
-            joint.profiles.emplace(on, CircleProfile{owner.circle->centre});
+            joint.profiles.emplace(on, CircleProfile{owner.circle->centre, true});
         } else {
             file_.fault(place, {"the profile of body {0} is missing: give it under \"profiles\", or the body a "
                                 "\"circle\", or the joint a \"tangent\"",

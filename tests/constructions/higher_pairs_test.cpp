@@ -496,5 +496,28 @@ TEST(HigherPairs, RandomMechanismsAgreeWithTheCheck) {
     EXPECT_GE(movable, 125);
 }
 
+/// A spool rolls on its rim, and its thread leaves from the inner circle: the profile at the joint counts, not the
+/// circle of the body.
+TEST(Rolling, ABodyTouchesWithTheCircleOfItsJoint) {
+    const std::string spool = R"({"kinegraph": 1, "frame": 1, "points": {"C": [0, 0.3], "P": [0, 0], "Q": [0, 0.2],
+        "T": [1, 0.2]}, "bodies": {"2": {"points": ["C"], "circle": {"centre": "C", "radius": 0.3}}, "3": ["Q", "T"]},
+        "joints": [{"rolling": "P", "bodies": [2, 1], "profiles": {"1": {"line": 0}}},
+        {"rolling": "Q", "bodies": [3, 2], "profiles": {"3": {"line": 0}, "2": {"circle": "C"}}},
+        {"prismatic": "T", "bodies": [3, 1], "along": 0}], "drivers": [{"joint": "T", "speed": 1.2}]})";
+    const Solution solution = solved(spool);
+    expect_solved(solution);
+    EXPECT_EQ((Reading{solution}.omega("2")), -6);  // the thread moves by 0.2 m per radian
+    // Without a profile the body's own circle counts, and the message says what to give.
+    std::string bare = spool;
+    bare.replace(bare.find(R"(, "2": {"circle": "C"})"), std::string(R"(, "2": {"circle": "C"})").size(), "");
+    const auto mechanism = read_mechanism(bare, "spool.json");
+    ASSERT_TRUE(mechanism);
+    const auto pose = draw_pose(*mechanism);
+    ASSERT_FALSE(pose);
+    EXPECT_EQ(pose.error().front().message.en,
+              "Q lies 0.1 m from C, but the circle of body 2 has radius 0.3 m: 0.2 m off; if body 2 touches there with "
+              "another circle, give that under the joint’s \"profiles\"");
+}
+
 }  // namespace
 }  // namespace kinegraph::higher_pairs_test
