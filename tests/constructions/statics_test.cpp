@@ -305,5 +305,28 @@ TEST(RandomStatics, AllKindsOfLoadObeyTheLaws) {
     EXPECT_TRUE(hold_quarter(0, unless_sanitized(240, 40), hold, testing::Test::HasFailure)) << "too few draws counted";
 }
 
+/// The check measures every body from one of its own places: far from the origin it confirms the same forces.
+TEST(Statics, AreConfirmedFarFromTheOrigin) {
+    const auto text = [](const std::string& at) {
+        const auto place = [&](const char* x, const char* y) {
+            return "[\"= " + at + " + " + x + "\", \"= " + at + " - " + y + "\"]";
+        };
+        return R"({"kinegraph": 1, "frame": 1, "points": {"O": )" + place("0", "0") + R"(, "A": )" +
+               place("0.3123456789", "0.4234567891") + R"(, "B": )" + place("1.7345678912", "0.1") +
+               R"(}, "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]}, "joints": [
+            {"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+            {"prismatic": "B", "bodies": [4, 1], "along": [3.1, 1.7]}],
+            "loads": [{"force": "F", "body": 3, "at": "A", "value": [30, -40]}],
+            "effort": {"force": "P", "joint": "B"}, "find": ["forces"]})";
+    };
+    for (const char* at : {"0", "1000000", "1000000.3", "30000000.7"}) {
+        const Solution solution = solved(text(at));
+        ASSERT_TRUE(solution.unsolved.empty()) << at;
+        EXPECT_GT(solution.checks.size(), 10U);
+        EXPECT_LE(tests::worst_difference(solution), 1e-9) << at;
+        for (const Message& remark : solution.remarks) EXPECT_NE(remark.sentence, Sentence::check_differs) << at;
+    }
+}
+
 }  // namespace
 }  // namespace kinegraph::statics_test
