@@ -224,7 +224,11 @@ public:
         }
         constexpr double a_tenth = 0.1, move = 1e-4;
         if (!(worst.share * move >= a_tenth)) return std::nullopt;
-        return said(worst, last_digit(worst.point, move * size));
+        // Six digits are printed: with data of more digits the change is not seen in any of them.
+        constexpr double least_seen = 5e-7;
+        const double digit = last_digit(worst.point, move * size);
+        if (worst.share * digit / size < least_seen) return std::nullopt;
+        return said(worst, digit);
     }
 
 private:

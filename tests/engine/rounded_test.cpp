@@ -260,6 +260,13 @@ TEST(Rounded, WhatTheLastDigitDoesIsTold) {
     }
 }
 
+/// With data of more digits the change is below every digit that is printed: the remark would say "changes by 1e-16 %".
+TEST(Rounded, WhatNoDigitShowsIsNotTold) {
+    const Solution solution = tests::solved(four_bar("[30, 40]", "[110, 40.0500000000000000001]", "[190, 40]"));
+    EXPECT_FALSE(says(solution.remarks, Sentence::is_ill_conditioned));
+    EXPECT_TRUE(says(solution.remarks, Sentence::nearly_on_line));
+}
+
 TEST(Rounded, ShiftsAreWithinThePrecisionAndLeaveWhatIsExact) {
     const auto mechanism = read_mechanism(four_bar("[30, 40.25]", "[110.5, 60]", "[190, 40]"), "test");
     ASSERT_TRUE(mechanism);
