@@ -274,6 +274,18 @@ Picture to_picture(const Page& page, const Glyphs& glyphs, double dpi) {
 
 namespace {
 
+/// cairo refuses Unicode's noncharacters (U+FDD0 to U+FDEF, and the last two of each plane) as if they were no UTF-8,
+/// and with them the whole page. They become U+FFFD.
+std::string without_noncharacters(std::string_view text) {
+    std::string out;
+    for (std::size_t at = 0; at < text.size();) {
+        const char32_t c = next_code_point(text, at);
+        const bool none = (c >= 0xFDD0 && c <= 0xFDEF) || (c & 0xFFFE) == 0xFFFE;
+        append_utf8(out, none ? replacement_character : c);
+    }
+    return out;
+}
+
 /// A PDF under construction: fixed creation date, unhinted fonts.
 class PdfDocument {
 public:
@@ -284,7 +296,7 @@ public:
                  embedded_face(glyphs, 3)} {
         cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
         cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_TITLE,
-                                       well_formed(pages.front().title).c_str());
+                                       without_noncharacters(well_formed(pages.front().title)).c_str());
         cr_.reset(cairo_create(surface_.get()));
         const Owned<cairo_font_options_t> unhinted{cairo_font_options_create()};
         cairo_font_options_set_hint_style(unhinted.get(), CAIRO_HINT_STYLE_NONE);
@@ -371,7 +383,7 @@ private:
         for (const Letter& letter : run.letters) {
             const Glyph& glyph = letter.glyph;
             glyphs_.push_back({glyph.index, glyph.origin.x, glyph.origin.y});
-            const std::string said = std::exchange(unseen_, std::string()) + letter.text;
+            const std::string said = without_noncharacters(std::exchange(unseen_, std::string()) + letter.text);
             text_ += said;
             if (said.empty() && !clusters_.empty())
                 ++clusters_.back().num_glyphs;

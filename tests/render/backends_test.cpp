@@ -279,8 +279,11 @@ TEST(Pdf, HasAFixedDateAndAllPages) {
 
 TEST(Pdf, SurvivesATitleThatIsNoUtf8) {
     Page page;
-    page.title = "a\xff";
-    EXPECT_FALSE(to_pdf({page}, fonts()).empty());
+    // cairo takes Unicode's noncharacters for no UTF-8 either.
+    for (const char* title : {"a\xff", "x\ufdd0y", "x\ufdefy", "\uffff", "\U0001ffffy", "\U0010fffe"}) {
+        page.title = title;
+        EXPECT_FALSE(to_pdf({page}, fonts()).empty()) << title;
+    }
 }
 
 }  // namespace
