@@ -431,50 +431,70 @@ struct Chain {
     BodyIndex coupler, follower;
 };
 
-/// Breadth-first from the driven body: a coupler is driven at the first pin reached, and drives all followers at its
-/// other pins; the search goes on from these.
+/// Breadth-first from the driven bodies, through gears, rolling contacts and welds: a coupler is driven at the first
+/// pin reached, and drives all followers at its other pins; the search goes on from these. A coupler that a driver
+/// moves drives its followers too, but no force has to pass along it from pin to pin: it has no transmission angle.
 class Couplers {
 public:
     Couplers(const Mechanism& mechanism, int driver) : mechanism_(mechanism) {
-        const Driver& given = mechanism.drivers[at_index(driver)];
-        BodyIndex driven;
-        if (const auto* spin = std::get_if<SpinDriver>(&given)) driven = spin->body;
-        if (const auto* slide = std::get_if<SlideDriver>(&given)) driven = mechanism.joint(slide->joint).bodies[0];
-        if (const auto* point = std::get_if<PointDriver>(&given)) driven = point->body;
-        reached_.push_back(driven);
+        for (const Driver& each : mechanism.drivers)
+            for (const BodyIndex body : moved_by(each)) driven_.push_back(body);
+        for (const BodyIndex body : moved_by(mechanism.drivers[at_index(driver)])) reach(body);
         // the call appends to the list
         for (std::size_t next = 0; next < reached_.size();) go_on_from(reached_[next++]);
     }
     std::vector<Chain> all() && { return std::move(chains_); }
 
 private:
+    /// The bodies between which the driver acts, without the frame.
+    std::vector<BodyIndex> moved_by(const Driver& driver) const {
+        std::vector<BodyIndex> bodies;
+        if (const auto* spin = std::get_if<SpinDriver>(&driver)) bodies = {spin->body, spin->relative_to};
+        if (const auto* slide = std::get_if<SlideDriver>(&driver)) bodies = mechanism_.joint(slide->joint).bodies;
+        if (const auto* point = std::get_if<PointDriver>(&driver)) bodies = {point->body};
+        std::erase(bodies, frame);
+        return bodies;
+    }
+    void reach(BodyIndex body) {
+        if (is_reached(body)) return;
+        reached_.push_back(body);
+        if (is_driven(body) && !on_frame(body)) push_followers(body, nullptr);
+    }
     void go_on_from(BodyIndex body) {
-        for (const Joint& pin : mechanism_.joints) {
-            if (!pin.pair().is_hinge() || !pin.connects(body)) continue;
-            for (const BodyIndex coupler : pin.bodies)
-                if (coupler != frame && !is_reached(coupler) && !on_frame(coupler)) {
-                    reached_.push_back(coupler);
-                    push_followers(coupler, pin);
+        for (const Joint& joint : mechanism_.joints) {
+            if (!joint.connects(body)) continue;
+            const PlanePair& pair = joint.pair();
+            for (const BodyIndex other : joint.bodies) {
+                if (other == frame || is_reached(other)) continue;
+                if (pair.is_clamp() || ((pair.meshes() || pair.rolls()) && on_frame(other))) {
+                    reach(other);
+                } else if (pair.is_hinge() && !on_frame(other)) {
+                    reach(other);
+                    if (!is_driven(other)) push_followers(other, &joint);
                 }
+            }
         }
     }
-    void push_followers(BodyIndex coupler, const Joint& from) {
+    /// `from`: the joint that drives the coupler; null where a driver does.
+    void push_followers(BodyIndex coupler, const Joint* from) {
         for (const Joint& pin : mechanism_.joints) {
-            if (!pin.pair().is_hinge() || &pin == &from || !pin.connects(coupler)) continue;
+            if (!pin.pair().is_hinge() || &pin == from || !pin.connects(coupler)) continue;
             for (const BodyIndex follower : pin.bodies) {
                 const Joint* foot = follower == frame || is_reached(follower) ? nullptr : foot_of(follower);
                 if (foot == nullptr) continue;
                 const bool hinged = foot->pair().is_hinge();
-                chains_.push_back({from.point, pin.point, hinged ? foot->point : PointIndex(none),
-                                   mechanism_.index_of(pin), hinged ? JointIndex(none) : mechanism_.index_of(*foot),
-                                   coupler, follower});
-                reached_.push_back(follower);
+                if (from != nullptr)
+                    chains_.push_back({from->point, pin.point, hinged ? foot->point : PointIndex(none),
+                                       mechanism_.index_of(pin), hinged ? JointIndex(none) : mechanism_.index_of(*foot),
+                                       coupler, follower});
+                reach(follower);
             }
         }
     }
     bool is_reached(BodyIndex body) const {
         return std::find(reached_.begin(), reached_.end(), body) != reached_.end();
     }
+    bool is_driven(BodyIndex body) const { return std::find(driven_.begin(), driven_.end(), body) != driven_.end(); }
     bool on_frame(BodyIndex body) const {
         return std::any_of(mechanism_.joints.begin(), mechanism_.joints.end(),
                            [&](const Joint& joint) { return joint.connects(body) && joint.connects(frame); });
@@ -488,6 +508,7 @@ private:
     }
 
     const Mechanism& mechanism_;
+    std::vector<BodyIndex> driven_;  ///< by any driver
     std::vector<BodyIndex> reached_;
     std::vector<Chain> chains_;
 };

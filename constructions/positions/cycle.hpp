@@ -36,7 +36,8 @@ std::optional<std::pair<Positions, Travel>> own_travel(const Mechanism& mechanis
 
 /// The least transmission angle: for all couplers, from the driven body onwards, driven at one pin and with another pin
 /// on a body hinged or sliding on the frame, the angle between the line of both pins and the follower's link (or the
-/// normal of its guide). None if there is no such coupler.
+/// normal of its guide). Gears, rolling contacts and welds lead on; a coupler that a driver moves has no angle. None if
+/// there is no such coupler.
 std::optional<Transmission> transmission_of(const Mechanism& mechanism, const Positions& positions, int driver,
                                             const Travel& travel);
 

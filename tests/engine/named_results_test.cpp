@@ -156,5 +156,50 @@ TEST(Ask, NamesAreComparedByTheirLetters) {
     EXPECT_EQ(meant("fx_A_3_on_2 "), "Fx A 3 on 2");
 }
 
+/// The least transmission angle of the file's first driver, in degrees; none where nothing is pushed.
+std::optional<double> transmission_in(const std::string& text) {
+    const Mechanism mechanism = read_or_throw(text);
+    const Pose pose = *draw_pose(mechanism);
+    const auto travel = own_travel(mechanism, pose);
+    if (!travel) throw std::runtime_error("no travel");
+    const auto found = transmission_of(mechanism, travel->first, 0, travel->second);
+    return found ? std::optional(found->least * 180 / std::acos(-1.0)) : std::nullopt;
+}
+
+/// A crank rocker whose crank is turned by a pinion: the gears change the speed, not the angles.
+TEST(Transmission, IsThatOfTheLinkageBehindGears) {
+    const auto text = [](const std::string& more_bodies, const std::string& more_joints, int driven) {
+        return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0], "A": [24, 32],
+            "Q": [150, 0], "B": {"meet": [{"circle": "A", "radius": 150}, {"circle": "Q", "radius": 80}],
+            "side": "left"}, "C": [-60, 0], "P": [-40, 0]}, "bodies": {"2": {"points": ["O", "A"],
+            "circle": {"centre": "O", "radius": 40}}, "3": ["A", "B"], "4": ["Q", "B"])" +
+               more_bodies + R"(}, "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+            {"revolute": "B", "bodies": [3, 4]}, {"revolute": "Q", "bodies": [1, 4]})" +
+               more_joints + R"(], "drivers": [{"body": )" + std::to_string(driven) + R"(, "omega": 1}]})";
+    };
+    const auto plain = transmission_in(text("", "", 2));
+    const auto geared =
+        transmission_in(text(R"(, "5": {"points": ["C"], "circle": {"centre": "C", "radius": 20}})",
+                             R"(, {"revolute": "C", "bodies": [1, 5]}, {"gear": "P", "bodies": [5, 2]})", 5));
+    ASSERT_TRUE(plain && geared);
+    EXPECT_NEAR(*geared, *plain, 1e-6);
+    EXPECT_NE(*plain, 90);
+}
+
+/// A driver that turns the coupler needs no force along it.
+TEST(Transmission, OfADrivenCouplerIsNone) {
+    const auto driven_by = [](const std::string& driver) {
+        return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0], "A": [40, 80],
+            "B": [120, 120], "Q": [150, 0]}, "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["Q", "B"]}, "joints": [
+            {"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+            {"revolute": "Q", "bodies": [1, 4]}], "drivers": [)" +
+               driver + "]}";
+    };
+    EXPECT_TRUE(transmission_in(driven_by(R"({"body": 2, "omega": 1})")));
+    for (const char* driver : {R"({"body": 3, "omega": 1})", R"({"body": 3, "relative to": 2, "omega": 1})",
+                               R"({"body": 2, "relative to": 3, "omega": 1})"})
+        EXPECT_FALSE(transmission_in(driven_by(driver))) << driver;
+}
+
 }  // namespace
 }  // namespace kinegraph::named_results_test
