@@ -121,12 +121,13 @@ private:
             const Paragraph& sentence = known->second.sentence;
             double height = sentence.height(measure_);
             for (const SharedBlock& equation : equations) height += equation.height() + under_equation;
-            // A paragraph that would fill a page may be divided before its equations.
+            // A paragraph that would fill a page may be divided, before its equations and between its lines.
             constexpr double too_high = 90;
             if (height > too_high) {
-                rows.emplace_back(measure_, sentence.height(measure_), [&sentence, measure = measure_, i] {
-                    return step(sentence.set(measure), {}, StatementIndex(i));
-                });
+                for (const Paragraph::Part& part : sentence.parts(measure_, too_high))
+                    rows.emplace_back(measure_, part.height, [&sentence, measure = measure_, part, i] {
+                        return step(sentence.set(measure, part), {}, StatementIndex(i));
+                    });
                 for (const SharedBlock& equation : equations)
                     rows.emplace_back(measure_, equation.height() + under_equation,
                                       [equation, i] { return step({}, {equation}, StatementIndex(i)); });

@@ -54,16 +54,39 @@ double Paragraph::height_of(const std::vector<Line>& lines) const {
 double Paragraph::height(double measure) const { return height_of(lines(measure)); }
 
 Block Paragraph::set(double measure) const {
+    const std::vector<Line> all = lines(measure);
+    return set(all, measure, {0, all.size(), height_of(all)});
+}
+
+std::vector<Paragraph::Part> Paragraph::parts(double measure, double most) const {
+    const std::vector<Line> all = lines(measure);
+    const double below = height_of(all) - (all.empty() ? 0 : all.back().baseline);  // under the last baseline
+    std::vector<Part> parts;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const double above = parts.empty() ? 0 : all[parts.back().first].baseline - first_baseline;
+        const double height = all[i].baseline - above + below;
+        if (parts.empty() || height > most)
+            parts.push_back({i, i + 1, first_baseline + below});
+        else
+            parts.back() = {parts.back().first, i + 1, height};
+    }
+    return parts;
+}
+
+Block Paragraph::set(double measure, const Part& part) const { return set(lines(measure), measure, part); }
+
+Block Paragraph::set(const std::vector<Line>& lines, double measure, const Part& part) const {
     const Theme& theme = context_.theme;
     Block block;
-    if (!number_.empty())
+    if (!number_.empty() && part.first == 0)
         set_text(block.marks, context_.fonts.shape(one_piece(number_), theme.body_text), {0, first_baseline},
                  theme.secondary, "text");
-    const std::vector<Line> all = lines(measure);
-    for (const Line& each : all)
-        set_text(block.marks, context_.fonts.set(text_, each.words), {indent_, each.baseline}, theme.text, "text");
+    const double above = lines.empty() ? 0 : lines[part.first].baseline - first_baseline;
+    for (std::size_t i = part.first; i < part.end; ++i)
+        set_text(block.marks, context_.fonts.set(text_, lines[i].words), {indent_, lines[i].baseline - above},
+                 theme.text, "text");
     block.width = measure;
-    block.height = height_of(all);
+    block.height = part.height;
     return block;
 }
 

@@ -1,6 +1,7 @@
 // Headings and paragraphs set to the width of a column, mm.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,15 @@ public:
     double height(double measure) const;
     Block set(double measure) const;
 
+    /// Consecutive lines, which may stand apart from the others. `most`: mm, the height that a part of more than one
+    /// line does not exceed.
+    struct Part {
+        std::size_t first, end;  ///< lines
+        double height;           ///< mm
+    };
+    std::vector<Part> parts(double measure, double most) const;
+    Block set(double measure, const Part& part) const;
+
 private:
     struct Line {
         MeasuredText::Line words;
@@ -30,6 +40,7 @@ private:
     std::vector<Line> lines(double measure) const;
     double lead() const { return 3.85 / 9 * context_.theme.body_text; }
     double height_of(const std::vector<Line>& lines) const;
+    Block set(const std::vector<Line>& lines, double measure, const Part& part) const;
 
     const DrawingContext& context_;
     MeasuredText text_;

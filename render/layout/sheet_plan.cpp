@@ -123,7 +123,8 @@ std::size_t SheetPlan::rows_for_a_page(std::size_t index) {
     const std::size_t all = texts_.rows(band);
     const auto score = [&](std::size_t rows) { return score_of(index, band.first_row + rows); };
     const double best = all < fewest ? BandLayout::impossible : score(fewest);
-    if (best < BandLayout::possible) return 0;
+    // Two rows may be higher than a page.
+    if (best < BandLayout::possible) return band.figures.empty() && all > 1 && score(1) > BandLayout::possible ? 1 : 0;
     const auto is_good = [&](std::size_t rows) {
         return score(rows) > (band.figures.empty() ? BandLayout::possible : best - one_step);
     };
