@@ -314,10 +314,10 @@ TEST(Statics, AreConfirmedFarFromTheOrigin) {
         return R"({"kinegraph": 1, "frame": 1, "points": {"O": )" + place("0", "0") + R"(, "A": )" +
                place("0.3123456789", "0.4234567891") + R"(, "B": )" + place("1.7345678912", "0.1") +
                R"(}, "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]}, "joints": [
-            {"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
-            {"prismatic": "B", "bodies": [4, 1], "along": [3.1, 1.7]}],
-            "loads": [{"force": "F", "body": 3, "at": "A", "value": [30, -40]}],
-            "effort": {"force": "P", "joint": "B"}, "find": ["forces"]})";
+            {"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+            {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": [3.1, 1.7],
+            "name": "G"}], "loads": [{"force": "F", "body": 3, "at": "A", "value": [30, -40]}],
+            "effort": {"force": "P", "joint": "G"}, "find": ["forces"]})";
     };
     for (const char* at : {"0", "1000000", "1000000.3", "30000000.7"}) {
         const Solution solution = solved(text(at));

@@ -191,7 +191,8 @@ TEST(Transmission, OfADrivenCouplerIsNone) {
     const auto driven_by = [](const std::string& driver) {
         return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0], "A": [40, 80],
             "B": [120, 120], "Q": [150, 0]}, "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["Q", "B"]}, "joints": [
-            {"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+            {"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+            {"revolute": "B", "bodies": [3, 4]},
             {"revolute": "Q", "bodies": [1, 4]}], "drivers": [)" +
                driver + "]}";
     };
