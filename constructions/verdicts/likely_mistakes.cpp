@@ -177,7 +177,7 @@ private:
 
 /// Drivers and input forces in another number than the freedoms. Without any nothing is said: the centres are wanted,
 /// or whether the loads balance. With redundant constraints the freedoms of this position may be those of an instant,
-/// and another driver is no remedy.
+/// and another driver is no remedy; nor is it at a dead point, where a driver determines nothing.
 std::vector<Message> unequal_counts(const Mechanism& mechanism, const Mobility& mobility) {
     std::vector<Message> found;
     if (!mobility.redundant.empty()) return found;
@@ -186,7 +186,7 @@ std::vector<Message> unequal_counts(const Mechanism& mechanism, const Mobility& 
     const int efforts = static_cast<int>(mechanism.efforts.size());
     if (drivers > mobility.effective)
         found.push_back({Sentence::drivers_without_freedom, {freedoms, Count{drivers}}});
-    else if (drivers > 0 && mobility.driven < mobility.effective)
+    else if (drivers > 0 && mobility.driven < mobility.effective && mobility.idle_drivers.empty())
         found.push_back({Sentence::freedoms_without_driver, {freedoms, Count{mobility.driven}}});
     if (efforts > 0 && efforts < mobility.effective)
         found.push_back({Sentence::freedoms_without_effort, {freedoms, Count{efforts}}});

@@ -53,15 +53,20 @@ void EquilibriumEquations::measure_bodies(const GivenLoads& given) {
     own_size_.resize(places.size(), size_);
     for (std::size_t b = 1; b < places.size(); ++b) {
         if (places[b].empty()) continue;
-        // From one of the places, which are exact: the distance of the body from the origin loses no digits.
-        const Vector& first = *places[b].front();
         Pair mean{};
-        for (const Vector* place : places[b])
-            mean = mean + 1 / static_cast<double>(places[b].size()) * rough(*place - first);
-        references_[b] = first + Vector{Exact::from_double(mean[0]), Exact::from_double(mean[1])};
-        double reach = 0;
-        for (const Vector* place : places[b]) reach = std::max(reach, length(*place - references_[b]));
+        for (const Vector* place : places[b]) mean = mean + 1 / static_cast<double>(places[b].size()) * rough(*place);
+        references_[b] = {Exact::from_double(mean[0]), Exact::from_double(mean[1])};
+        double reach = 0, apart = 0;
+        for (const Vector* place : places[b]) {
+            reach = std::max(reach, length(*place - references_[b]));
+            apart = std::max(apart, length(*place - *places[b].front()));
+        }
         constexpr double a_point = 1e-12;  // all places coincide; the rest is rounding
+        // Far from the origin the rounding of the mean would be taken for the size of such a body.
+        if (apart <= a_point * size_ && reach > a_point * size_) {
+            references_[b] = *places[b].front();
+            reach = apart;
+        }
         if (reach > a_point * size_) own_size_[b] = reach;
     }
     // An entry has the rounding error of its points relative to the body's own size; a pivot that of several entries.
