@@ -165,18 +165,28 @@ private:
 
     void add_row(const std::string& name, Colour colour, const RichText& active, const RichText& reactions,
                  bool rule_above) {
-        Block block;
-        if (rule_above) block.marks.emplace_back(line({0, 0}, {width_, 0}, {theme_.thin, theme_.secondary, {}, false}));
-        block.width = width_;
-        double deepest = 0;
+        // A list of more lines goes on in further blocks, so that it may be continued in the next column.
+        constexpr std::size_t most_lines = 20;
+        std::vector<Block> blocks(1);
+        std::vector<double> deepest(1, 0);
+        if (rule_above)
+            blocks[0].marks.emplace_back(line({0, 0}, {width_, 0}, {theme_.thin, theme_.secondary, {}, false}));
+        blocks[0].width = width_;
         const auto fill = [&](std::vector<ShapedLine> set, double left, Colour letters) {
             double baseline = 3.6;
-            for (ShapedLine& each : set) {
-                block.width = std::max(block.width, left + each.width);
-                set_text(block.marks, std::move(each), {left, baseline}, letters, "text");
+            for (std::size_t i = 0; i < set.size(); ++i) {
+                if (i % most_lines == 0) baseline = 3.6;
+                const std::size_t part = i / most_lines;
+                if (part == blocks.size()) {
+                    blocks.emplace_back().width = width_;
+                    deepest.push_back(0);
+                }
+                Block& block = blocks[part];
+                block.width = std::max(block.width, left + set[i].width);
+                set_text(block.marks, std::move(set[i]), {left, baseline}, letters, "text");
                 baseline += 4.3;
+                deepest[part] = std::max(deepest[part], baseline);
             }
-            deepest = std::max(deepest, baseline);
         };
         const auto broken = [&](const RichText& text, double room) {
             return lines_in_cell(text, theme_.body_text, context_.fonts, room);
@@ -189,8 +199,10 @@ private:
         const double room = width_ - reactions_left_;
         fill(width_ < narrow ? context_.fonts.wrap(reactions, theme_.body_text, room) : broken(reactions, room),
              reactions_left_, theme_.text);
-        block.height = deepest - 3.6 + 0.5;
-        lines_.push_back(std::move(block));
+        for (std::size_t part = 0; part < blocks.size(); ++part) {
+            blocks[part].height = deepest[part] - 3.6 + 0.5;
+            lines_.push_back(std::move(blocks[part]));
+        }
     }
     void close_table() {
         Block& last = lines_.back();

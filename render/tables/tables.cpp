@@ -946,15 +946,24 @@ struct BodiesTable::Parts {
         const BodyColour colour = theme.body(each.body);
         block.marks.emplace_back(line({1, 2.1}, {8, 2.1}, {theme.link, colour.line, {}, true}));
         draw_line_kind(block.marks, 0, theme.link, colour, theme);
-        set_text(block.marks, each.name, {11, 3.2}, colour.letter, "text");
-        double baseline = 3.2;
-        std::vector<ShapedLine> wrapped = context.fonts.wrap(each.what, theme.body_text, width - each.left());
-        for (ShapedLine& words : wrapped) {
-            set_text(block.marks, std::move(words), {each.left(), baseline}, theme.text, "text");
-            baseline += lead;
-        }
+        // A name that would leave no room for the words takes several lines.
+        constexpr double most_of_width = 0.5, of_name = 0.35;
+        const bool is_long = each.left() > most_of_width * width && each.left() + each.what_wide > width;
+        const double room = of_name * width, left = is_long ? 11 + room + 2 : each.left();
+        const auto put = [&](std::vector<ShapedLine> lines, double x, Colour letters) {
+            double baseline = 3.2;
+            for (ShapedLine& words : lines) {
+                set_text(block.marks, std::move(words), {x, baseline}, letters, "text");
+                baseline += lead;
+            }
+            block.height = std::max(block.height, height(lines.size()));
+        };
+        const std::string& name = context.solution.mechanism.body(each.body).name;
+        put(is_long ? lines_in_cell(one_piece(name), theme.body_text, context.fonts, room)
+                    : std::vector<ShapedLine>{each.name},
+            11, colour.letter);
+        put(context.fonts.wrap(each.what, theme.body_text, width - left), left, theme.text);
         block.width = width;
-        block.height = height(wrapped.size());
         return block;
     }
 
