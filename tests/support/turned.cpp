@@ -111,6 +111,8 @@ std::vector<std::string> verdicts_of(const Solution& solution) {
     std::vector<std::string> all;
     for (Message remark : solution.remarks) {
         if (remark.sentence < Sentence::repeated_constraints) continue;
+        // It says what one unit of the last digit does, and is not said where no printed digit shows that.
+        if (remark.sentence == Sentence::is_ill_conditioned) continue;
         for (Argument& argument : remark.arguments)
             if (auto* ratios = std::get_if<Ratios>(&argument))
                 for (Ratio& ratio : *ratios) ratio.value = ratio.value == 0 ? 0 : 1;
