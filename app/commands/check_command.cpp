@@ -1,4 +1,5 @@
-// check FILE: reads and validates a mechanism file, including curves that cannot meet, and reports likely mistakes.
+// check FILE: reads and validates a mechanism file, including curves that cannot meet, and reports likely mistakes; or
+// the file of a cam.
 #include "app/commands/commands.hpp"
 #include "app/files/files.hpp"
 
@@ -48,13 +49,29 @@ Words contents_of(const MechanismFile& file) {
             counted(counts.drivers, {"driver", "movente"}, {"drivers", "moventi"})};
 }
 
+/// Whether the one fault is that a cam stands in the file.
+bool are_of_a_cam(const Diagnostics& faults) { return faults.size() == 1 && faults.front().place == "/cam"; }
+
+Status check_cam(const std::string& text, const CheckRequest& request) {
+    const Words name = spoken(request.file);
+    const auto cam = CamFile::parse(text, bare_name(request.file));
+    if (!cam) return say(name, cam.error(), request.language);
+    const Words line("{0}: in order (a cam)\n", "{0}: in ordine (una camma)\n", one_line(in(name, request.language)));
+    return print(in(line, request.language), request.language);
+}
+
 }  // namespace
 
 Status check_command(const CheckRequest& request) {
     const Language language = request.language;
     const Words name = spoken(request.file);
-    const auto file = mechanism_of(request.file, language, request.set);
-    if (!file) return file.error();
+    const auto text = read_whole(request.file, {"mechanism file", "file di meccanismo"});
+    if (!text) {
+        say(name, text.error(), language);
+        return Status::bad_input;
+    }
+    const auto file = MechanismFile::parse(*text, bare_name(request.file), request.set);
+    if (!file) return are_of_a_cam(file.error()) ? check_cam(*text, request) : say(name, file.error(), language);
     const auto remarks = file->check();
     if (!remarks) return say(name, remarks.error(), language);
     remark(name, *remarks, language);

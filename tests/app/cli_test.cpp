@@ -123,6 +123,15 @@ TEST_F(CommandLine, CheckSaysThatAFileIsInOrder) {
     EXPECT_EQ(outcome.out, "four_bar.json: in order (4 bodies, 4 joints, 1 driver)\n");
     EXPECT_EQ(outcome.err, "");
     EXPECT_EQ(run("check - <four_bar.json").out, "standard input: in order (4 bodies, 4 joints, 1 driver)\n");
+    const std::string cam = contents(example_file("cams/disc_cam"));
+    write("cam.json", cam);
+    EXPECT_EQ(run("check cam.json").out, "cam.json: in order (a cam)\n");
+    EXPECT_EQ(run("check cam.json --lang it").out, "cam.json: in ordine (una camma)\n");
+    std::string wrong = cam;
+    wrong.replace(wrong.find("\"base radius\""), 13, "\"base ray\"");
+    write("wrong.json", wrong);
+    EXPECT_EQ(run("check wrong.json").status, 2);
+    EXPECT_NE(run("check wrong.json").err.find("base radius"), std::string::npos);
 }
 
 TEST_F(CommandLine, AFileOfAnotherKindHasOneFaultThatSaysWhoseItIs) {
