@@ -75,16 +75,16 @@ std::vector<Paragraph::Part> Paragraph::parts(double measure, double most) const
 
 Block Paragraph::set(double measure, const Part& part) const { return set(lines(measure), measure, part); }
 
-Block Paragraph::set(const std::vector<Line>& lines, double measure, const Part& part) const {
+Block Paragraph::set(const std::vector<Line>& all, double measure, const Part& part) const {
     const Theme& theme = context_.theme;
     Block block;
     if (!number_.empty() && part.first == 0)
         set_text(block.marks, context_.fonts.shape(one_piece(number_), theme.body_text), {0, first_baseline},
                  theme.secondary, "text");
-    const double above = lines.empty() ? 0 : lines[part.first].baseline - first_baseline;
+    const double above = all.empty() ? 0 : all[part.first].baseline - first_baseline;
     for (std::size_t i = part.first; i < part.end; ++i)
-        set_text(block.marks, context_.fonts.set(text_, lines[i].words), {indent_, lines[i].baseline - above},
-                 theme.text, "text");
+        set_text(block.marks, context_.fonts.set(text_, all[i].words), {indent_, all[i].baseline - above}, theme.text,
+                 "text");
     block.width = measure;
     block.height = part.height;
     return block;

@@ -40,7 +40,7 @@ private:
     std::vector<Line> lines(double measure) const;
     double lead() const { return 3.85 / 9 * context_.theme.body_text; }
     double height_of(const std::vector<Line>& lines) const;
-    Block set(const std::vector<Line>& lines, double measure, const Part& part) const;
+    Block set(const std::vector<Line>& all, double measure, const Part& part) const;
 
     const DrawingContext& context_;
     MeasuredText text_;

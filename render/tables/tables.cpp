@@ -950,13 +950,13 @@ struct BodiesTable::Parts {
         constexpr double most_of_width = 0.5, of_name = 0.35;
         const bool is_long = each.left() > most_of_width * width && each.left() + each.what_wide > width;
         const double room = of_name * width, left = is_long ? 11 + room + 2 : each.left();
-        const auto put = [&](std::vector<ShapedLine> lines, double x, Colour letters) {
+        const auto put = [&](std::vector<ShapedLine> shaped, double x, Colour letters) {
             double baseline = 3.2;
-            for (ShapedLine& words : lines) {
+            for (ShapedLine& words : shaped) {
                 set_text(block.marks, std::move(words), {x, baseline}, letters, "text");
                 baseline += lead;
             }
-            block.height = std::max(block.height, height(lines.size()));
+            block.height = std::max(block.height, height(shaped.size()));
         };
         const std::string& name = context.solution.mechanism.body(each.body).name;
         put(is_long ? lines_in_cell(one_piece(name), theme.body_text, context.fonts, room)
