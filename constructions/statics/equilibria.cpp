@@ -25,6 +25,7 @@ Equilibria::Equilibria(const ForceModel& model, Board& board, const Run& run, Gr
     for (const int b : bonds) add_columns(b);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         rows_[i].work.resize(columns_.size());
+        if (!follows_motions()) continue;
         rows_[i].motion.resize(rows_.size());
         rows_[i].motion[i] = board_.number(1);
     }
@@ -112,6 +113,62 @@ std::optional<std::size_t> Equilibria::pivot_row(std::size_t column) {
 }
 
 void Equilibria::eliminate() {
+    if (follows_motions())
+        eliminate_in_turn();
+    else
+        eliminate_sparse();
+    for (const Row& row : rows_) {
+        if (row.pivot >= 0) continue;
+        free_.push_back(motion_of(row));
+        exist_ = exist_ && !row.power;
+    }
+}
+
+void Equilibria::clear(Row& row, const Row& pivot, std::size_t column) {
+    const ScalarHandle factor = *row.work[column];
+    subtract(row, pivot, factor);
+    row.work[column].reset();
+}
+
+/// Forward elimination by the unknowns that occur least, then back substitution: less fills in than if each column is
+/// cleared in turn.
+void Equilibria::eliminate_sparse() {
+    std::vector<bool> is_pivot(columns_.size());
+    std::vector<std::size_t> order;
+    while (const auto column = sparsest_column(is_pivot)) {
+        const std::size_t pivot = *pivot_row(*column);
+        divide(rows_[pivot], *rows_[pivot].work[*column]);
+        rows_[pivot].pivot = static_cast<int>(*column);
+        is_pivot[*column] = true;
+        order.push_back(pivot);
+        for (Row& row : rows_)
+            if (row.pivot < 0 && row.work[*column]) clear(row, rows_[pivot], *column);
+    }
+    for (std::size_t last = order.size(); last-- > 0;) {
+        const Row& pivot = rows_[order[last]];
+        const auto column = static_cast<std::size_t>(pivot.pivot);
+        for (std::size_t earlier = 0; earlier < last; ++earlier)
+            if (rows_[order[earlier]].work[column]) clear(rows_[order[earlier]], pivot, column);
+    }
+    for (std::size_t column = 0; column < columns_.size(); ++column)
+        if (!is_pivot[column]) free_columns_.push_back(column);
+}
+
+std::optional<std::size_t> Equilibria::sparsest_column(const std::vector<bool>& is_pivot) const {
+    std::optional<std::size_t> best;
+    std::ptrdiff_t fewest = 0;
+    for (std::size_t column = 0; column < columns_.size(); ++column) {
+        if (is_pivot[column]) continue;
+        const auto count = std::count_if(rows_.begin(), rows_.end(),
+                                         [&](const Row& row) { return row.pivot < 0 && row.work[column]; });
+        if (count == 0 || (best && count >= fewest)) continue;
+        best = column;
+        fewest = count;
+    }
+    return best;
+}
+
+void Equilibria::eliminate_in_turn() {
     for (std::size_t column = 0; column < columns_.size(); ++column) {
         const auto pivot = pivot_row(column);
         if (!pivot) {
@@ -122,16 +179,7 @@ void Equilibria::eliminate() {
         divide(row, *row.work[column]);
         row.pivot = static_cast<int>(column);
         for (std::size_t i = 0; i < rows_.size(); ++i)
-            if (i != *pivot && rows_[i].work[column]) {
-                const ScalarHandle factor = *rows_[i].work[column];
-                subtract(rows_[i], row, factor);
-                rows_[i].work[column].reset();
-            }
-    }
-    for (const Row& row : rows_) {
-        if (row.pivot >= 0) continue;
-        free_.push_back(motion_of(row));
-        exist_ = exist_ && !row.power;
+            if (i != *pivot && rows_[i].work[column]) clear(rows_[i], row, column);
     }
 }
 
@@ -140,6 +188,7 @@ void Equilibria::eliminate() {
 Equilibria::Motion Equilibria::motion_of(const Row& row) const {
     Motion motion;
     motion.power = row.power;
+    if (!follows_motions()) return motion;
     for (const MemberIndex member : group_) {
         const std::size_t first = first_row_.at(member);
         Motion::Twist twist{row.motion[first], row.motion[first + 1], {}};
@@ -152,6 +201,7 @@ Equilibria::Motion Equilibria::motion_of(const Row& row) const {
 std::size_t Equilibria::moving(const Row& row) const { return motion_of(row).members.size(); }
 
 Equilibria::Motion Equilibria::simplest(Row row) {
+    if (!follows_motions()) return motion_of(row);
     for (const Row& free : rows_) {
         if (free.pivot >= 0) continue;
         Row best = row;
@@ -191,7 +241,7 @@ bool Equilibria::vanishes(const std::vector<Cell>& cells) {
 Equilibria::Row Equilibria::combined(const Cell& c_0, std::size_t first, const Cell& c_1, std::size_t second) {
     Row sum;
     sum.work.resize(columns_.size());
-    sum.motion.resize(rows_.size());
+    if (follows_motions()) sum.motion.resize(rows_.size());
     for (const auto& [factor, column] : {std::pair{c_0, first}, std::pair{c_1, second}}) {
         const Row* row = row_of(column);
         if (row != nullptr && factor) subtract(sum, *row, board_.opposite(*factor));
@@ -270,13 +320,20 @@ std::optional<PlaceOnDrawing> Equilibria::centre(const Motion::Twist& twist) {
     if (!twist.turn) return std::nullopt;
     if (!twist.x && !twist.y) return origin_;
     // From the translation s = (x, y) and the rotation ω: 0 = s + ω z ∧ r, so r = z ∧ s / ω.
+    const auto moved = shift(twist);
+    const ScalarHandle inverse = board_.quotient(board_.number(1), *twist.turn);
+    return board_.carry(origin_, board_.scale<drawing>(inverse, board_.turn(moved)));
+}
+
+VectorOn<drawing> Equilibria::shift(const Motion::Twist& twist) {
     const auto part = [&](const Cell& cell, const Vector& axis) {
         return board_.scale<drawing>(cell ? *cell : board_.number(0), board_.own_direction(axis));
     };
-    const auto shift = board_.add(part(twist.x, {1, 0}), part(twist.y, {0, 1}));
-    const ScalarHandle inverse = board_.quotient(board_.number(1), *twist.turn);
-    return board_.carry(origin_, board_.scale<drawing>(inverse, board_.turn(shift)));
+    const auto x = part(twist.x, {1, 0}), y = part(twist.y, {0, 1});
+    return board_.add(x, y);
 }
+
+DirectionHandle Equilibria::direction(const Motion::Twist& twist) { return board_.direction(shift(twist)); }
 
 bool Equilibria::moves_as_one(const Motion& motion) {
     const auto same = [&](const Cell& a, const Cell& b) {

@@ -63,20 +63,28 @@ public:
 
     /// The place about which a member turns; none if it translates.
     std::optional<PlaceOnDrawing> centre(const Motion::Twist& twist);
+    /// The direction in which a member translates. Precondition: it does not turn, and it moves.
+    DirectionHandle direction(const Motion::Twist& twist);
     /// Whether all moving members move as one rigid body.
     bool moves_as_one(const Motion& motion);
 
-    /// Limit on the elimination: larger systems cannot be followed by hand.
-    static constexpr std::size_t most_members = 24;
+    /// Whether the virtual motion of each equation is followed. Above `most_followed` members it is not, and motions
+    /// are empty: nobody would draw it, and the motions, which fill in, would cost most.
+    bool follows_motions() const { return group_.size() <= most_followed; }
+    std::size_t equations() const { return rows_.size(); }
+    static constexpr std::size_t most_followed = 24;
 
 private:
+    /// (x, y) as a vector of the drawing.
+    VectorOn<drawing> shift(const Motion::Twist& twist);
+
     struct Column {
         int bond;
         std::optional<Force> unit;  ///< on the first member; none for a couple
     };
     struct Row {
         std::vector<Cell> work;    ///< by column
-        std::vector<Cell> motion;  ///< by equation
+        std::vector<Cell> motion;  ///< by equation; empty if motions are not followed
         Cell power;
         int pivot = -1;
     };
@@ -85,6 +93,12 @@ private:
     void write(const Column& column, std::size_t index);
     void write_end(const Column& column, std::size_t index, MemberIndex member, bool reversed);
     void eliminate();
+    void eliminate_in_turn();
+    void eliminate_sparse();
+    /// The column with the fewest entries in rows without a pivot; none if all are empty or have been pivots.
+    std::optional<std::size_t> sparsest_column(const std::vector<bool>& is_pivot) const;
+    /// Subtracts the row's multiple that clears the column.
+    void clear(Row& row, const Row& pivot, std::size_t column);
     std::optional<std::size_t> pivot_row(std::size_t column);
     Cell minus_times(const Cell& from, const Cell& factor, const Cell& what);
     Cell times(const Cell& factor, const Cell& what);

@@ -153,8 +153,7 @@ struct Run {
     StatementIndex summed = none;  ///< the sentence that adds them
     Group redundant;  ///< members with reactions that equilibrium leaves open, though there is an equilibrium
     bool complete = false;
-    std::size_t beyond_members = 0;  ///< > 0: limit on the size of an indeterminate group, which was exceeded
-    bool in_parts = false;           ///< a sum of separately found parts, or of trials
+    bool in_parts = false;  ///< a sum of separately found parts, or of trials
 };
 
 /// The loads of one member alone.

@@ -53,9 +53,10 @@ std::optional<Truss::Whole> whole_of(ForceModel& model, const NamedMeets& meets,
     return whole;
 }
 
-/// Whether equilibrium does not determine all forces.
-bool is_redundant(const Mechanism& mechanism, const Mobility& mobility) {
-    return mobility.repeated() > 0 || static_cast<int>(mechanism.efforts.size()) > mobility.effective;
+Determinacy determinacy_of(const Mechanism& mechanism, const Mobility& mobility) {
+    const int efforts = static_cast<int>(mechanism.efforts.size());
+    if (mobility.repeated() > 0 || efforts > mobility.effective) return Determinacy::redundant;
+    return efforts < mobility.effective ? Determinacy::unbalanced : Determinacy::determinate;
 }
 
 /// The truss as one free body first, then pin by pin; if this does not give all forces, body by body.
@@ -67,7 +68,7 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
     opening.message = {Sentence::truss_whole,
                        {Count{static_cast<int>(truss.bars.size())}, Count{static_cast<int>(truss.pins.size())}}};
     board.state(std::move(opening));
-    Runs runs(model, board, mechanism, {}, false);
+    Runs runs(model, board, mechanism, {}, Determinacy::determinate);
     std::map<MemberIndex, std::string> names;
     for (const TrussStructure::Bar& bar : truss.bars) names.emplace(member_of(bar.body), bar.name);
     const Run whole = runs.whole(hung_bars(model, board, truss), std::move(names));
@@ -83,7 +84,7 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
         return results;
     }
     board.rewind(before);
-    Runs one_by_one(model, board, mechanism, {}, is_redundant(mechanism, mobility));
+    Runs one_by_one(model, board, mechanism, {}, determinacy_of(mechanism, mobility));
     const Run run = one_by_one.run();
     ForceResults results = cut_free(model, board, mechanism, mobility, run, one_by_one.meets(), {});
     if (!run.complete || !results.unsolved.empty()) return results;
@@ -114,7 +115,7 @@ ForceResults draw_forces(Structure& structure, Board& board, const Motion& motio
     // The forces show on which flank teeth push. If a flank was wrong, the drawing is rewound and repeated.
     const Board::Mark before = board.mark();
     for (std::size_t round = 0;; ++round) {
-        statics::Runs runs(model, board, mechanism, adrift, statics::is_redundant(mechanism, mobility));
+        statics::Runs runs(model, board, mechanism, adrift, statics::determinacy_of(mechanism, mobility));
         const statics::Run run = runs.run();
         const std::vector<JointIndex> pulling = model.pulling_teeth(run);
         if (pulling.empty() || round == mechanism.joints.size())

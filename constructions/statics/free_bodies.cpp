@@ -41,7 +41,7 @@ ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanis
     UnsupportedResultants resultants(model, board, mechanism, polygons, way, results);
     for (const Unsupported& each : loose) resultants.resultant(each);
     const std::set<MemberIndex>& unbalanced = resultants.unbalanced();
-    Verdict verdict(model, mechanism, mobility, under);
+    Verdict verdict(model, board, mechanism, mobility, under);
     std::set<MemberIndex> open = verdict.out_of_equilibrium(run);
     for (const MemberIndex member : unbalanced) open.erase(member);
     const bool balanced = open.empty(), complete = verdict.is_complete(run, unbalanced);

@@ -9,16 +9,13 @@ namespace kinegraph::statics {
 namespace {
 
 /// The motion of the group's body, if it has exactly one freedom.
-void find_freedom(const ForceModel& model, Board& board, Equilibria& all, Unsupported& loose) {
+void find_freedom(const ForceModel& model, Equilibria& all, Unsupported& loose) {
     if (all.free_motions().size() != 1) return;
     for (const auto& [member, twist] : all.free_motions().front().members) {
         if (model.is_pin(member)) continue;
         loose.centre = all.centre(twist);
         if (loose.centre) return;
-        const auto part = [&](const Equilibria::Cell& cell, const Vector& axis) {
-            return board.scale<drawing>(cell ? *cell : board.number(0), board.own_direction(axis));
-        };
-        loose.along = board.direction(board.add(part(twist.x, {1, 0}), part(twist.y, {0, 1})));
+        loose.along = all.direction(twist);
     }
 }
 
@@ -41,7 +38,7 @@ std::vector<Unsupported> unsupported_bodies(ForceModel& model, Board& board, con
                        [&](MemberIndex member) { return model.gap(member, model.loads(), nothing_known, origin); });
         if (all.exist()) continue;
         Unsupported loose{std::move(group), false, {}, {}};
-        find_freedom(model, board, all, loose);
+        find_freedom(model, all, loose);
         found.push_back(std::move(loose));
     }
     return found;

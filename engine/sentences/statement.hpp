@@ -151,6 +151,8 @@ enum class Sentence {
     funicular_several,   ///< {0} bodies, {1} {2} symbols, {3} known symbols: of several directions, by the funicular
                          ///< polygon; {4} as {3} above
     trial,               ///< {0} symbol: one trial value, then in proportion
+    equations_together,  ///< {0} bodies, {1} count of their equilibrium equations, {2} symbols in the order found (or
+                         ///< none): solved together
     elastic_spring,      ///< {0} F, {1} {2} points: k (l − l_0), along their join
     torsion_spring,      ///< {0} M on the first body, {1} first body, {2} second: −k φ
     distributed_load,    ///< {0} body, {1} F, {2} {3} ends: its resultant at the centroid of its diagram
@@ -177,7 +179,11 @@ enum class Sentence {
                      ///< move it
     moments_alone,   ///< {0} bodies, {1} centre, {2} symbol: the only unknown with a moment about {1}
     components_alone,    ///< {0} bodies, {1} symbol: the only unknown with a component along its line
+    translation_alone,   ///< {0} bodies, {1} symbol, {2} LineReason (or absent): the only unknown that does work in a
+                         ///< virtual translation, parallel to {2}
     virtual_work_alone,  ///< {0} symbol, {1} bodies that turn, {2} their centres, {3} bodies that translate, {4} ratios
+    elimination_alone,   ///< {0} bodies, {1} count of their equilibrium equations, {2} symbols: the same in every
+                         ///< equilibrium
     no_force,            ///< {0} body, {1} symbol: no other action on it, so this vanishes
     no_force_along,      ///< {0} body, {1} symbol: not needed to balance the rest, so it vanishes; {2} balances it; {3}
                          ///< its couple, which vanishes too (or absent)
@@ -260,8 +266,7 @@ enum class Sentence {
                      ///< others
     check_stands_still,   ///< {0} body: moves by the construction, is not determined by the check
     check_moves,          ///< {0} body: moves by the check, is not determined by the construction
-    truss_without_order,  ///< {0} count of bars: no order of pins and no cut resolves the truss: bodies cut free, and
-                          ///< trial values
+    truss_without_order,  ///< {0} count of bars: no order of pins and no cut resolves the truss: bodies cut free
     truss_without_plan,   ///< {0} count of bars: bars cross, or a force acts inside: there is no plan in one figure
     // From here on phrases, without a capital and a full stop. Undetermined items:
     motion_of_body,        ///< {0} body
@@ -316,8 +321,7 @@ enum class Sentence {
     too_many_efforts,          ///< {0} count of efforts, {1} count of freedoms, {2} symbols (or absent)
     indeterminate,             ///< {0} how many times, {1} joints, {2} symbols (or absent)
     effort_without_work,       ///< {0} symbols (or absent)
-    beyond_trials,             ///< {0} symbols (or absent): too many coupled unknowns
-    beyond_members,            ///< {0} most members that are taken together, {1} symbols (or absent)
+    not_by_equilibrium,        ///< {0} symbols (or absent)
     cut_of_bars,               ///< {0} bars: what a cut was to find
     cut_in_one_point,          ///< their lines meet in one point, or all are parallel
     cut_without_reactions,     ///< what acts on either side is not known

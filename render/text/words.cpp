@@ -336,6 +336,11 @@ constexpr std::array
             "risultante, e la retta di chiusura dà {1} e {2}."},
         Row{Sentence::trial, "{0} is given a trial value; from the closing error its true value follows in proportion.",
             "A {0} si dà un valore di prova; dallo scarto di chiusura si ricava in proporzione il valore vero."},
+        Row{Sentence::equations_together,
+            "No order of bodies leads on. The {1} equilibrium equations of body {0} have {1} unknowns and are solved "
+            "together by elimination[, which gives in this order {2}].",
+            "Nessun ordine dei corpi conduce oltre. Le {1} equazioni di equilibrio del corpo {0} hanno {1} incognite e "
+            "si risolvono insieme per eliminazione[, che dà nell’ordine {2}]."},
         Row{Sentence::elastic_spring, "The spring acts along {1}{2}: {0} is its stiffness times what {1}{2} exceeds "
                                       "the free length by.",
             "La molla agisce lungo {1}{2}: {0} è la rigidezza per l’allungamento di {1}{2} rispetto alla lunghezza a "
@@ -426,6 +431,11 @@ constexpr std::array
             "give it: it is the same in every equilibrium.",
             "Fra le forze incognite sul corpo {0} solo {1} ha componente lungo la propria retta, quindi la danno le "
             "componenti secondo tale direzione: è la stessa in ogni stato di equilibrio."},
+        Row{Sentence::translation_alone,
+            "Body {0} has a virtual translation[ {2}] in which, of the unknown forces on it, only {1} does work, so "
+            "the components in this direction give it: it is the same in every equilibrium.",
+            "Il corpo {0} ha una traslazione virtuale[ {2}] in cui, fra le forze incognite su di esso, solo {1} compie "
+            "lavoro, quindi la danno le componenti secondo questa direzione: è la stessa in ogni stato di equilibrio."},
         Row{Sentence::virtual_work_alone,
             "In this virtual motion, of the unknown forces, only {0} does work[: {1|body|bodies} {1} {1|turns|turn} "
             "about {2}][; {3|body|bodies} {3} {3|translates|translate}][; {4}]. The works of {0} and of the loads "
@@ -433,6 +443,11 @@ constexpr std::array
             "In questo moto virtuale, fra le forze incognite, solo {0} compie lavoro[: {1|il corpo|i corpi} {1} "
             "{1|ruota|ruotano} intorno a {2}][; {3|il corpo|i corpi} {3} {3|trasla|traslano}][; {4}]. I lavori di "
             "{0} e dei carichi hanno somma nulla: {0} è la stessa in ogni stato di equilibrio."},
+        Row{Sentence::elimination_alone,
+            "Elimination in the {1} equilibrium equations of body {0} leaves equations with one unknown each: {2} "
+            "{2|is|are} the same in every equilibrium.",
+            "L’eliminazione nelle {1} equazioni di equilibrio del corpo {0} lascia equazioni con una sola incognita: "
+            "{2} {2|è la stessa|sono le stesse} in ogni stato di equilibrio."},
         Row{Sentence::no_force, "Nothing is left on body {0} for {1} to balance: {1}~=~0.",
             "Sul corpo {0} non resta nulla che {1} debba equilibrare: {1}~=~0."},
         Row{Sentence::no_force_along,
@@ -717,9 +732,9 @@ constexpr std::array
             "Per la verifica numerica il corpo {0} si muove; per la costruzione il suo moto non è determinato."},
         Row{Sentence::truss_without_order,
             "No order of pins with two unknown bars at most and no cut through three resolves this truss of {0} "
-            "bars: they are cut free one by one, with trial values.",
+            "bars: they are cut free one by one.",
             "Nessun ordine dei nodi con al più due aste incognite e nessuna sezione di tre aste risolve questa "
-            "travatura di {0} aste: le si isola una per una, con valori di prova."},
+            "travatura di {0} aste: le si isola una per una."},
         Row{Sentence::truss_without_plan,
             "Of the truss’s {0} bars some cross, or a force acts inside it: there is no Cremona diagram in one figure.",
             "Tra le {0} aste alcune si incrociano, o vi sono forze applicate all’interno della travatura: non esiste "
@@ -852,16 +867,8 @@ constexpr std::array
             "without limit[; not determined: {0}]",
             "l’azione equilibrante non compie lavoro nel moto libero in questa configurazione: un punto morto, dove "
             "una forza cresce senza limite[; non determinate: {0}]"},
-        Row{Sentence::beyond_trials,
-            "no order of bodies resolves them, and more unknowns hang together than are tried at once[; not "
-            "determined: {0}]",
-            "nessun ordine dei corpi le risolve, e le incognite legate fra loro sono più di quante se ne provino "
-            "insieme[; non determinate: {0}]"},
-        Row{Sentence::beyond_members,
-            "redundant constraints hold more than {0} members together, and no more are taken at once[; not "
-            "determined: {1}]",
-            "vincoli sovrabbondanti legano fra loro più di {0} elementi, e non se ne trattano di più insieme[; non "
-            "determinate: {1}]"},
+        Row{Sentence::not_by_equilibrium, "equilibrium does not determine them at this position[; not determined: {0}]",
+            "l’equilibrio non le determina in questa configurazione[; non determinate: {0}]"},
         Row{Sentence::cut_of_bars, "cut through {0}", "sezione di {0}"},
         Row{Sentence::cut_in_one_point,
             "the lines of the three bars meet in one point or are all parallel, so that no equation holds one of "

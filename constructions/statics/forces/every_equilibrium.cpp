@@ -10,14 +10,13 @@ namespace kinegraph::statics {
 Run EveryEquilibrium::in_every_equilibrium(const std::vector<Load>& loads, Run run) {
     while (!run.complete && settle_alike(loads, run)) rules_.advance(loads, run);
     for (const Group& group : groups_in_question(model_, run)) {
-        if (group.size() > Equilibria::most_members) {
-            run.beyond_members = Equilibria::most_members;
-            continue;
-        }
         Equilibria all = equilibria(group, loads, run);
         if (!all.exist()) continue;
         run.redundant.insert(run.redundant.end(), group.begin(), group.end());
-        for (const int b : in_question(group, run)) note_alike(b, all.of(b), all, run);
+        if (all.follows_motions())
+            for (const int b : in_question(group, run)) note_alike(b, all.of(b), all, run);
+        else
+            by_elimination(group, all, run);
     }
     return run;
 }
@@ -44,7 +43,7 @@ std::vector<int> EveryEquilibrium::in_question(const Group& group, const Run& ru
 
 bool EveryEquilibrium::settle_alike(const std::vector<Load>& loads, Run& run) {
     for (const Group& group : groups_in_question(model_, run)) {
-        if (group.size() > Equilibria::most_members) continue;
+        if (group.size() > Equilibria::most_followed) continue;
         Equilibria all = equilibria(group, loads, run);
         if (!all.exist()) continue;
         for (const int b : in_question(group, run)) {
@@ -55,6 +54,29 @@ bool EveryEquilibrium::settle_alike(const std::vector<Load>& loads, Run& run) {
         }
     }
     return false;
+}
+
+void EveryEquilibrium::by_elimination(const Group& group, Equilibria& all, Run& run) {
+    std::vector<std::pair<int, Equilibria::Alike>> shared;
+    Symbols symbols;
+    for (const int b : in_question(group, run)) {
+        Equilibria::Alike alike = all.of(b);
+        if (alike.components.empty() && !alike.couple) continue;
+        Symbol symbol = said_.symbol_on(b, cut_at(b));
+        if (!alike.whole_force && !alike.components.empty())
+            symbol = component_symbol(std::move(symbol), alike.components.front().direction);
+        else if (alike.components.empty())
+            symbol.letter = Symbol::Letter::M;
+        symbols.push_back(std::move(symbol));
+        shared.emplace_back(b, std::move(alike));
+    }
+    if (shared.empty()) return;
+    said_.say_of(group, Sentence::elimination_alone, {Count{static_cast<int>(all.equations())}, std::move(symbols)});
+    for (const auto& [b, alike] : shared)
+        if (alike.all)
+            settle_by_work(b, alike, all, run);
+        else
+            note_alike(b, alike, all, run);
 }
 
 Group EveryEquilibrium::cut_at(int b) const {
@@ -86,7 +108,7 @@ std::optional<Force> EveryEquilibrium::said_components(int b, const Equilibria::
         Symbol symbol = said_.symbol_on(b, cut_at(b));
         if (apart) symbol = component_symbol(symbol, each.direction);
         say_work(b, std::move(symbol), each.direction, each.motion, all, run);
-        if (!each.vanishes) run.released.back().force = each.force;
+        if (!each.vanishes && all.follows_motions()) run.released.back().force = each.force;
         if (!each.vanishes) force = force ? board_.add(*force, each.force) : each.force;
     }
     return force;
@@ -98,6 +120,7 @@ std::optional<ScalarHandle> EveryEquilibrium::said_couple(int b, const Equilibri
     Symbol symbol = said_.symbol_on(b, cut_at(b));
     symbol.letter = Symbol::Letter::M;
     say_work(b, std::move(symbol), std::nullopt, alike.couple->motion, all, run);
+    if (!all.follows_motions()) return alike.couple->couple;
     run.released.back().couple = alike.couple->couple;
     if (alike.couple->couple && !in(cut_at(b), model_.bonds()[at(b)].first))
         run.released.back().couple = board_.opposite(*alike.couple->couple);  // with the sign of the symbol
@@ -128,11 +151,20 @@ void EveryEquilibrium::note_alike(int b, const Equilibria::Alike& alike, Equilib
     reaction.couple = said_couple(b, alike, all, run);
     reaction.couple_alike = alike.couple.has_value();
     const bool said = !run.released.empty() && run.released.back().bond == b;
-    reaction.force_statement = said ? said_.last() : reaction.line_statement;
+    reaction.force_statement = said || !all.follows_motions() ? said_.last() : reaction.line_statement;
+}
+
+void EveryEquilibrium::say_translation(const Group& moved, const Symbol& symbol, std::optional<DirectionHandle> along,
+                                       DirectionHandle way) {
+    if (along && board_.parallel(*along, way)) return said_.say_of(moved, Sentence::components_alone, {symbol});
+    std::vector<Argument> arguments{symbol};
+    if (const auto reason = said_.guide_along(moved, way)) arguments.emplace_back(*reason);
+    said_.say_of(moved, Sentence::translation_alone, std::move(arguments));
 }
 
 void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHandle> along,
                                 const Equilibria::Motion& motion, Equilibria& all, Run& run) {
+    if (!all.follows_motions()) return;  // one sentence for all
     Released released;
     released.bond = b;
     released.sought = symbol;
@@ -157,7 +189,7 @@ void EveryEquilibrium::say_work(int b, Symbol symbol, std::optional<DirectionHan
     if (as_one && !centres.empty()) {
         said_.say_of(moved, Sentence::moments_alone, {PointName{centres.front()}, symbol}, "Ritter");
     } else if (as_one) {
-        said_.say_of(moved, Sentence::components_alone, {symbol});
+        say_translation(moved, symbol, along, all.direction(motion.members.begin()->second));
     } else {
         said_.say(Sentence::virtual_work_alone, {symbol, turning, centres, translating}, "", moved);
     }

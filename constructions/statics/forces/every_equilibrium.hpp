@@ -1,5 +1,6 @@
 // Statically indeterminate structures: in which order, and by which sentences, the values that all equilibria share are
-// given: one force after the other by moments, components or virtual work. Class Equilibria computes them.
+// given: one force after the other by moments, components or virtual work, or in a large group all by elimination.
+// Class Equilibria computes them.
 #pragma once
 
 #include <optional>
@@ -32,6 +33,8 @@ private:
     Equilibria equilibria(const Group& group, const std::vector<Load>& loads, const Run& run);
     /// Input forces first, then the groups with fewest unknowns.
     std::vector<int> in_question(const Group& group, const Run& run) const;
+    /// All that is determined in a group whose virtual motions are not followed, in one sentence.
+    void by_elimination(const Group& group, Equilibria& all, Run& run);
     bool settle_alike(const std::vector<Load>& loads, Run& run);
     /// The free body used to explain a bond.
     Group cut_at(int b) const;
@@ -45,6 +48,9 @@ private:
     Symbol component_symbol(Symbol symbol, DirectionHandle along);
     /// Notes the determined part of a reaction that stays open.
     void note_alike(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run);
+    /// By components: along the line of the force sought, or in the direction of the translation.
+    void say_translation(const Group& moved, const Symbol& symbol, std::optional<DirectionHandle> along,
+                         DirectionHandle way);
     /// By moments or components of one body (or of several as one) if they move as one, else by virtual work.
     void say_work(int b, Symbol symbol, std::optional<DirectionHandle> along, const Equilibria::Motion& motion,
                   Equilibria& all, Run& run);

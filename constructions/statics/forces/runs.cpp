@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -17,16 +18,49 @@ Run Runs::solve(const std::vector<Load>& loads) {
     Run direct = known_.fresh();
     rules_.advance(loads, direct);
     if (direct.complete) return direct;
-    if (redundant_) return alike_.in_every_equilibrium(loads, std::move(direct));
-    // Several loaded bodies: one after the other.
+    if (determinacy_ == Determinacy::redundant)
+        return alike_.in_every_equilibrium(loads, jointly_where_large(loads, std::move(direct)));
+    const Board::Mark before = board_.mark();
+    const ForceSentences::Mark said = said_.mark();
+    if (auto sum = in_parts(loads, direct)) return *std::move(sum);
+    // What was tried in vain is not part of the solution.
+    model_.drop_components();
+    said_.rewind(said);
+    board_.rewind(before);
+    if (determinacy_ == Determinacy::unbalanced) return direct;  // the equations contradict each other
+    direct = jointly(loads, std::move(direct));
+    return direct.complete ? direct : alike_.in_every_equilibrium(loads, std::move(direct));
+}
+
+Run Runs::jointly(const std::vector<Load>& loads, Run run) {
+    while (!run.complete && joint_.advance(loads, run)) rules_.advance(loads, run);
+    return run;
+}
+
+Run Runs::jointly_where_large(const std::vector<Load>& loads, Run run) {
+    const std::vector<Group> groups = groups_in_question(model_, run);
+    const bool large = std::any_of(groups.begin(), groups.end(),
+                                   [](const Group& group) { return group.size() > Equilibria::most_followed; });
+    return large ? jointly(loads, std::move(run)) : run;
+}
+
+/// The run of one member's loads, or of all: by the rules, else with one trial value.
+void Runs::close(const std::vector<Load>& loads, Run& run) {
+    if (!run.complete) trials_.close_by_trial(loads, run);
+}
+
+std::optional<Run> Runs::in_parts(const std::vector<Load>& loads, const Run& direct) {
+    // More loaded bodies are not taken one after the other: the joint equations are shorter.
+    constexpr std::size_t most_parts = 8;
     Group loaded;
     for (const Load& load : loads) {
         if (!in(loaded, load.member)) loaded.push_back(load.member);
     }
+    if (loaded.size() > most_parts) return std::nullopt;
     if (loaded.size() < 2) {
         Run run = direct;
-        trials_.close_by_trial(loads, run, 0);
-        return run.complete ? run : direct;
+        close(loads, run);
+        return run.complete ? std::optional(std::move(run)) : std::nullopt;
     }
     std::vector<PartRun> parts;
     for (const MemberIndex member : loaded) {
@@ -39,9 +73,9 @@ Run Runs::solve(const std::vector<Load>& loads) {
                   {BodyName{name, model_.is_pin(member) ? BodyName::As::pin : BodyName::As::body}});
         PartRun part{member, own, known_.fresh(), said_.last(), none};
         rules_.advance(own, part.run);
-        if (!part.run.complete) trials_.close_by_trial(own, part.run, 0);
+        close(own, part.run);
         said_.set_mark({});
-        if (!part.run.complete) return direct;  // what the rules found without trials does not depend on the rest
+        if (!part.run.complete) return std::nullopt;
         if (!parts.empty()) parts.back().end = part.first;
         parts.push_back(std::move(part));
     }

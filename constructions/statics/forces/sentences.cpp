@@ -2,7 +2,17 @@
 
 #include <algorithm>
 
+#include "constructions/kinematics/motion.hpp"
+
 namespace kinegraph::statics {
+
+void ForceSentences::rewind(const Mark& mark) {
+    statement_ = mark.statement;
+    meets_ = mark.meets;
+    named_meets_ = mark.named_meets;
+    unsaid_meets_.clear();
+    mark_.clear();
+}
 
 void ForceSentences::say(Sentence sentence, std::vector<Argument> arguments, const char* source, const Group& group) {
     if (!in_trial()) {  // operations of a trial belong to the sentence that opens it
@@ -23,8 +33,10 @@ void ForceSentences::say_of(const Group& group, Sentence sentence, std::vector<A
     constexpr std::ptrdiff_t most_names = 4;
     const auto bodies =
         std::count_if(group.begin(), group.end(), [&](MemberIndex each) { return !model_.is_pin(each); });
-    if (bodies > most_names)
-        names = model_.member_name(group.front()) + " … " + model_.member_name(last_body_of(group));
+    constexpr std::size_t most_members = 8;
+    if (bodies > most_names || group.size() > most_members)
+        names = model_.member_name(group.front()) + " … " +
+                model_.member_name(bodies > most_names ? last_body_of(group) : group.back());
     else
         for (const MemberIndex member : group)
             if (!model_.is_pin(member) ||
@@ -79,6 +91,20 @@ std::string ForceSentences::name_at(const Group& group, PlaceOnDrawing place) {
     for (const PointIndex point : indices_of(mechanism_.points))
         if (board_.coincide(board_.place(point), place)) return mechanism_.point(point).name;
     return meet_name(group, place);
+}
+
+std::optional<LineReason> ForceSentences::guide_along(const Group& group, DirectionHandle way) {
+    for (const MemberIndex member : group)
+        for (const int b : model_.bonds_of(member)) {
+            const Bond& bond = model_.bonds()[at(b)];
+            if (bond.joint == none || (bond.kind != Bond::Kind::guide && bond.kind != Bond::Kind::line)) continue;
+            if (!board_.parallel(board_.perpendicular(bond.direction), way)) continue;
+            const Joint& joint = mechanism_.joint(bond.joint);
+            if (joint.pair().meshes()) continue;  // their normal is the line of action of the teeth
+            if (joint.along) return along_guide(mechanism_, bond.joint, false);
+            return LineReason{LineReason::Kind::parallel_to_tangent, mechanism_.point(joint.point).name, {}};
+        }
+    return std::nullopt;
 }
 
 MemberIndex ForceSentences::last_body_of(const Group& group) const {

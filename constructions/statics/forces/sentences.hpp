@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,15 @@ public:
     void leave_trial() { --trials_; }
     bool in_trial() const { return trials_ > 0; }
 
+    /// To rewind an attempt together with the board.
+    struct Mark {
+        StatementIndex statement = none;
+        NamedMeets meets;
+        std::vector<NamedMeet> named_meets;
+    };
+    Mark mark() const { return {statement_, meets_, named_meets_}; }
+    void rewind(const Mark& mark);
+
     void say(Sentence sentence, std::vector<Argument> arguments, const char* source = "", const Group& group = {});
     /// A sentence about a body, or about several taken together; they become its first argument.
     void say_of(const Group& group, Sentence sentence, std::vector<Argument> arguments, const char* source = "");
@@ -55,6 +65,9 @@ public:
     std::string meet_name(const Group& group, PlaceOnDrawing place);
     /// The name of a point of the file at this place, else a new letter.
     std::string name_at(const Group& group, PlaceOnDrawing place);
+
+    /// The guide or tangent of a joint of these members that is parallel to a direction; none if no joint has one.
+    std::optional<LineReason> guide_along(const Group& group, DirectionHandle way);
 
 private:
     /// The last member that is a body, not a pin (pins come last).

@@ -6,9 +6,7 @@
 
 namespace kinegraph::statics {
 
-void Trials::close_by_trial(const std::vector<Load>& loads, Run& run, int depth) {
-    constexpr int deepest = 8;
-    if (depth > deepest) return;
+void Trials::close_by_trial(const std::vector<Load>& loads, Run& run) {
     int tried = -1, hinge = -1;
     for (std::size_t b = 0; b < model_.bonds().size() && tried < 0; ++b) {
         if (run.reactions[b].known) continue;
@@ -17,27 +15,24 @@ void Trials::close_by_trial(const std::vector<Load>& loads, Run& run, int depth)
         if (of == KnownForces::Shape::pin && hinge < 0) hinge = static_cast<int>(b);
     }
     if (tried >= 0) {
-        try_value(loads, run, tried, depth);
+        try_value(loads, run, tried);
     } else if (hinge >= 0) {
         model_.add_components(hinge);
         known_.fit(run);
-        close_by_trial(loads, run, depth);
+        close_by_trial(loads, run);
     }
 }
 
-bool Trials::try_value(const std::vector<Load>& loads, Run& run, int b, int depth) {
+bool Trials::try_value(const std::vector<Load>& loads, Run& run, int b) {
     said_.say(Sentence::trial, {said_.with_mark(model_.bonds()[at(b)].symbol)}, "");
     Run first = run, second = run;
-    // Different primes at each depth: trial values that cancel each other would look like a body without forces.
-    static constexpr int sizes[][2] = {{2, 3},   {5, 7},   {11, 13}, {17, 19}, {23, 29},
-                                       {31, 37}, {41, 43}, {47, 53}, {59, 61}};
     const std::optional<Force> largest = largest_of(loads);
-    give(first, b, sizes[depth][0], largest);
-    give(second, b, sizes[depth][1], largest);
+    give(first, b, 2, largest);
+    give(second, b, 3, largest);
     said_.enter_trial();
     for (Run* trial : {&first, &second}) {
         rules_.advance(loads, *trial);
-        if (!trial->complete) close_by_trial(loads, *trial, depth + 1);
+        if (!trial->complete) break;
     }
     said_.leave_trial();
     if (!first.complete || !second.complete) return false;

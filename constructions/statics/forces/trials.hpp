@@ -25,13 +25,13 @@ public:
           sums_(model, board, known, said),
           origin_(origin) {}
 
-    /// Gives one unknown two trial values and combines the two runs in the proportion that closes. Several unknowns
-    /// nest.
-    void close_by_trial(const std::vector<Load>& loads, Run& run, int depth);
+    /// Gives one unknown two trial values and combines the two runs in the proportion that closes. If one unknown is
+    /// not enough, the run stays as it was.
+    void close_by_trial(const std::vector<Load>& loads, Run& run);
 
 private:
     /// Tries a force along the bond's own line, or its couple.
-    bool try_value(const std::vector<Load>& loads, Run& run, int b, int depth);
+    bool try_value(const std::vector<Load>& loads, Run& run, int b);
     /// The closing error that changes most between the trials; components are preferred to moments.
     std::pair<ScalarHandle, std::optional<ScalarHandle>> clearest_gap(const std::vector<Load>& loads, const Run& first,
                                                                       const Run& second);

@@ -19,7 +19,8 @@ std::optional<Superposition> Superposing::superpose(const Run& run) {
 
 std::optional<Superposition::Part> Superposing::cut_part(const PartRun& part) {
     const UnderLoads under{&part.loads, model_.member_name(part.loaded), part.first, part.end};
-    if (!Verdict(model_, mechanism_, mobility_, under).out_of_equilibrium(part.run).empty()) return std::nullopt;
+    if (!Verdict(model_, board_, mechanism_, mobility_, under).out_of_equilibrium(part.run).empty())
+        return std::nullopt;
     ForceResults results;
     ForcePolygons polygons(model_, board_);
     Way way(model_, board_, mechanism_, meets_, under);

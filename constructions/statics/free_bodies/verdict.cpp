@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "constructions/statics/equilibria.hpp"
+
 namespace kinegraph::statics {
 
 std::set<MemberIndex> Verdict::out_of_equilibrium(const Run& run) {
@@ -39,7 +41,7 @@ void Verdict::explain(const Run& run, bool balanced, ForceResults& results) {
              open_symbols(model_.bonds()[b], run.reactions[b], model_.bonds()[b].first == member_of(frame)))
             open.push_back(std::move(symbol));
     }
-    results.unsolved.push_back({{Sentence::all_forces, {}}, reason(run, std::move(open))});
+    results.unsolved.push_back({{Sentence::all_forces, {}}, reason(std::move(open))});
 }
 
 void Verdict::remark_lift_off(const Run& run, ForceResults& results) {
@@ -69,13 +71,29 @@ Symbols Verdict::open_symbols(const Bond& bond, const Reaction& reaction, bool r
     return open;
 }
 
-Message Verdict::reason(const Run& run, Symbols open) const {
-    if (run.beyond_members > 0)
-        return {Sentence::beyond_members, {Count{static_cast<int>(run.beyond_members)}, std::move(open)}};
+bool Verdict::moves_freely() {
+    Run nothing_known;
+    nothing_known.reactions.resize(model_.joint_bonds());
+    const Board::Mark before = board_.mark();
+    const ScalarHandle zero = board_.number(0);
+    bool moves = false;
+    for (Group& group : groups_in_question(model_, nothing_known)) {
+        const Equilibria all(model_, board_, nothing_known, std::move(group), board_.place(PointIndex(0)),
+                             [&](MemberIndex) {
+                                 return Equilibria::Gap{zero, zero, zero};
+                             });
+        moves = moves || !all.free_motions().empty();
+    }
+    board_.rewind(before);
+    return moves;
+}
+
+Message Verdict::reason(Symbols open) {
     const auto efforts = static_cast<int>(mechanism_.efforts.size());
     const Count freedoms{mobility_.effective};
     if (efforts < mobility_.effective) return {Sentence::unbalanced, {freedoms, Count{efforts}, std::move(open)}};
     if (efforts > mobility_.effective) return {Sentence::too_many_efforts, {Count{efforts}, freedoms, std::move(open)}};
+    if (efforts > 0 && moves_freely()) return {Sentence::effort_without_work, {std::move(open)}};
     int repeated = 0;
     Names joints;
     for (const Mobility::Redundant& redundant : mobility_.redundant) {
@@ -83,7 +101,7 @@ Message Verdict::reason(const Run& run, Symbols open) const {
         joints.push_back(mechanism_.joints[at(redundant.joint)].name);
     }
     if (repeated > 0) return {Sentence::indeterminate, {Count{repeated}, std::move(joints), std::move(open)}};
-    return {efforts > 0 ? Sentence::effort_without_work : Sentence::beyond_trials, {std::move(open)}};
+    return {Sentence::not_by_equilibrium, {std::move(open)}};
 }
 
 }  // namespace kinegraph::statics

@@ -10,8 +10,9 @@ namespace kinegraph::statics {
 
 class Verdict {
 public:
-    Verdict(ForceModel& model, const Mechanism& mechanism, const Mobility& mobility, const UnderLoads& under)
-        : model_(model), mechanism_(mechanism), mobility_(mobility), under_(under) {}
+    Verdict(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
+            const UnderLoads& under)
+        : model_(model), board_(board), mechanism_(mechanism), mobility_(mobility), under_(under) {}
 
     /// Members that do not balance though all their bonds are known, and those connected to them by known bonds (not
     /// through the frame). Their forces are discarded.
@@ -27,9 +28,12 @@ public:
 
 private:
     /// Why the forces are not determined; `open`: which ones, if only some are.
-    Message reason(const Run& run, Symbols open) const;
+    Message reason(Symbols open);
+    /// Whether some motion does no work against any joint, input force or couple, by the rank.
+    bool moves_freely();
 
     ForceModel& model_;
+    Board& board_;
     const Mechanism& mechanism_;
     const Mobility& mobility_;
     const UnderLoads& under_;

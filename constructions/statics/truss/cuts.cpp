@@ -1,11 +1,44 @@
 #include "constructions/statics/truss/cuts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kinegraph::statics {
 namespace {
 
 bool holds(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
+
+/// The bars, in order, without which the pins that other bars connect would fall into two parts (bridges, by
+/// depth-first search: R. E. Tarjan, 1974).
+class BridgeBars {
+public:
+    BridgeBars(const TrussStructure& truss, std::vector<bool> removed)
+        : truss_(truss), removed_(std::move(removed)), order_(truss.pins.size(), 0), lowest_(truss.pins.size(), 0) {
+        for (std::size_t pin = 0; pin < truss.pins.size(); ++pin)
+            if (order_[pin] == 0) visit(static_cast<int>(pin), -1);
+        std::sort(found_.begin(), found_.end());
+    }
+    const std::vector<int>& found() const { return found_; }
+
+private:
+    void visit(int pin, int from) {
+        order_[at(pin)] = lowest_[at(pin)] = ++count_;
+        for (const int bar : truss_.pins[at(pin)].bars) {
+            if (bar == from || removed_[at(bar)]) continue;
+            const int other = truss_.other_end(bar, pin);
+            if (order_[at(other)] == 0) {
+                visit(other, bar);
+                if (lowest_[at(other)] > order_[at(pin)]) found_.push_back(bar);
+            }
+            lowest_[at(pin)] = std::min(lowest_[at(pin)], lowest_[at(other)]);
+        }
+    }
+
+    const TrussStructure& truss_;
+    std::vector<bool> removed_;
+    std::vector<int> order_, lowest_, found_;
+    int count_ = 0;
+};
 
 }  // namespace
 
@@ -36,12 +69,19 @@ bool Cuts::reactions_known(const std::vector<int>& side) const {
 
 bool Cuts::make_any() {
     std::vector<int> known, unknown;
-    for (std::size_t bar = 0; bar < truss_.bars().size(); ++bar)
+    std::vector<bool> removed;
+    for (std::size_t bar = 0; bar < truss_.bars().size(); ++bar) {
         (truss_.bars()[bar].known ? known : unknown).push_back(static_cast<int>(bar));
+        removed.push_back(truss_.bars()[bar].known);
+    }
     for (std::size_t i = 0; i < unknown.size(); ++i)
-        for (std::size_t j = i + 1; j < unknown.size(); ++j)
-            for (std::size_t k = j + 1; k < unknown.size(); ++k) {
-                const std::vector<int> bars{unknown[i], unknown[j], unknown[k]};
+        for (std::size_t j = i + 1; j < unknown.size(); ++j) {
+            removed[at(unknown[i])] = removed[at(unknown[j])] = true;
+            const BridgeBars third(truss_.structure(), removed);
+            removed[at(unknown[i])] = removed[at(unknown[j])] = false;
+            for (const int last : third.found()) {
+                if (last < unknown[j]) continue;
+                const std::vector<int> bars{unknown[i], unknown[j], last};
                 for (const std::vector<int>& side : sides_of_cut(truss_.structure(), bars, known)) {
                     constexpr std::size_t least = 2;
                     if (side.size() < least || !reactions_known(side)) continue;
@@ -51,6 +91,7 @@ bool Cuts::make_any() {
                     truss_.rewind(before);
                 }
             }
+        }
     return false;
 }
 

@@ -122,7 +122,7 @@ void OfForces::tell_aside(StatementIndex statement, double arm, double force) {
 bool OfForces::is_by_virtual_work(StatementIndex statement) {
     const Sentence said = telling_.message(statement).sentence;
     return said == Sentence::moments_alone || said == Sentence::components_alone ||
-           said == Sentence::virtual_work_alone;
+           said == Sentence::translation_alone || said == Sentence::virtual_work_alone;
 }
 
 /// If the factors' units give another unit than the result's, adds the conversion factor: 1000 for kN, 386.1 for pounds
