@@ -24,11 +24,21 @@ const Law* law_of(const Mechanism& mechanism, int driver) {
     return kinegraph::law_of(mechanism.drivers[at_index(driver)]);
 }
 
+Words cam_stays(const Mechanism& mechanism) {
+    return {
+        "this is one position of the cam of {0}, with its circle of curvature in place of the profile, so it cannot "
+        "be moved; kinegraph cam {0} computes other positions",
+        "questa è una posizione della camma di {0}, con il cerchio osculatore al posto del profilo, quindi non si "
+        "può muovere; kinegraph cam {0} calcola le altre posizioni",
+        mechanism.cam_file};
+}
+
 tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::string& name, const std::string& dashes) {
     if (mechanism.drivers.empty())
         return tl::unexpected(
             Words("nothing drives this mechanism, so it has one position only; give it \"drivers\"",
                   "nulla comanda questo meccanismo, che ha quindi una sola posizione; dargli \"drivers\""));
+    if (!mechanism.cam_file.empty()) return tl::unexpected(cam_stays(mechanism));
     if (name.empty()) return 0;
     std::vector<std::string> known;
     std::string list;

@@ -16,6 +16,8 @@ namespace kinegraph::app {
 /// A driver by the name of its body, joint or point; the first if the name is empty. Error: a message that lists the
 /// existing names.
 tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::string& name, const std::string& dashes);
+/// Why one position of a cam is not moved.
+Words cam_stays(const Mechanism& mechanism);
 std::string name_of_driver(const Mechanism& mechanism, int driver);
 bool turns(const Mechanism& mechanism, int driver);
 const Law* law_of(const Mechanism& mechanism, int driver);  ///< null if it has none

@@ -30,6 +30,7 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
     const Follower& follower = cam.follower;
     CamGeometry made;
     made.cam_ = &cam;
+    made.law_ = LawCurve(cam.law);
     made.sense_ = cam.omega.sign();
     made.base_ = cam.base_circle.to_double();
     made.roller_ = follower.radius.to_double();
@@ -68,7 +69,7 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
     return made;
 }
 
-CamState CamGeometry::at(double turn) const { return at(turn, cam_->law.at(turn)); }
+CamState CamGeometry::at(double turn) const { return at(turn, law_.at(turn)); }
 CamState CamGeometry::at(double turn, const LawState& rise) const {
     return is_trace(cam_->follower) ? of_trace(turn, rise) : of_face(turn, rise);
 }
@@ -186,9 +187,10 @@ public:
         point("O", {0, 0});
         write_follower_points();
         std::string file = "{\n  \"kinegraph\": 1,\n  \"title\": " + title_of(cam_, turn_) +
-                           ",\n  \"units\": " + units() + ",\n  \"precision\": " + precision_of(cam_) +
-                           ",\n  \"frame\": 1,\n  \"points\": {" + points_ +
-                           "\n  },\n  \"bodies\": {\n    \"2\": " + cam_body() + ",\n    \"3\": " + follower_body() +
+                           ",\n  \"position of cam\": " + in_quotes(cam_.source) + ",\n  \"units\": " + units() +
+                           ",\n  \"precision\": " + precision_of(cam_) + ",\n  \"frame\": 1,\n  \"points\": {" +
+                           points_ + "\n  },\n  \"bodies\": {\n    \"2\": " + cam_body() +
+                           ",\n    \"3\": " + follower_body() +
                            "\n  },\n  \"joints\": [\n    {\"revolute\": \"O\", \"bodies\": [1, 2]},\n    " + contact() +
                            ",\n    " + guide() + "\n  ],\n  \"drivers\": [{\"body\": 2, \"omega\": " +
                            written((cam_.omega / cam_.units.angular_velocity.si).to_double()) +

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/mechanism/law_breaks.hpp"
+#include "engine/mechanism/law_curve.hpp"
 #include "engine/mechanism/mechanism.hpp"
 #include "engine/number/geometry.hpp"
 
@@ -77,6 +78,7 @@ private:
     CamState of_face(double turn, const LawState& rise) const;
 
     const Cam* cam_ = nullptr;
+    LawCurve law_;
     double sense_ = 1, base_ = 0, roller_ = 0, offset_ = 0, arm_ = 0, height_ = 0, first_angle_ = 0, rises_ = 1;
     VectorOf<double> pivot_;
 };

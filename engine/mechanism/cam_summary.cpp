@@ -25,6 +25,7 @@ public:
           is_edge_(cam.follower.face == Follower::Face::knife_edge),
           nothing_(1e-9 * cam.base_circle.to_double()) {
         for (int i = 0; i < positions; ++i) others_.push_back(other(whole_turn * i / positions));
+        largest_step_ = largest_step();
     }
 
     /// Decided by curvature alone: a convex pitch curve with a smaller radius than the roller, a flat face whose
@@ -84,7 +85,7 @@ private:
         std::vector<double> gaps;
         for (const Other& each : others_) gaps.push_back(gap(each));
         // Between two samples a follower is deeper by at most a small share of its displacement between them.
-        const double near = size_of_step();
+        const double near = largest_step_;
         for (int i = 0; i < positions; ++i) {
             const auto at = [&](int k) { return gaps[static_cast<std::size_t>((k + positions) % positions)]; };
             if (at(i) > near || at(i) > at(i - 1) || at(i) > at(i + 1)) continue;
@@ -97,7 +98,7 @@ private:
         }
         return false;
     }
-    double size_of_step() const {
+    double largest_step() const {
         double largest = 0;
         for (int i = 0; i < positions; ++i) {
             const Other &a = others_[static_cast<std::size_t>(i)],
@@ -113,6 +114,7 @@ private:
     bool is_flat_, is_edge_;
     double nothing_;  ///< m: a smaller depth of cut is rounding
     std::vector<Other> others_;
+    double largest_step_ = 0;  ///< m, between neighbours of `others_`
 };
 
 std::vector<CamCorner> corners_of(const Cam& cam, const CamGeometry& geometry) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/mechanism/law_curve.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -94,22 +96,31 @@ double Law::length() const {
     return sum;
 }
 
-LawState Law::at(double t) const {
-    // A time within rounding of a joint between two pieces counts as that joint.
-    const double grain = 1e-14 * length();
-    double start = 0, way = 0;
-    if (t < -grain) return {};
-    for (const LawPiece& piece : pieces) {
+LawState Law::at(double t) const { return LawCurve(*this).at(t); }
+
+LawCurve::LawCurve(const Law& law) {
+    pieces_.reserve(law.pieces.size());
+    for (const LawPiece& piece : law.pieces) {
         const double over = piece.over.to_double(), rise = rise_of(piece);
-        const bool is_last = &piece == &pieces.back();
-        if (t < start + over - grain || (is_last && t <= start + over + grain)) {
-            const LawState unit = unit_state(piece.form, std::clamp((t - start) / over, 0.0, 1.0));
-            return {way + rise * unit.s, rise * unit.first / over, rise * unit.second / (over * over)};
-        }
-        start += over;
-        way += rise;
+        pieces_.push_back({piece.form, over, rise, length_, length_ + over, way_});
+        length_ += over;
+        way_ += rise;
     }
-    return {way, 0, 0};
+}
+
+LawState LawCurve::at(double t) const {
+    // A time within rounding of a joint between two pieces counts as that joint.
+    const double grain = 1e-14 * length_;
+    if (t < -grain) return {};
+    auto piece =
+        std::partition_point(pieces_.begin(), pieces_.end(), [&](const Piece& each) { return t >= each.end - grain; });
+    if (piece == pieces_.end()) {
+        if (pieces_.empty() || t > length_ + grain) return {way_, 0, 0};
+        --piece;
+    }
+    const LawState unit = unit_state(piece->form, std::clamp((t - piece->start) / piece->over, 0.0, 1.0));
+    return {piece->way + piece->rise * unit.s, piece->rise * unit.first / piece->over,
+            piece->rise * unit.second / (piece->over * piece->over)};
 }
 
 std::optional<double> Law::when(double s) const {

@@ -293,6 +293,8 @@ struct Mechanism {
     Words title;
     Units units;
     std::optional<Exact> precision;  ///< error of coordinates and lengths, m, as the file states it; 0: none
+    std::string cam_file;  ///< not empty: this is one position of that file's cam, with its circle of curvature at the
+                           ///< contact in place of the profile, so it cannot be moved
     std::vector<Exact> computed;  ///< lengths computed by formulas, m, in order: exact, however many digits they have
     std::vector<NamedPoint> points;
     std::vector<Body> bodies;  ///< the frame first

@@ -61,10 +61,10 @@ private:
     void read_file(JsonValue root) {
         if (const auto other = fault_of_kind(root, FileKind::mechanism)) return fault(other->first, other->second);
         const Members file = members(
-            root,
-            {"$schema", "kinegraph", "title",  "units",   "parameters",     "precision", "frame",  "points", "bodies",
-             "joints",  "drivers",   "masses", "gravity", "inertia forces", "loads",     "effort", "motion", "find",
-             "scales",  "hertz",     "reye",   "impact",  "positions",      "ask",       "vary",   "require"},
+            root, {"$schema", "kinegraph", "title",  "units",   "parameters", "precision",      "frame",
+                   "points",  "bodies",    "joints", "drivers", "masses",     "gravity",        "inertia forces",
+                   "loads",   "effort",    "motion", "find",    "scales",     "hertz",          "reye",
+                   "impact",  "positions", "ask",    "vary",    "require",    "position of cam"},
             {"a mechanism", "un meccanismo"});
         read_head(file);
         // A problem names its own bodies and needs no points.
@@ -94,6 +94,9 @@ private:
         if (file["title"]) mechanism_.title = words(file["title"]);
         units_.read_units(file["units"]);
         read_parameters(file["parameters"], set_);
+        if (const JsonValue cam = file["position of cam"];
+            cam && expect(cam, Kind::string, {"the name of a cam file", "il nome di un file di camma"}))
+            mechanism_.cam_file = cam.text();
         if (file["precision"])
             mechanism_.precision = not_negative(file["precision"], QuantityKind::length, std::string("\"precision\""));
     }
