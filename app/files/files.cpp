@@ -2,12 +2,15 @@
 #include "app/files/files.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <climits>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -46,6 +49,12 @@ bool write_to(int file, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
+        // A pipe or terminal that was set non-blocking by whoever shares it: it is full for now.
+        if (written < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+            pollfd output{file, POLLOUT, 0};
+            if (::poll(&output, 1, -1) < 0 && errno != EINTR) return false;
+            continue;
+        }
         if (written < 0) return false;
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
@@ -64,6 +73,80 @@ std::string followed(std::string path) {
     return path;
 }
 
+/// The names of temporary files, so that a signal that ends the process removes them. Nodes are reused and never freed:
+/// the handler may run at any time.
+class TemporaryNames {
+public:
+    static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    static void add(const std::string& name) {
+        static const bool handled = handle_signals();
+        (void)handled;
+        Node* free = first();
+        while (free != nullptr && free->in_use) free = free->next;
+        if (free == nullptr) {
+            free = new Node{};
+            free->next = first();
+            first() = free;
+        }
+        free->name = name;
+        free->in_use = true;
+    }
+    static void remove(const std::string& name) {
+        for (Node* each = first(); each != nullptr; each = each->next)
+            if (each->in_use && each->name == name) each->in_use = false;
+    }
+
+private:
+    struct Node {
+        std::string name;
+        std::atomic<bool> in_use = false;
+        Node* next = nullptr;
+    };
+    static std::atomic<Node*>& first() {
+        static std::atomic<Node*> head = nullptr;
+        return head;
+    }
+    static void remove_all(int signal) {
+        for (const Node* each = first(); each != nullptr; each = each->next)
+            if (each->in_use) ::unlink(each->name.c_str());
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+    /// Signals that the command handles itself, or that are ignored, stay as they are.
+    static bool handle_signals() {
+        first();
+        for (const int signal : signals) {
+            struct sigaction before {};
+            if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
+                std::signal(signal, remove_all);
+        }
+        return true;
+    }
+};
+
+class SignalsHeld {
+public:
+    SignalsHeld() {
+        sigset_t set;
+        ::sigemptyset(&set);
+        for (const int signal : TemporaryNames::signals) ::sigaddset(&set, signal);
+        ::pthread_sigmask(SIG_BLOCK, &set, &before_);
+    }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+    ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+private:
+    sigset_t before_;
+};
+
+void remove_temporary(std::string& name) {
+    if (name.empty()) return;
+    ::unlink(name.c_str());
+    TemporaryNames::remove(name);
+    name.clear();
+}
+
 std::string temporary_beside(const std::string& target, int number) {
     return folder_of(target) + "/.kinegraph-" + std::to_string(::getpid()) + '-' + std::to_string(number);
 }
@@ -71,9 +154,16 @@ std::string temporary_beside(const std::string& target, int number) {
 int create_beside(const std::string& target, std::string& name) {
     for (int number = 0; number < 10000; ++number) {
         const std::string candidate = temporary_beside(target, number);
+        TemporaryNames::add(candidate);
         const int file = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file >= 0) name = candidate;
-        if (file >= 0 || errno != EEXIST) return file;
+        if (file >= 0) {
+            name = candidate;
+            return file;
+        }
+        const int why = errno;
+        TemporaryNames::remove(candidate);
+        errno = why;
+        if (why != EEXIST) return file;
     }
     return -1;
 }
@@ -86,8 +176,8 @@ public:
     Pending& operator=(const Pending&) = delete;
     ~Pending() {
         if (renamed_ && !kept_) undo();
-        if (!temporary_.empty()) ::unlink(temporary_.c_str());
-        if (!backup_.empty()) ::unlink(backup_.c_str());
+        remove_temporary(temporary_);
+        remove_temporary(backup_);
     }
 
     /// Writes the temporary file beside the target and flushes it to disk; the target is unchanged.
@@ -136,6 +226,7 @@ public:
         // removed again.
         if (existed_ && ours_ && !last) back_up();
         if (::rename(temporary_.c_str(), target_.c_str()) != 0) return false;
+        TemporaryNames::remove(temporary_);
         temporary_.clear();
         renamed_ = true;
         return true;
@@ -199,6 +290,11 @@ tl::expected<std::string, Words> read_whole(const std::string& path, const Words
             const ssize_t got = ::read(file, text.data() + size, text.size() - size);
             if (got == 0) break;
             if (got > 0) size += static_cast<std::size_t>(got);
+            if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+                pollfd input{file, POLLIN, 0};
+                ::poll(&input, 1, -1);
+                continue;
+            }
             if (got < 0 && errno != EINTR) why = {"cannot be read: {0}", "non si può leggere: {0}", reason()};
             if (size > largest_input)
                 why = {"is larger than 64 MiB, more than is read of a {0}",
@@ -227,10 +323,17 @@ std::optional<NotWritten> write_all(const std::vector<Output>& outputs) {
         if (!pending->prepare()) return not_written(pending->path());
     for (const auto& pending : all)
         if (!pending->stream()) return not_written(pending->path());
-    for (const auto& pending : all)
-        if (!pending->rename(pending == all.back())) return not_written(pending->path());
-    for (const auto& pending : all) pending->keep();
-    return std::nullopt;
+    // A signal that ends the process waits until all targets are new, or as before.
+    const SignalsHeld held;
+    std::optional<NotWritten> failure;
+    for (const auto& pending : all) {
+        if (failure || pending->rename(pending == all.back())) continue;
+        failure = not_written(pending->path());
+    }
+    if (!failure)
+        for (const auto& pending : all) pending->keep();
+    all.clear();
+    return failure;
 }
 
 tl::expected<Growing, NotWritten> Growing::open(const std::string& path) {
@@ -256,7 +359,7 @@ Growing::Growing(Growing&& other) noexcept
       file_(std::exchange(other.file_, -1)) {}
 Growing::~Growing() {
     if (file_ >= 0) ::close(file_);
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    remove_temporary(temporary_);
 }
 std::optional<NotWritten> Growing::add(std::string_view bytes) {
     if (write_to(file_, bytes)) return std::nullopt;
