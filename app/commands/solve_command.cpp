@@ -178,8 +178,8 @@ public:
 
 private:
     std::optional<Status> not_drawn(Diagnostics faults) const {
-        // The theme has been read before: only the name of the figure can be wrong.
-        if (faults.front().kind == Diagnostic::Kind::bad_input)
+        // The theme has been read before: what is wrong without a place in the file is the name of the figure.
+        if (faults.front().kind == Diagnostic::Kind::bad_input && faults.front().place.empty())
             faults.front().text = Words("--figure ", "--figure ") + faults.front().text;
         return cannot_draw(spoken(request_.file), faults, request_.language());
     }

@@ -3,6 +3,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app/library/driver_choice.hpp"
 #include "app/library/requested_results.hpp"
 #include "app/library/state.hpp"
 #include "constructions/moving/moving.hpp"
@@ -14,6 +15,7 @@
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/handout.hpp"
 #include "render/sheet/pair_sheet.hpp"
+#include "render/sheet/sheet_limits.hpp"
 #include "render/sheet/steps.hpp"
 
 namespace kinegraph {
@@ -82,6 +84,8 @@ std::vector<std::string> in_unicode_order(std::vector<std::string> codes) {
 Expected<std::vector<render::Page>> pages_of(const Solution& solution, const DrawingOptions& wanted,
                                              const render::SheetOptions& options, const render::Fonts& fonts,
                                              std::vector<Text>& remarks) {
+    if (const auto beyond = render::beyond_sheet(solution))
+        return tl::unexpected(Diagnostics{{Diagnostic::Kind::bad_input, "/find", text_of(*beyond)}});
     const bool has_joints = !stands_for_joints(solution.mechanism);
     if (wanted.sheet == SheetWanted::answers && has_joints) {
         render::Key key = render::lay_out_key_of(solution, app::requested_results(solution), options, fonts);
@@ -249,6 +253,11 @@ Expected<LivePage> live_page(const Solved& solved, const DrawingOptions& options
         render::live_page(solution, moving_of(solution, file), *sheet, dark_beside(options), **fonts, version);
     std::vector<Text> remarks;
     if (const auto missing = (*fonts)->missing(); !missing.empty()) remarks.push_back(remark_on_missing(missing));
+    if (!solution.mechanism.cam_file.empty()) remarks.push_back(text_of(app::cam_stays(solution.mechanism)));
+    if (!solution.mechanism.drivers.empty() && is_beyond_moving(solution.mechanism))
+        remarks.push_back(text_of(Words("the page does not move: it has more than {0} bodies or {1} drivers",
+                                        "la pagina non si muove: ha più di {0} corpi o {1} moventi",
+                                        std::to_string(most_moved_bodies), std::to_string(most_moved_drivers))));
     return LivePage{std::move(html), std::move(remarks)};
 }
 

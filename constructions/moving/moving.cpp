@@ -296,8 +296,13 @@ private:
 
 }  // namespace
 
+bool is_beyond_moving(const Mechanism& mechanism) {
+    return mechanism.bodies.size() > most_moved_bodies || mechanism.drivers.size() > most_moved_drivers;
+}
+
 std::optional<Moving> moving_of(const Solution& solution, const Rereading& rereading) {
     if (stands_for_joints(solution.mechanism) || solution.mechanism.drivers.empty()) return std::nullopt;
+    if (!solution.mechanism.cam_file.empty() || is_beyond_moving(solution.mechanism)) return std::nullopt;
     return Courses(solution).moving(rereading);
 }
 

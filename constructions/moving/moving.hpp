@@ -7,9 +7,14 @@
 
 namespace kinegraph {
 
-/// From a solution in its drawn position, for each of its drivers. None if nothing moves it: no driver, no joints, or
-/// motion not determined. A new plan is made where no earlier one is valid, up to `most_plans`; positions beyond that
-/// have no plan. Without `rereading`, which reads the file of the solution again, no parameter can be changed.
+/// Limits of what a live page moves: beyond them every driver's travel would take minutes to plan.
+constexpr std::size_t most_moved_bodies = 40, most_moved_drivers = 12;
+bool is_beyond_moving(const Mechanism& mechanism);
+
+/// From a solution in its drawn position, for each of its drivers. None if nothing moves it: no driver, no joints,
+/// motion not determined, one position of a cam, or more than the limits. A new plan is made where no earlier one is
+/// valid, up to `most_plans`; positions beyond that have no plan. Without `rereading`, which reads the file of the
+/// solution again, no parameter can be changed.
 std::optional<Moving> moving_of(const Solution& solution, const Rereading& rereading = {});
 
 }  // namespace kinegraph

@@ -58,7 +58,16 @@ void WishesSection::read_wish(JsonValue value) {
         query.observer = file_.body(observer);
     }
     read_solve(form["solve"], query);
-    find.relative_motion.push_back(std::move(query));
+    // The same one asked twice is one.
+    const auto same =
+        std::find_if(find.relative_motion.begin(), find.relative_motion.end(), [&](const RelativeMotionQuery& each) {
+            return each.point == query.point && each.observer == query.observer &&
+                   each.translating_with == query.translating_with;
+        });
+    if (same == find.relative_motion.end())
+        find.relative_motion.push_back(std::move(query));
+    else
+        same->solves = same->solves || query.solves;
 }
 
 void WishesSection::read_cuts() {

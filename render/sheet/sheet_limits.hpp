@@ -1,0 +1,20 @@
+// Limits of what is laid out: a solution beyond them would take hundreds of pages, which nobody reads, and more memory
+// than a machine for many requests has.
+#pragma once
+
+#include <optional>
+
+#include "engine/file/words.hpp"
+#include "engine/solution/solution.hpp"
+
+namespace kinegraph::render {
+
+/// Sentences of a solution on one sheet: some 40 pages.
+constexpr std::size_t most_sentences = 2000;
+/// Polygons of a solution on one sheet.
+constexpr std::size_t most_polygons = 80;
+
+/// Why a solution is not laid out, with the limit and a remedy; none if it is.
+std::optional<Words> beyond_sheet(const Solution& solution);
+
+}  // namespace kinegraph::render

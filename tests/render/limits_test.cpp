@@ -1,0 +1,77 @@
+// Limits: what is too large for a sheet or a live page, what asked twice is one, and one position of a cam.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "constructions/moving/moving.hpp"
+#include "engine/mechanism/cam.hpp"
+#include "render/sheet/sheet_limits.hpp"
+#include "tests/support/solved.hpp"
+
+namespace kinegraph::limits_test {
+namespace {
+
+using Json = nlohmann::json;
+using tests::solved;
+
+/// An open chain; every two bodies have an instant centre.
+Solution chain(int bodies) {
+    Json points, members, joints = Json::array(), drivers = Json::array();
+    for (int i = 0; i <= bodies; ++i) points["P" + std::to_string(i)] = {i, (i * i) % 3};
+    for (int i = 1; i <= bodies; ++i) {
+        const std::string name = std::to_string(i), before = std::to_string(i - 1);
+        members[name] = {"P" + before, "P" + name};
+        joints.push_back({{"revolute", "P" + before}, {"bodies", {before, name}}});
+        drivers.push_back({{"body", name}, {"omega", 1 + i % 4}});
+    }
+    const Json file{
+        {"kinegraph", 1}, {"points", points}, {"bodies", members}, {"joints", joints}, {"drivers", drivers}};
+    return solved(file.dump());
+}
+
+TEST(SheetLimits, RefuseHundredsOfPages) {
+    EXPECT_FALSE(render::beyond_sheet(chain(5)));
+    const auto beyond = render::beyond_sheet(chain(80));
+    ASSERT_TRUE(beyond);
+    EXPECT_NE(beyond->en.find("2000"), std::string::npos) << beyond->en;
+    EXPECT_NE(beyond->en.find("\"find\""), std::string::npos) << beyond->en;
+}
+
+TEST(LiveLimits, AMechanismOfManyDriversStandsStill) {
+    EXPECT_TRUE(moving_of(chain(3)));
+    EXPECT_FALSE(moving_of(chain(13)));
+}
+
+TEST(RelativeMotion, AskedTwiceIsOne) {
+    const auto asked = [](const std::string& wishes) {
+        return solved(R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [1, 2], "B": [5, 3], "Q": [6, 0]},
+            "bodies": {"1": ["O", "A"], "2": ["A", "B"], "3": ["B", "Q"]},
+            "joints": [{"revolute": "O", "bodies": [0, 1]}, {"revolute": "A", "bodies": [1, 2]},
+                       {"revolute": "B", "bodies": [2, 3]}, {"revolute": "Q", "bodies": [0, 3]}],
+            "drivers": [{"body": 1, "omega": 1}], "find": [)" +
+                      wishes + "]}")
+            .mechanism.find.relative_motion.size();
+    };
+    const std::string one = R"({"relative motion": "B", "observer": 1})",
+                      other = R"({"relative motion": "B", "observer": {"translating with": "A"}})";
+    EXPECT_EQ(asked(one + "," + one), 1U);
+    EXPECT_EQ(asked(one + "," + other + "," + one), 2U);
+}
+
+TEST(PositionOfCam, SaysSoAndIsNotMoved) {
+    const auto cam = read_cam(R"({"kinegraph": 1, "units": {"length": "mm"}, "cam": {"omega": 10, "base radius": 40,
+        "follower": {"moves": "translating", "face": "roller", "radius": 8},
+        "law": [{"form": "cycloidal", "rise": 10, "turn": 180}, {"form": "cycloidal", "rise": -10, "turn": 180}]}})",
+                              "eccentric.json");
+    ASSERT_TRUE(cam);
+    const auto geometry = CamGeometry::of(*cam);
+    ASSERT_TRUE(geometry);
+    const Solution solution = solved(mechanism_file_of(*cam, *geometry, 1));
+    EXPECT_EQ(solution.mechanism.cam_file, "eccentric.json");
+    EXPECT_FALSE(moving_of(solution));
+}
+
+}  // namespace
+}  // namespace kinegraph::limits_test
