@@ -160,15 +160,21 @@ bool BranchWalk::find_limit(double towards) {
     limit_ = here_.s;
     if (here_.v[column] == 0) return false;
     const double way = (towards > here_.s ? 1 : -1) * (here_.v[column] > 0 ? 1 : -1);
+    // The path goes on along its tangent, in steps that begin short: beside a change point it turns sharply, and
+    // another branch is near. ds over the unknown, and the other unknowns over it:
     double slope_low = 1 / here_.v[column], slope = 0;
-    State low = here_, high = here_, middle = here_;
-    for (double reach = 1e-4;; reach *= 2) {
-        if (reach > 0.3) return false;
-        high = low;
-        high.q[column] += way * reach;
-        for (std::size_t k = 0; k < high.q.size(); ++k)
-            if (k != column) high.q[k] += way * reach * here_.v[k] / here_.v[column];
-        if (!closure_.close_at(column, high, slope)) return false;
+    State low = here_, high = here_;
+    for (double& each : low.v) each *= slope_low;
+    const auto go_on = [&](const State& from, double slope_from, double reach) {
+        high = from;
+        for (std::size_t k = 0; k < high.q.size(); ++k) high.q[k] += reach * (k == column ? 1 : from.v[k]);
+        high.s += reach * slope_from;
+        return closure_.close_at(column, high, slope);
+    };
+    double gone = 0;
+    for (double reach = 1e-7;; reach *= 2) {
+        gone += reach;
+        if (gone > 0.3 || !go_on(low, slope_low, way * reach)) return false;
         if (slope * slope_low <= 0) break;
         if ((high.s - towards) * (here_.s - towards) <= 0) {
             next_.s = towards;
@@ -178,15 +184,36 @@ bool BranchWalk::find_limit(double towards) {
             next_.sign = closure_.sign_of_leading_rows();
             return true;
         }
+        low = high;
+        slope_low = slope;
     }
-    for (int i = 0; i < 60 && std::abs(high.q[column] - low.q[column]) > 1e-12; ++i) {
-        for (std::size_t k = 0; k < middle.q.size(); ++k) middle.q[k] = (low.q[k] + high.q[k]) / 2;
-        middle.s = (low.s + high.s) / 2;
-        if (!closure_.close_at(column, middle, slope)) break;
-        (slope * slope_low > 0 ? low : high) = middle;
-    }
-    limit_ = (low.s + high.s) / 2;
+    limit_ = turning_point(column, low, slope_low, high, slope);
     return false;
+}
+
+/// Between two positions of a path, by the unknown in a column, on both sides of the extreme of the driver's
+/// coordinate: where its slope over the unknown vanishes, by false position with the end that stays halved (Illinois).
+double BranchWalk::turning_point(std::size_t column, State low, double slope_low, State high, double slope_high) {
+    double weight_low = slope_low, weight_high = slope_high, slope = 0;
+    for (int i = 0; i < 60 && std::abs(high.q[column] - low.q[column]) > 1e-13; ++i) {
+        const double share = i % 3 == 2 ? 0.5 : weight_low / (weight_low - weight_high);
+        const double reach = share * (high.q[column] - low.q[column]);
+        State middle = low;
+        for (std::size_t k = 0; k < middle.q.size(); ++k) middle.q[k] += reach * (k == column ? 1 : low.v[k]);
+        middle.s += reach * slope_low;
+        if (!closure_.close_at(column, middle, slope)) break;
+        if (slope == 0) return middle.s;
+        if (slope * slope_low > 0) {
+            low = std::move(middle);
+            slope_low = weight_low = slope;
+            weight_high /= 2;
+        } else {
+            high = std::move(middle);
+            weight_high = slope;
+            weight_low /= 2;
+        }
+    }
+    return std::abs(weight_low) < std::abs(weight_high) ? low.s : high.s;
 }
 
 bool BranchWalk::move_to(double coordinate) {

@@ -47,6 +47,7 @@ private:
     bool pass(State& from, const State& to);
     bool bridge(State& state);
     bool find_limit(double towards);
+    double turning_point(std::size_t column, State low, double slope_low, State high, double slope_high);
     void accept();
 
     NumericClosure closure_;

@@ -95,6 +95,30 @@ TEST(Positions, FourBarsOfEveryKindTurnOrStopWhereTheyMust) {
     }
 }
 
+TEST(Positions, LimitsBesideAChangePointAreFound) {
+    // Crank 3, follower 4, frame 2: with a coupler of 5 the crank passes a change point, with a longer one it stops
+    // beside it on either side, where O4A is the difference of coupler and follower.
+    for (const std::string longer :
+         {"0.1", "0.001", "0.00001", "0.0000001", "0.00000001", "0.000000001", "0.0000000001", "0.00000000001"}) {
+        const double reach = 1 + std::stod(longer);
+        Mechanism mechanism = read(
+            R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": {"from": "O", "distance": 3, "angle": 50},
+            "Q": [2, 0], "B": {"meet": [{"circle": "A", "radius": 5)" +
+            longer.substr(1) +
+            R"(}, {"circle": "Q", "radius": 4}], "side": "left"}}, "bodies": {"2": ["O", "A"], "3": ["A", "B"],
+            "4": ["Q", "B"]}, "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+            {"revolute": "B", "bodies": [3, 4]}, {"revolute": "Q", "bodies": [1, 4]}],
+            "drivers": [{"body": 2, "omega": 1}]})");
+        const double angle = 2 * std::asin(std::sqrt((reach - 1) * (reach + 1) / 24)), drawn_at = 50 * pi_ / 180;
+        for (const double end : {-2 * pi_, 2 * pi_}) {
+            Drawn there = drawn(mechanism);
+            ASSERT_FALSE(there.positions.move_to(end)) << longer;
+            EXPECT_NEAR(there.positions.limit().value(), (end < 0 ? angle : 2 * pi_ - angle) - drawn_at, 1e-9)
+                << longer;
+        }
+    }
+}
+
 TEST(Positions, AParallelogramGoesThroughItsChangePointsAndSaysSo) {
     Drawn d = drawn(example("parallel_crank"));
     const double start = std::atan2(40.0, 30.0);
