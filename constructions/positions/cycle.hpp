@@ -61,6 +61,15 @@ public:
     /// answer. `at` is a coordinate of the driver, or a time if it has a law, as Travel::at gives it.
     std::optional<std::span<const double>> row(double at);
 
+    /// Follows the columns as functions over the whole travel, also between the rows: the poles of all forces and
+    /// efforts (and of what grows at a limit), zeros, extremes and means of `whole`, and where contacts that only push
+    /// would have to pull. What is found is the same for any number of rows. Rows that are asked for afterwards have
+    /// empty cells on poles. Call it after begin(); again for further columns, which changes nothing of the others.
+    const FollowedCycle& follow(const Travel& travel, const std::vector<std::size_t>& whole);
+    const FollowedCycle& followed() const;  ///< empty unless follow() was called
+    /// By column: whether the last row has no value there, since the quantity grows without limit. It then contains 0.
+    const std::vector<bool>& empty_cells() const;
+
     /// By column the values that depend on the place only, at a limit of the travel, which has no row: turn, angles,
     /// places, slides. `inward`: from the limit to the other end. None if it cannot be approached.
     std::vector<std::optional<double>> at_limit(double limit, double inward);

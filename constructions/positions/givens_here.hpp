@@ -17,6 +17,10 @@ public:
     bool hangs(const Given& given) const;
     /// Its value, if it depends on the position.
     ValueOf<double> value(const Given& given, const Places& places, const Positions& positions) const;
+    /// The sense in which a contact pushes its first body, here.
+    VectorOf<double> push(JointIndex joint, const Places& places) const {
+        return senses_[at_index(joint)] * places.normals[at_index(joint)];
+    }
     /// Rotation of a torsion spring from its unloaded position, rad.
     static double turned(const TorsionLoad& torsion, const Positions& positions);
 

@@ -27,7 +27,8 @@ void RowCheck::compare(const Row& row) {
         const Column& column = row.columns[i];
         if (column.kind != Column::Kind::result && column.kind != Column::Kind::along) continue;
         const auto found = numeric(row, column, motion, forces ? &*forces : nullptr);
-        if (found) off_.hold(i, column, row.values[i], *found, row.positions.coordinate());
+        const auto heard = [&](double value) { return std::abs(value) < row.noise[i] ? 0 : value; };
+        if (found) off_.hold(i, column, heard(row.values[i]), heard(*found), row.positions.coordinate());
     }
 }
 

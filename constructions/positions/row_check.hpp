@@ -9,8 +9,8 @@
 #include "constructions/verdicts/largest_difference.hpp"
 #include "engine/check/check.hpp"
 #include "engine/check/check_forces.hpp"
-#include "engine/motion/repositioned.hpp"
 #include "engine/motion/positions.hpp"
+#include "engine/motion/repositioned.hpp"
 #include "engine/solution/solution.hpp"
 
 namespace kinegraph {
@@ -24,6 +24,7 @@ public:
     struct Row {
         const std::vector<Column>& columns;
         const std::vector<double>& values;
+        const std::vector<double>& noise;  ///< by column: smaller values are compared as zero
         const Places& places;
         const Positions& positions;
         bool has_forces = false;

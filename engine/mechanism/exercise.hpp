@@ -31,6 +31,8 @@ struct Variation {
 
     /// The i-th value as a parameter may be written: "45 mm", "3", exactly.
     std::string value(std::uint64_t i) const;
+    /// The same for any value, in the unit of this parameter.
+    std::string text_of(const Exact& value) const;
 };
 
 /// One side of a condition: a result, or a formula of parameters.

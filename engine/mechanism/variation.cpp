@@ -37,8 +37,10 @@ std::optional<std::string> decimal_text(const Exact& value) {
 }
 
 std::string Variation::value(std::uint64_t i) const {
-    if (!choices.empty()) return choices[i];
-    const Exact value = from + Exact::ratio(static_cast<long>(i), 1) * step;
+    return choices.empty() ? text_of(from + Exact::ratio(static_cast<long>(i), 1) * step) : choices[i];
+}
+
+std::string Variation::text_of(const Exact& value) const {
     const auto decimal = decimal_text(value);
     if (decimal) return unit.empty() ? *decimal : unit == "deg" ? *decimal + "°" : *decimal + " " + unit;
     const std::string fraction =

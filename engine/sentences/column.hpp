@@ -2,6 +2,7 @@
 // the drawing.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,6 +56,39 @@ struct Transmission {
     double least = 0, at = 0;
 };
 
+/// A column followed as a function over a travel, also between its rows, SI. Positions are in the terms of Travel::at,
+/// known to 1e-9 of the travel, and the same for any number of rows.
+struct FollowedColumn {
+    struct Extreme {
+        double at = 0, value = 0;
+    };
+    bool is_followed = false;      ///< whether zeros, extremes and the mean are known
+    std::vector<double> poles;     ///< where it grows without limit, in order; a limit of the travel may be one
+    std::vector<double> zeros;     ///< in order; not intervals on which it stays zero
+    std::optional<Extreme> least;  ///< none: without limit
+    std::optional<Extreme> greatest;
+    std::optional<double> mean;  ///< none: without limit, or not determined
+
+    /// Whether a position is that of a pole. `travel`: the length of the whole one.
+    bool is_pole(double at, double travel) const {
+        for (const double pole : poles)
+            if (std::abs(at - pole) <= 1e-9 * std::abs(travel)) return true;
+        return false;
+    }
+};
+
+/// A contact that can only push would have to pull between these positions: it separates.
+struct Separation {
+    JointIndex joint;
+    double from = 0, to = 0;  ///< in the terms of Travel::at, as FollowedColumn
+};
+
+/// All columns of a cycle, by index, and its contacts.
+struct FollowedCycle {
+    std::vector<FollowedColumn> columns;  ///< empty: not followed
+    std::vector<Separation> separations;
+};
+
 /// A cycle as it is drawn: a selection of its rows.
 struct CycleTable {
     std::string driver;  ///< its name
@@ -67,6 +101,7 @@ struct CycleTable {
     std::vector<std::vector<std::optional<double>>> limits;
     std::vector<double> left_out;  ///< positions without a row, in the terms of Travel::at
     std::optional<Transmission> transmission;
+    FollowedCycle followed;    ///< with it extremes and zeros are not interpolated
     std::vector<Words> facts;  ///< further facts, printed below the extremes
     bool is_of_cam = false;    ///< a cam's whole turn, else a mechanism's motion
 

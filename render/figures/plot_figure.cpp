@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "render/figures/xy_plot.hpp"
 #include "render/page/labels.hpp"
@@ -52,8 +53,7 @@ public:
                                   : unit_of(table.columns[over_].unit, context.solution.mechanism)),
           y_unit_(unit_of(table.columns[columns.front()].unit, context.solution.mechanism)) {
         for (const double end : {table.travel.at(0), table.travel.at(1)}) x_.take(in_x(end));
-        for (const auto& row : table.rows)
-            for (const std::size_t column : columns) y_.take(in_y(row[column]));
+        for (const std::size_t column : columns) take_values(column);
         const bool is_flat = y_.most < y_.least || std::all_of(columns.begin(), columns.end(), [&](std::size_t column) {
                                  return is_constant(table, column);
                              });
@@ -86,6 +86,7 @@ public:
         }
         place_frame();
         figure_.marks.emplace_back(GroupBegin{"figure", id_, plain(figure_.caption), {{"data-figure", "plot"}}, none});
+        draw_separations();
         draw_grid();
         draw_upright_lines();
         for (std::size_t i = 0; i < columns_.size(); ++i) draw_curve(i);
@@ -96,6 +97,27 @@ public:
     }
 
 private:
+    /// The values of a column that the plot shows: all of them or, where it has poles, all but the twentieth nearest to
+    /// each infinity.
+    void take_values(std::size_t column) {
+        std::vector<double> values;
+        for (const auto& row : table_.rows)
+            if (!is_pole(column, row[over_])) values.push_back(in_y(row[column]));
+        if (values.empty()) return;
+        std::sort(values.begin(), values.end());
+        const bool has_poles =
+            column < table_.followed.columns.size() && !table_.followed.columns[column].poles.empty();
+        const std::size_t left_out = has_poles ? values.size() / 20 : 0;
+        const bool down = has_poles && is_unbounded(table_, column, true);
+        const bool up = has_poles && is_unbounded(table_, column, false);
+        y_.take(values[down ? left_out : 0]);
+        y_.take(values[values.size() - 1 - (up ? left_out : 0)]);
+        has_poles_ = has_poles_ || has_poles;
+    }
+    bool is_pole(std::size_t column, double at) const {
+        return column < table_.followed.columns.size() &&
+               table_.followed.columns[column].is_pole(at, table_.travel.at(1) - table_.travel.at(0));
+    }
     double in_x(double si) const { return si / x_unit_.si.to_double(); }
     double in_y(double si) const { return si / y_unit_.si.to_double(); }
     RichText name(std::size_t curve) const {
@@ -178,7 +200,20 @@ private:
         return coordinate;
     }
 
-    /// The drawn position as a thin line, dead and change points as dashed ones.
+    /// Behind everything, where a contact would have to pull.
+    void draw_separations() {
+        for (const Separation& each : table_.followed.separations) {
+            const double from = std::clamp(in_x(std::min(each.from, each.to)), x_.least, x_.most);
+            const double to = std::clamp(in_x(std::max(each.from, each.to)), x_.least, x_.most);
+            figure_.marks.emplace_back(
+                GroupBegin{"separation", "", "", {{"data-from", shortest(from)}, {"data-to", shortest(to)}}, none});
+            figure_.marks.emplace_back(tinted(filled(
+                {at(from, y_.least), at(to, y_.least), at(to, y_.most), at(from, y_.most)}, theme_.body(BodyIndex(1)).tint)));
+            figure_.marks.emplace_back(GroupEnd{});
+        }
+    }
+
+    /// The drawn position as a thin line, dead and change points and poles as dashed ones.
     void draw_upright_lines() {
         const auto upright = [&](double coordinate, const char* cls, const Pen& pen) {
             const double x = in_x(coordinate);
@@ -193,6 +228,17 @@ private:
         else if (table_.parameter->drawn)
             upright(*table_.parameter->drawn, "drawn-position", thin);
         const Pen broken{theme_.outline, theme_.secondary, dashes(), false};
+        std::vector<double> poles;  // at a limit of the travel its own line is enough
+        for (const std::size_t column : columns_) {
+            if (column >= table_.followed.columns.size()) continue;
+            for (const double each : table_.followed.columns[column].poles)
+                if (std::find(poles.begin(), poles.end(), each) == poles.end()) poles.push_back(each);
+        }
+        std::erase_if(poles, [&](double each) {
+            return (table_.travel.starts_at_limit && each == table_.travel.from) ||
+                   (table_.travel.ends_at_limit && each == table_.travel.to);
+        });
+        for (const double each : poles) upright(each, "asymptote", broken);
         if (table_.travel.times) return;  // limits and change points are positions, but this axis is time
         if (table_.travel.starts_at_limit) upright(table_.travel.from, "dead-point", broken);
         if (table_.travel.ends_at_limit) upright(table_.travel.to, "dead-point", broken);
@@ -211,20 +257,50 @@ private:
         path.stroked = true;
         path.pen = {theme_.vector, colour(curve), line_kind(curve), path.pen.dashes.empty()};
         const double rounding = rounding_of(table_, column);
-        bool down = false;
+        std::optional<Spot> last;  // in the units of the axes; none: the curve begins anew
         std::size_t gap = 0;
         for (const auto& row : table_.rows) {
             while (gap < table_.left_out.size() && lies_before(table_.left_out[gap], row[over_])) {
-                down = false;
+                last.reset();
                 ++gap;
             }
-            const Spot spot = at(in_x(row[over_]), in_y(std::abs(row[column]) < rounding ? 0 : row[column]));
-            path.segments.emplace_back(down ? Segment(LineTo{spot}) : Segment(MoveTo{spot}));
-            down = true;
+            if (is_pole(column, row[over_])) {
+                last.reset();
+                continue;
+            }
+            const Spot here{in_x(row[over_]), in_y(std::abs(row[column]) < rounding ? 0 : row[column])};
+            if (last && has_pole_between(column, *last, here)) last.reset();
+            draw_piece(path, last, here);
+            last = here;
         }
         if (path.segments.size() > 1) figure_.marks.emplace_back(std::move(path));
         mark_extremes(curve);
         figure_.marks.emplace_back(GroupEnd{});
+    }
+    /// Adds the piece of a curve from `last` to `here`, cut where it leaves the frame beside a pole.
+    void draw_piece(Path& path, const std::optional<Spot>& last, Spot here) const {
+        const auto is_inside = [&](Spot spot) { return !has_poles_ || (spot.y >= y_.least && spot.y <= y_.most); };
+        const auto edge_towards = [&](Spot inside, Spot outside) {
+            const double y = outside.y > y_.most ? y_.most : y_.least;
+            const double share = (y - inside.y) / (outside.y - inside.y);
+            return at(inside.x + share * (outside.x - inside.x), y);
+        };
+        if (is_inside(here)) {
+            if (!last)
+                path.segments.emplace_back(MoveTo{at(here.x, here.y)});
+            else if (!is_inside(*last))
+                path.segments.emplace_back(MoveTo{edge_towards(here, *last)});
+            if (last) path.segments.emplace_back(LineTo{at(here.x, here.y)});
+        } else if (last && is_inside(*last)) {
+            path.segments.emplace_back(LineTo{edge_towards(*last, here)});
+        }
+    }
+    bool has_pole_between(std::size_t column, Spot a, Spot b) const {
+        if (column >= table_.followed.columns.size()) return false;
+        const auto [from, to] = std::minmax({a.x, b.x});
+        const std::vector<double>& poles = table_.followed.columns[column].poles;
+        return std::any_of(poles.begin(), poles.end(),
+                           [&, from = from, to = to](double each) { return in_x(each) > from && in_x(each) < to; });
     }
     bool lies_before(double a, double b) const { return table_.travel.at(1) > table_.travel.at(0) ? a < b : a > b; }
 
@@ -245,9 +321,11 @@ private:
         const std::size_t column = columns_[curve];
         if (table_.rows.size() < 3 || is_constant(table_, column)) return;
         const auto [least, most] = extremes_of(table_, column);
-        for (const Extreme& each : {most, least})
-            if (each.value != 0)
-                mark(curve, at(in_x(each.at), in_y(each.value)), number(in_y(each.value), 4, context_.language), false);
+        for (const bool below : {false, true}) {
+            const Extreme& each = below ? least : most;
+            if (each.value == 0 || is_unbounded(table_, column, below)) continue;
+            mark(curve, at(in_x(each.at), in_y(each.value)), number(in_y(each.value), 4, context_.language), false);
+        }
         const std::vector<double> zeros = zeros_of(table_, column);
         // With more zeros labels would be too crowded.
         constexpr std::size_t most_zeros = 4;
@@ -284,6 +362,7 @@ private:
     Unit x_unit_, y_unit_;
     Range x_, y_;
     double x_step_ = 1, y_step_ = 1;
+    bool has_poles_ = false;
     Box frame_;
     Figure figure_;
 };

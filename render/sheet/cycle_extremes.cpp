@@ -100,9 +100,14 @@ private:
             const RichText value = with_powers(amount((least.value + most.value) / 2, unit));
             return cells(block, {name, value, {}, value, {}}, theme_.text);
         }
-        cells(block,
-              {name, with_powers(amount(least.value, unit)), one_piece(place(least.at)),
-               with_powers(amount(most.value, unit)), one_piece(place(most.at))},
+        const auto value = [&](const Extreme& each, bool below) {
+            return is_unbounded(table_, column, below) ? one_piece(word("without limit", context_.language))
+                                                       : with_powers(amount(each.value, unit));
+        };
+        const auto where = [&](const Extreme& each, bool below) {
+            return is_unbounded(table_, column, below) ? RichText() : one_piece(place(each.at));
+        };
+        cells(block, {name, value(least, true), where(least, true), value(most, false), where(most, false)},
               theme_.text);
     }
 
@@ -125,6 +130,7 @@ private:
             say(in_words("change points"), all);
         }
         for (std::size_t i = 0; i < table_.columns.size(); ++i) tell_of_column(i, said);
+        tell_of_separations(said);
         if (table_.transmission)
             say(in_words("least transmission angle"),
                 // To hundredths: at a dead point, where the angle is zero, the position is not known more precisely.
@@ -163,6 +169,10 @@ private:
             // Equal times in both directions are no quick return.
             if (ratio > 1.001) say("time ratio", number(ratio, 4, context_.language));
         }
+        tell_of_poles(column, said);
+        if (const FollowedColumn* followed = followed_of(table_, column); followed && of.quantity.kind == Kind::effort)
+            return say("mean",
+                       followed->mean ? amount(*followed->mean, of.unit) : word("without limit", context_.language));
         if (of.quantity.kind == Kind::effort) {
             double sum = 0, way = 0;
             for (std::size_t i = 1; i < table_.rows.size(); ++i) {
@@ -172,6 +182,28 @@ private:
             }
             const double rounding = 1e-9 * std::max(std::abs(least.value), std::abs(most.value));
             if (way != 0) say("mean", amount(std::abs(sum / way) < rounding ? 0 : sum / way, of.unit));
+        }
+    }
+
+    /// Where a plotted column has poles.
+    void tell_of_poles(std::size_t column, std::vector<RichText>& said) const {
+        const FollowedColumn* followed = followed_of(table_, column);
+        if (followed == nullptr || followed->poles.empty()) return;
+        std::string all;
+        for (const double each : followed->poles) all += (all.empty() ? "" : ", ") + place(each);
+        RichText text = typeset(table_.columns[column], context_.solution.mechanism, context_.language);
+        append(text, " " + word("grows without limit at", context_.language) + " " + all);
+        said.push_back(std::move(text));
+    }
+    /// Contacts that would have to pull, from where to where.
+    void tell_of_separations(std::vector<RichText>& said) const {
+        const std::vector<Separation>& all = table_.followed.separations;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (i == 0 || all[i].joint != all[i - 1].joint)
+                said.push_back(one_piece(word("separation", context_.language) + " " +
+                                         context_.solution.mechanism.joint(all[i].joint).name + ":"));
+            append(said.back(), std::string(i > 0 && all[i].joint == all[i - 1].joint ? ", " : " ") +
+                                    place(all[i].from) + " … " + place(all[i].to));
         }
     }
 

@@ -39,8 +39,22 @@ std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, const std::vect
     return {refined(table, values, row(least)), refined(table, values, row(most))};
 }
 
+const FollowedColumn* followed_of(const CycleTable& table, std::size_t column) {
+    const std::vector<FollowedColumn>& all = table.followed.columns;
+    return column < all.size() && all[column].is_followed ? &all[column] : nullptr;
+}
+
+bool is_unbounded(const CycleTable& table, std::size_t column, bool below) {
+    const FollowedColumn* followed = followed_of(table, column);
+    return followed != nullptr && !(below ? followed->least : followed->greatest);
+}
+
 std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, std::size_t column) {
     auto found = extremes_of(table, values_of(table, column));
+    if (const FollowedColumn* followed = followed_of(table, column)) {
+        if (followed->least) found.first = {followed->least->at, followed->least->value};
+        if (followed->greatest) found.second = {followed->greatest->at, followed->greatest->value};
+    }
     for (const auto& limit : table.limits) {
         if (!limit[column]) continue;
         const Extreme there{limit[table.over()].value_or(0), *limit[column]};
@@ -54,6 +68,7 @@ std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, std::size_t col
 }
 
 std::vector<double> zeros_of(const CycleTable& table, std::size_t column) {
+    if (const FollowedColumn* followed = followed_of(table, column)) return followed->zeros;
     const std::vector<double> values = values_of(table, column);
     const double rounding = rounding_of(table, column);
     const auto is_zero = [&](std::size_t i) { return std::abs(values[i]) <= rounding; };
@@ -84,6 +99,8 @@ std::vector<double> zeros_of(const CycleTable& table, std::size_t column) {
 }
 
 double rounding_of(const CycleTable& table, std::size_t column) {
+    // Noise is zero in the rows of a followed column; beside a pole the largest value says nothing of it.
+    if (followed_of(table, column) != nullptr) return 0;
     double largest = 0;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         if (table.columns[i].unit != table.columns[column].unit || table.columns[i].kind == Column::Kind::turn)

@@ -1,4 +1,5 @@
-// Extremes of a cycle: minimum, maximum and zeros of a column, interpolated between the rows. Independent of drawing.
+// Extremes of a cycle: minimum, maximum and zeros of a column: those found by following it, else interpolated between
+// the rows. Independent of drawing.
 #pragma once
 
 #include <utility>
@@ -13,8 +14,14 @@ struct Extreme {
     double at = 0, value = 0;
 };
 
-/// Minimum and maximum. Each is refined by the parabola through three rows if the neighbouring second differences are
-/// similar (so not at a jump). At a limit position the value there is used. Zeros for an empty table.
+/// The column followed between its rows; null if it was not.
+const FollowedColumn* followed_of(const CycleTable& table, std::size_t column);
+/// Whether the column has no minimum, or no maximum: it grows without limit.
+bool is_unbounded(const CycleTable& table, std::size_t column, bool below);
+
+/// Minimum and maximum; of a column without limit those of its rows. Each is refined by the parabola through three rows
+/// if the neighbouring second differences are similar (so not at a jump). At a limit position the value there is used.
+/// Zeros for an empty table.
 std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, std::size_t column);
 /// The same for any values, one per row.
 std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, const std::vector<double>& values);
