@@ -1,4 +1,5 @@
-// Sweep over a driver: rows along its travel, their sums, and what the sheet of the cycle shows besides.
+// Sweep over a driver: rows along its travel, its quantities between the rows, and what the sheet of the cycle shows
+// besides.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,61 +19,6 @@
 
 namespace kinegraph {
 namespace {
-
-/// Accumulates the mean and the extremes of the input forces and couples over the rows.
-class EffortSums {
-public:
-    /// The means are over column `over`: the driver's coordinate, or the time.
-    EffortSums(const std::vector<Column>& columns, std::size_t over) : over_(over) {
-        for (std::size_t i = 0; i < columns.size(); ++i)
-            if (columns[i].quantity.kind == Quantity::Kind::effort) sums_.push_back({i});
-    }
-    void take(std::span<const double> row) {
-        for (Sum& sum : sums_) {
-            const double value = row[sum.column];
-            if (sum.rows > 0) {
-                sum.integral += (value + sum.last) / 2 * (row[over_] - sum.last_at);
-                sum.way += row[over_] - sum.last_at;
-            }
-            if (sum.rows == 0 || value < sum.least) sum.least = value, sum.least_at = row[over_];
-            if (sum.rows == 0 || value > sum.most) sum.most = value, sum.most_at = row[over_];
-            sum.last = value;
-            sum.last_at = row[over_];
-            ++sum.rows;
-        }
-    }
-    /// A line each.
-    template <class Place>
-    std::vector<Words> told(const std::vector<Column>& columns, const Units& units, Place place) const {
-        std::vector<Words> lines;
-        for (const Sum& sum : sums_) {
-            if (sum.rows < 2) continue;
-            const Column& column = columns[sum.column];
-            const Unit& unit = column.unit == QuantityKind::moment ? units.moment : units.force;
-            const auto text = [&](double value) {
-                std::array<char, 32> digits{};
-                std::snprintf(digits.data(), digits.size(), "%.6g ", value / unit.si.to_double());
-                return app::decimal(digits.data()) + unit.symbol;
-            };
-            const double rounding = 1e-9 * std::max(std::abs(sum.least), std::abs(sum.most)),
-                         mean = sum.integral / sum.way;
-            lines.emplace_back("{0}: mean {1}, least {2} at {3}, greatest {4} at {5}",
-                               "{0}: media {1}, minimo {2} a {3}, massimo {4} a {5}", column.name,
-                               text(std::abs(mean) < rounding ? 0 : mean), text(sum.least), place(sum.least_at),
-                               text(sum.most), place(sum.most_at));
-        }
-        return lines;
-    }
-
-private:
-    struct Sum {
-        std::size_t column = 0;
-        double integral = 0, way = 0, last = 0, last_at = 0, least = 0, most = 0, least_at = 0, most_at = 0;
-        long rows = 0;
-    };
-    std::size_t over_;
-    std::vector<Sum> sums_;
-};
 
 class DriverSweep final : public Sweep::State {
 public:
@@ -103,6 +49,7 @@ public:
         auto columns = app::plots_of(options_.plots, table.columns, options_.dashes);
         if (!columns) return wrong(columns.error());
         plots = *std::move(columns);
+        table.followed = cycle_->follow(*travel, efforts());
         const auto pairs = app::centrode_pairs_of(options_.centrodes, mechanism, options_.dashes);
         if (!pairs) return wrong(pairs.error());
         for (const auto& [first, second] : *pairs) add_centrodes(first, second);
@@ -116,7 +63,6 @@ public:
         const long steps = options_.steps, stride = (steps + most_drawn - 1) / most_drawn;
         table.rows.clear();
         table.left_out.clear();
-        efforts_ = EffortSums(table.columns, table.over());
         has_rows = false;
         for (long i = 0; i <= steps; ++i) {
             if (progress) progress(i, steps);
@@ -128,9 +74,8 @@ public:
                 table.left_out.push_back(at);
                 continue;
             }
-            efforts_.take(*row);
             if (i % stride == 0) table.rows.emplace_back(row->begin(), row->end());
-            if (!see(*row)) return {};
+            if (!see(*row, cycle_->empty_cells())) return {};
         }
         has_rows = true;
         return {};
@@ -151,11 +96,25 @@ public:
                "],\n  \"change points\": " + app::json_list(travel.change_points);
     }
     std::string json_after() const override {
-        return centrodes_.empty() ? "" : ",\n  \"centrodes\": " + app::json_of(centrodes_, mechanism);
+        std::string poles, separations;
+        for (std::size_t i = 0; i < table.followed.columns.size(); ++i)
+            for (const double at : table.followed.columns[i].poles)
+                poles += (poles.empty() ? "\n    {\"column\": " : ",\n    {\"column\": ") +
+                         json_text(table.columns[i].name) + ", \"at\": " + app::decimal_of(at) + "}";
+        for (const Separation& each : table.followed.separations)
+            separations += (separations.empty() ? "\n    {\"joint\": " : ",\n    {\"joint\": ") +
+                           json_text(mechanism.joint(each.joint).name) + ", \"from\": " + app::decimal_of(each.from) +
+                           ", \"to\": " + app::decimal_of(each.to) + "}";
+        const auto list = [](const std::string& items) { return "[" + items + (items.empty() ? "]" : "\n  ]"); };
+        return ",\n  \"poles\": " + list(poles) + ",\n  \"separations\": " + list(separations) +
+               (centrodes_.empty() ? "" : ",\n  \"centrodes\": " + app::json_of(centrodes_, mechanism));
     }
 
     std::vector<render::Way> finish_table() override {
         const Travel& travel = table.travel;
+        std::vector<std::size_t> whole = efforts();
+        for (const auto& plot : plots) whole.insert(whole.end(), plot.begin(), plot.end());
+        table.followed = cycle_->follow(travel, whole);
         table.limits.clear();
         if (travel.starts_at_limit) table.limits.push_back(cycle_->at_limit(travel.from, travel.to - travel.from));
         if (travel.ends_at_limit) table.limits.push_back(cycle_->at_limit(travel.to, travel.from - travel.to));
@@ -167,8 +126,12 @@ public:
 
     std::vector<Words> summary() const override {
         std::vector<Words> lines = lines_on_travel();
-        for (Words& line : efforts_.told(table.columns, mechanism.units, [&](double at) { return position_text(at); }))
-            lines.push_back(std::move(line));
+        for (const std::size_t i : efforts())
+            lines.push_back(line_on_effort(table.columns[i], table.followed.columns[i]));
+        for (const Separation& each : table.followed.separations)
+            lines.emplace_back("the contact {0} can only push, and would have to pull from {1} to {2}: it separates",
+                               "il contatto {0} può solo spingere, e da {1} a {2} dovrebbe tirare: si stacca",
+                               mechanism.joint(each.joint).name, position_text(each.from), position_text(each.to));
         if (const auto& left_out = table.left_out; left_out.size() == 1)
             lines.emplace_back("1 row is left out, where the mechanism gives no unique answer: {0}",
                                "1 riga è omessa, dove il meccanismo non dà una risposta unica: {0}",
@@ -203,6 +166,36 @@ private:
                 "come: non ci sono polari",
                 options_.dashes, mechanism.body(first).name, mechanism.body(second).name);
         if (traced) centrodes_.push_back(*std::move(traced));
+    }
+
+    std::vector<std::size_t> efforts() const {
+        std::vector<std::size_t> found;
+        for (std::size_t i = 0; i < table.columns.size(); ++i)
+            if (table.columns[i].quantity.kind == Quantity::Kind::effort) found.push_back(i);
+        return found;
+    }
+    /// Its mean and extremes, or where it grows without limit.
+    Words line_on_effort(const Column& column, const FollowedColumn& followed) const {
+        const Unit& unit = column.unit == QuantityKind::moment ? mechanism.units.moment : mechanism.units.force;
+        const auto amount = [&](double value) {
+            std::array<char, 32> digits{};
+            std::snprintf(digits.data(), digits.size(), "%.6g ", value / unit.si.to_double());
+            return app::decimal(digits.data()) + unit.symbol;
+        };
+        const auto extreme = [&](const std::optional<FollowedColumn::Extreme>& found) {
+            return found ? Words("{0} at {1}", "{0} a {1}", amount(found->value), position_text(found->at))
+                         : Words("without limit", "senza limite");
+        };
+        const Words mean = followed.mean ? Words(amount(*followed.mean)) : Words("without limit", "senza limite");
+        Words line("{0}: mean {1}, least {2}, greatest {3}", "{0}: media {1}, minimo {2}, massimo {3}", column.name,
+                   mean, extreme(followed.least), extreme(followed.greatest));
+        if (followed.poles.empty()) return line;
+        Words places;
+        for (const double at : followed.poles) {
+            if (at != followed.poles.front()) places += Words(std::string(", "));
+            places += position_text(at);
+        }
+        return {"{0}; it grows without limit at {1}", "{0}; cresce senza limite a {1}", line, places};
     }
 
     std::vector<Words> lines_on_travel() const {
@@ -247,7 +240,6 @@ private:
     std::optional<Cycle> cycle_;  ///< refers to the mechanism and the pose
     std::vector<app::Trace> traces_;
     std::vector<Centrodes> centrodes_;
-    EffortSums efforts_{{}, 0};
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/library/row_text.hpp"
 #include "app/library/sweep_drawing.hpp"
 #include "app/library/sweep_state.hpp"
+#include "constructions/positions/followed_columns.hpp"
 #include "constructions/positions/named_results.hpp"
 #include "constructions/solving/solve.hpp"
 #include "engine/file/json_text.hpp"
@@ -108,8 +109,9 @@ public:
         auto columns = app::plots_of(wanted_plots_, table.columns, dashes_);
         if (!columns) return refused(Diagnostic::Kind::bad_input, columns.error());
         plots = *std::move(columns);
+        const std::vector<bool> none_empty(table.columns.size());
         for (const auto& row : table.rows)
-            if (!see(row)) break;
+            if (!see(row, none_empty)) break;
         return {};
     }
 
@@ -118,7 +120,10 @@ public:
                ",\n  \"to\": " + app::decimal_of(table.travel.to);
     }
     std::string json_after() const override { return {}; }
-    std::vector<render::Way> finish_table() override { return {}; }
+    std::vector<render::Way> finish_table() override {
+        follow_plots();
+        return {};
+    }
 
     std::vector<Words> summary() const override {
         if (left_out_.empty()) return {};
@@ -155,6 +160,46 @@ private:
             }
         }
         has_rows = true;
+    }
+
+    /// Follows what is plotted between the rows. A value costs a solution, so the rows are the only samples.
+    void follow_plots() {
+        std::vector<std::size_t> whole;
+        for (const auto& plot : plots)
+            for (const std::size_t column : plot)
+                if (std::find(whole.begin(), whole.end(), column) == whole.end()) whole.push_back(column);
+        const auto wanted = [&](const std::vector<double>& row) {
+            FollowedCurve::Values found;
+            for (const std::size_t i : whole) found.values.push_back(row[i]);
+            return found;
+        };
+        const auto evaluate = [&](double at) -> std::optional<FollowedCurve::Values> {
+            // Angles go on from those of the row beside.
+            last_ = *std::min_element(table.rows.begin(), table.rows.end(), [&](const auto& a, const auto& b) {
+                return std::abs(a[0] - at) < std::abs(b[0] - at);
+            });
+            const auto row = row_of(values_.text_of(Exact::from_double(at / table.parameter->unit.si.to_double())));
+            return row ? std::optional(wanted(*row)) : std::nullopt;
+        };
+        std::vector<FollowedCurve> curves;
+        const auto is_left_out = [&](double from, double to) {
+            return std::any_of(table.left_out.begin(), table.left_out.end(),
+                               [&](double each) { return (each > from && each < to) || (each < from && each > to); });
+        };
+        for (std::size_t first = 0, end = 0; first < table.rows.size(); first = end) {
+            const auto at = [&](std::size_t i) { return table.rows[i][0]; };
+            for (end = first + 1; end < table.rows.size() && !is_left_out(at(end - 1), at(end));) ++end;
+            if (end - first < 3) continue;
+            std::vector<FollowedCurve::Node> nodes;
+            for (std::size_t i = first; i < end; ++i)
+                nodes.push_back({(at(i) - at(first)) / (at(end - 1) - at(first)), wanted(table.rows[i])});
+            curves.emplace_back(FollowedCurve::Stretch{at(first), at(end - 1)}, evaluate);
+            curves.back().take(std::move(nodes));
+        }
+        if (curves.empty()) return;
+        const FollowedColumns followed(std::move(curves));
+        table.followed.columns.resize(table.columns.size());
+        for (std::size_t i = 0; i < whole.size(); ++i) table.followed.columns[whole[i]] = followed.column(i, true);
     }
 
     /// The unit of the first value, with its factor to SI.

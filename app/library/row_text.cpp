@@ -39,12 +39,15 @@ void RowText::head(const std::vector<Column>& columns, const std::string& before
     text_ += is_json() ? "],\n  \"rows\": [" : "\n";
 }
 
-bool RowText::row(std::span<const double> values) {
+bool RowText::row(std::span<const double> values, const std::vector<bool>& empty) {
     if (is_json()) text_ += is_first_ ? "\n    [" : ",\n    [";
     is_first_ = false;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (i > 0) text_ += is_json() ? ", " : ",";
-        text_ += decimal_of(values[i]);
+        if (empty[i])
+            text_ += is_json() ? "null" : "";
+        else
+            text_ += decimal_of(values[i]);
     }
     text_ += is_json() ? "]" : "\n";
     constexpr std::size_t at_a_time = 1 << 16;

@@ -22,7 +22,8 @@ public:
 
     /// `before`: JSON members to write before the columns, without braces and without a last comma.
     void head(const std::vector<Column>& columns, const std::string& before);
-    bool row(std::span<const double> values);
+    /// An empty cell is nothing in CSV, null in JSON.
+    bool row(std::span<const double> values, const std::vector<bool>& empty);
     /// `after`: JSON members to write after the rows.
     bool tail(const std::string& after);
 

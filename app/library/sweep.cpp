@@ -51,6 +51,19 @@ std::vector<SweepColumn> Sweep::columns() const {
                                       : std::string(default_unit(each.unit).symbol)});
     return all;
 }
+std::vector<SweepPole> Sweep::poles() const {
+    std::vector<SweepPole> all;
+    const std::vector<FollowedColumn>& columns = state_->table.followed.columns;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        for (const double at : columns[i].poles) all.push_back({state_->table.columns[i].name, at});
+    return all;
+}
+std::vector<SweepSeparation> Sweep::separations() const {
+    std::vector<SweepSeparation> all;
+    for (const Separation& each : state_->table.followed.separations)
+        all.push_back({state_->mechanism.joint(each.joint).name, each.from, each.to});
+    return all;
+}
 std::vector<double> Sweep::change_points() const { return state_->table.travel.change_points; }
 std::array<std::optional<double>, 2> Sweep::limits() const {
     const Travel& travel = state_->table.travel;
@@ -58,9 +71,15 @@ std::array<std::optional<double>, 2> Sweep::limits() const {
             travel.ends_at_limit ? std::optional(travel.to) : std::nullopt};
 }
 
-Expected<void> Sweep::for_each_row(const std::function<bool(const std::vector<double>& row)>& see,
+Expected<void> Sweep::for_each_row(const std::function<bool(const SweepRow& row)>& see,
                                    const std::function<void(long done, long all)>& progress) {
-    return state_->each_row([&](std::span<const double> row) { return see({row.begin(), row.end()}); }, progress);
+    const auto give = [&](std::span<const double> row, const std::vector<bool>& empty) {
+        SweepRow given(row.begin(), row.end());
+        for (std::size_t i = 0; i < given.size(); ++i)
+            if (empty[i]) given[i].reset();
+        return see(given);
+    };
+    return state_->each_row(give, progress);
 }
 
 Expected<void> Sweep::write(const std::vector<RowsText>& texts,
@@ -72,9 +91,9 @@ Expected<void> Sweep::write(const std::vector<RowsText>& texts,
             written.emplace_back(each).head(state_->table.columns, state_->json_before());
     };
     bool goes_on = true;
-    const auto see = [&](std::span<const double> row) {
+    const auto see = [&](std::span<const double> row, const std::vector<bool>& empty) {
         if (written.empty()) begin();
-        for (app::RowText& text : written) goes_on = text.row(row) && goes_on;
+        for (app::RowText& text : written) goes_on = text.row(row, empty) && goes_on;
         return goes_on;
     };
     if (auto computed = state_->each_row(see, progress); !computed || !goes_on) return computed;
@@ -83,9 +102,9 @@ Expected<void> Sweep::write(const std::vector<RowsText>& texts,
     return {};
 }
 
-Expected<std::vector<std::vector<double>>> Sweep::rows() {
-    std::vector<std::vector<double>> all;
-    const auto keep = [&](const std::vector<double>& row) {
+Expected<std::vector<SweepRow>> Sweep::rows() {
+    std::vector<SweepRow> all;
+    const auto keep = [&](const SweepRow& row) {
         all.push_back(row);
         return true;
     };

@@ -17,7 +17,8 @@
 namespace kinegraph {
 
 struct Sweep::State {
-    using See = std::function<bool(std::span<const double>)>;
+    /// A row, and by column whether its cell is empty: the quantity grows without limit there.
+    using See = std::function<bool(std::span<const double>, const std::vector<bool>& empty)>;
     using Progress = std::function<void(long done, long all)>;
 
     explicit State(Mechanism own) : mechanism(std::move(own)) {}

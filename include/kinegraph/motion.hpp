@@ -47,6 +47,22 @@ struct SweepColumn {
     std::string unit;  ///< SI: "rad", "m/s"; empty for a bare number and for the parameter
 };
 
+/// One number for each column, SI. None where the quantity grows without limit, as an input force does where it does no
+/// work; what is determined there stays.
+using SweepRow = std::vector<std::optional<double>>;
+
+/// Where a column grows without limit: a coordinate of the driver, or a time of its law, found to 1e-9 of the travel
+/// whatever the number of steps.
+struct SweepPole {
+    std::string column;
+    double at = 0;
+};
+/// A contact that can only push would have to pull between these positions, found as poles are: it separates.
+struct SweepSeparation {
+    std::string joint;
+    double from = 0, to = 0;
+};
+
 /// A text of a sweep that is written piece by piece.
 struct RowsText {
     /// CSV has the names of the columns in its first line. JSON also has the travel, the largest difference and the
@@ -80,23 +96,29 @@ public:
     /// Change points within the travel, in the driver's coordinate.
     std::vector<double> change_points() const;
 
-    /// Computes all rows and calls `see` for each of them in order: one number for each column, SI. There is no row for
+    /// Where forces, input forces and couples, and what grows at a limit of the travel, grow without limit; in the
+    /// order of the columns. None over a parameter.
+    std::vector<SweepPole> poles() const;
+    /// Where contacts would have to pull, in the order of the joints. None over a parameter.
+    std::vector<SweepSeparation> separations() const;
+
+    /// Computes all rows and calls `see` for each of them in order. There is no row for
     /// a position without a unique answer, nor for a limit, where the driver's velocity cannot be imposed. `see`
     /// returns false to stop. `progress` is called before each row. Fails, without any row, if no value of a parameter
     /// has an answer, or if its results have no column to plot.
-    Expected<void> for_each_row(const std::function<bool(const std::vector<double>& row)>& see,
+    Expected<void> for_each_row(const std::function<bool(const SweepRow& row)>& see,
                                 const std::function<void(long done, long all)>& progress = {});
     /// Computes all rows and writes them as texts while they are found. Rows over a driver take constant memory. Fails
     /// as for_each_row() does.
     Expected<void> write(const std::vector<RowsText>& texts,
                          const std::function<void(long done, long all)>& progress = {});
     /// All rows at once. Fails as for_each_row() does.
-    Expected<std::vector<std::vector<double>>> rows();
+    Expected<std::vector<SweepRow>> rows();
 
     /// What of the options has no effect: bodies without centrodes.
     std::vector<Text> remarks() const;
-    /// About the rows computed last: the travel, mean and extremes of the input forces and couples, rows left out, the
-    /// largest difference from the numeric check; one sentence each.
+    /// About the rows computed last: the travel, mean and extremes of the input forces and couples, separating
+    /// contacts, rows left out, the largest difference from the numeric check; one sentence each.
     std::vector<Text> summary() const;
     /// Results that are in no row, with the reason.
     std::vector<Solved::Missing> unsolved() const;

@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+<<<<<<< HEAD
 #include <sstream>
+=======
+#include <numbers>
+>>>>>>> 54d54eb (sweep says poles, separations and what has no limit: empty cells, null, "poles" and "separations" in JSON)
 #include <string>
 #include <thread>
 #include <vector>
@@ -181,14 +185,14 @@ TEST(PublicFace, MovesAMechanismThroughItsCycle) {
     const std::size_t x = column_named(*sweep, "x B");
     EXPECT_EQ(sweep->columns()[x].unit, "m");
     // The crank of 50 mm and the rod of √(120² + 40²) mm: the slider's stroke is twice the crank.
-    double least = rows->front()[x], most = least;
-    for (const auto& row : *rows) least = std::min(least, row[x]), most = std::max(most, row[x]);
+    double least = rows->front()[x].value(), most = least;
+    for (const auto& row : *rows) least = std::min(least, *row[x]), most = std::max(most, *row[x]);
     EXPECT_NEAR(most - least, 0.1, 1e-3);
     EXPECT_LT(sweep->largest_difference(), 1e-9);
     EXPECT_TRUE(sweep->is_complete());
     const auto again = sweep->rows();
     ASSERT_TRUE(again && again->size() == rows->size());
-    for (std::size_t i = 0; i < rows->size(); ++i) EXPECT_NEAR((*again)[i][x], (*rows)[i][x], 1e-12);
+    for (std::size_t i = 0; i < rows->size(); ++i) EXPECT_NEAR((*again)[i][x].value(), (*rows)[i][x].value(), 1e-12);
     options.from = "1 kg";
     EXPECT_FALSE(Sweep::of(*file, options).has_value());
 }
@@ -220,6 +224,39 @@ TEST(PublicFace, WritesTheRowsOfASweepPieceByPiece) {
     EXPECT_EQ(pieces, 2);
 }
 
+TEST(PublicFace, ASweepKnowsItsPolesAndItsCellsThereAreEmpty) {
+    const auto file = MechanismFile::parse(R"({"kinegraph": 1, "points": {"O": [0,0],
+        "H": {"from": "O", "distance": 1, "angle": 30}}, "bodies": {"2": ["O","H"]},
+        "joints": [{"revolute": "O", "bodies": [0,2]}], "frame": 0, "drivers": [{"body": 2, "omega": 1}],
+        "loads": [{"couple": "C", "body": 2, "value": 10}],
+        "effort": {"force": "F", "body": 2, "at": "H", "along": 90}})",
+                                           "pole.json");
+    ASSERT_TRUE(file.has_value());
+    // Found to the last digits that a double has there, whatever the rows.
+    for (const long steps : {7, 36, 100, 360}) {
+        SweepOptions options;
+        options.steps = steps;
+        auto sweep = Sweep::of(*file, options);
+        ASSERT_TRUE(sweep.has_value());
+        const std::size_t effort = column_named(*sweep, "effort F");
+        std::vector<double> poles;
+        for (const SweepPole& each : sweep->poles())
+            if (each.column == "effort F") poles.push_back(each.at);
+        ASSERT_EQ(poles.size(), 2u);
+        EXPECT_NEAR(poles[0], std::numbers::pi / 3, 1e-9);
+        EXPECT_NEAR(poles[1], std::numbers::pi * 4 / 3, 1e-9);
+        const auto rows = sweep->rows();
+        ASSERT_TRUE(rows && rows->size() == static_cast<std::size_t>(steps + 1));
+        int empty = 0;
+        for (const SweepRow& row : *rows) {
+            empty += row[effort] ? 0 : 1;
+            EXPECT_TRUE(row[column_named(*sweep, "Fx O 2 on 0")] && row[column_named(*sweep, "vx H")]);
+        }
+        EXPECT_EQ(empty, steps % 6 == 0 ? 2 : 0);
+        EXPECT_TRUE(sweep->is_complete());
+    }
+}
+
 TEST(PublicFace, SweepsAParameter) {
     const auto file = MechanismFile::parse(slider_crank, "slider_crank.json");
     ASSERT_TRUE(file.has_value());
@@ -234,7 +271,7 @@ TEST(PublicFace, SweepsAParameter) {
     ASSERT_TRUE(rows && rows->size() == 3);
     const std::size_t omega = column_named(*sweep, "omega 3");
     EXPECT_EQ(sweep->columns()[omega].unit, "rad/s");
-    for (const auto& row : *rows) EXPECT_EQ(row[omega], -row[0] / 4);
+    for (const auto& row : *rows) EXPECT_EQ(row[omega].value(), -row[0].value() / 4);
     EXPECT_TRUE(draw(*sweep).has_value());
     options.over = "v";
     const auto unknown = Sweep::of(*file, options);
@@ -262,7 +299,7 @@ TEST(PublicFace, DrawsASweepWithItsPathsWithoutChangingItsRows) {
     ASSERT_TRUE(undrawn && undrawn->size() == rows->size());
     const std::size_t effort = column_named(*sweep, "effort F_G");
     for (std::size_t i = 0; i < rows->size(); ++i)
-        EXPECT_NEAR((*rows)[i][effort] / (*undrawn)[i][effort], 1, 1e-9) << i;
+        EXPECT_NEAR((*rows)[i][effort].value() / (*undrawn)[i][effort].value(), 1, 1e-9) << i;
     options.traces = {"Nowhere"};
     EXPECT_FALSE(Sweep::of(*file, options).has_value());
 }

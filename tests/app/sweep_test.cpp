@@ -1,7 +1,9 @@
 // sweep and solve --at, as a user meets them.
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <sstream>
 
@@ -300,6 +302,103 @@ TEST_F(Sweep, APlotIsReadBackFromItsAxes) {
     EXPECT_NE(svg.find("data-figure=\"plot\""), std::string::npos);
     for (const char* more : {"--theme dark --lang it", "--theme print --orientation portrait --paper A3"})
         EXPECT_EQ(run(std::string("sweep parallel_crank.json --steps 50 ") + more + " -o t.svg").status, 0);
+}
+
+/// A crank with a couple, balanced by a vertical force at its end: it does no work where the crank is vertical.
+const char* const crank_with_pole = R"({"kinegraph": 1, "points": {"O": [0, 0],
+    "H": {"from": "O", "distance": 1, "angle": 30}}, "bodies": {"2": ["O", "H"]},
+    "joints": [{"revolute": "O", "bodies": [0, 2]}], "frame": 0, "drivers": [{"body": 2, "omega": 1}],
+    "loads": [{"couple": "C", "body": 2, "value": 10}],
+    "effort": {"force": "F", "body": 2, "at": "H", "along": 90}})";
+
+TEST_F(Sweep, APoleIsAnEmptyCellAndALineOfThePlotNeverAValueOrAZero) {
+    write("pole.json", crank_with_pole);
+    for (const std::string steps : {"7", "36", "100", "360"}) {
+        const Outcome swept = run("sweep pole.json --steps " + steps + " -o a.json -o a.csv -o a.svg");
+        ASSERT_EQ(swept.status, 0) << swept.err;
+        EXPECT_NE(swept.err.find("effort F: mean without limit, least without limit, greatest without limit; it grows "
+                                 "without limit at 60°, 240°"),
+                  std::string::npos)
+            << swept.err;
+        const Json json = Json::parse(contents(folder_ / "a.json"));
+        std::vector<double> poles;
+        for (const Json& each : json["poles"])
+            if (each["column"] == "effort F") poles.push_back(each["at"]);
+        ASSERT_EQ(poles.size(), 2U);
+        EXPECT_NEAR(poles[0], std::numbers::pi / 3, 1e-9);
+        EXPECT_NEAR(poles[1], std::numbers::pi * 4 / 3, 1e-9);
+        const auto effort = json["columns"].size() - 1;
+        const auto lines = lines_of(contents(folder_ / "a.csv"));
+        int empty = 0;
+        for (std::size_t i = 0; i < json["rows"].size(); ++i) {
+            const Json& cell = json["rows"][i][effort];
+            EXPECT_EQ(cell.is_null(), lines[i + 1].ends_with(","));
+            if (cell.is_null())
+                ++empty;
+            else
+                EXPECT_LT(std::abs(cell.get<double>()), 1e4);
+        }
+        EXPECT_EQ(empty, std::stoi(steps) % 6 == 0 ? 2 : 0);
+        const std::string svg = contents(folder_ / "a.svg");
+        EXPECT_NEAR(number_after(svg, "data-value", svg.find("class=\"asymptote\"")), 60, 1e-7);
+        EXPECT_NE(svg.find("without limit"), std::string::npos);
+    }
+    const Outcome italian = run("sweep pole.json --lang it");
+    EXPECT_NE(italian.err.find("cresce senza limite a 60°, 240°"), std::string::npos) << italian.err;
+}
+
+TEST_F(Sweep, AContactThatWouldHaveToPullIsReportedWithItsLimits) {
+    write("cam.json", R"({"kinegraph": 1, "units": {"length": "mm", "angular velocity": "rpm"}, "frame": 0,
+        "points": {"O": [0, 0], "C": [15, 0], "P": [15, 40], "F": [0, 40], "H": [0, 75], "K": [0, 160]},
+        "bodies": {"2": {"points": ["O", "C"], "circle": {"centre": "C", "radius": 40}}, "3": ["F", "H"], "0": ["K"]},
+        "joints": [{"revolute": "O", "bodies": [0, 2]},
+        {"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": 0}}, "pushes": [0, 1]},
+        {"prismatic": "H", "bodies": [3, 0], "along": 90}], "drivers": [{"body": 2, "omega": 500}],
+        "masses": {"3": {"mass": 0.9, "centre": "H"}}, "inertia forces": true,
+        "loads": [{"spring": "S", "bodies": [3, 0], "between": ["H", "K"], "stiffness": 1000, "free length": 102.5}],
+        "effort": {"couple": "M", "body": 2}})");
+    const Outcome swept = run("sweep cam.json --steps 50 -o a.json -o a.svg");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    // The spring presses with k (17.5 mm + y), the follower needs m ω² y, where y = e sin φ.
+    const double omega = 500 * std::numbers::pi / 30, at = std::asin(17.5 / 15 / (0.9 * omega * omega / 1000 - 1));
+    const Json found = Json::parse(contents(folder_ / "a.json"))["separations"];
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0]["joint"], "P");
+    EXPECT_NEAR(found[0]["from"], at, 1e-9);
+    EXPECT_NEAR(found[0]["to"], std::numbers::pi - at, 1e-9);
+    EXPECT_NE(swept.err.find("the contact P can only push, and would have to pull from 52.6"), std::string::npos)
+        << swept.err;
+    const std::string svg = contents(folder_ / "a.svg");
+    EXPECT_NEAR(number_after(svg, "data-from", svg.find("class=\"separation\"")), at * 180 / std::numbers::pi, 1e-6);
+    EXPECT_NE(svg.find("lift-off of the contact P: 52.6"), std::string::npos);
+}
+
+TEST_F(Sweep, AZeroOverAParameterIsTheSameForAnySteps) {
+    // Two hanging rods of 1 m and 1 kg, a spring of 50 N/m and 1 m between their ends, 3 m between their pins: they
+    // rest where 50 (2 − 2 cos t) sin t = 5 cos t.
+    write("rest.json", R"({"kinegraph": 1, "frame": 0, "parameters": {"t": "20°"}, "points": {"A": [0, 0],
+        "B": {"from": "A", "distance": 1, "angle": "= -t"}, "D": [3, 0],
+        "C": {"from": "D", "distance": 1, "angle": "= 180 deg + t"},
+        "G1": {"from": "A", "to": "B", "ratio": 0.5}, "G2": {"from": "D", "to": "C", "ratio": 0.5}},
+        "bodies": {"1": ["A", "B", "G1"], "2": ["D", "C", "G2"]},
+        "joints": [{"revolute": "A", "bodies": [0, 1]}, {"revolute": "D", "bodies": [0, 2]}],
+        "masses": {"1": {"mass": 1, "centre": "G1"}, "2": {"mass": 1, "centre": "G2"}}, "gravity": [0, -10],
+        "loads": [{"spring": "S", "bodies": [1, 2], "between": ["B", "C"], "stiffness": 50, "free length": 1}],
+        "effort": [{"couple": "M1", "body": 1}, {"couple": "M2", "body": 2}], "find": ["forces"]})");
+    double low = 0.1, high = 1;
+    for (int i = 0; i < 100; ++i) {
+        const double t = (low + high) / 2;
+        (50 * (2 - 2 * std::cos(t)) * std::sin(t) < 5 * std::cos(t) ? low : high) = t;
+    }
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "%.2f°", low * 180 / std::numbers::pi);
+    for (const std::string steps : {"5", "18", "60"}) {
+        const Outcome swept =
+            run("sweep rest.json --over t --from 0° --to 90° --steps " + steps + " --plot 'effort M1' -o a.svg");
+        ASSERT_EQ(swept.status, 0) << swept.err;
+        EXPECT_NE(contents(folder_ / "a.svg").find(std::string("aria-label=\"") + text.data()), std::string::npos)
+            << steps << " " << text.data();
+    }
 }
 
 TEST_F(SolveAt, SolvesInTheOtherPosition) {
