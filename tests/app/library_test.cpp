@@ -6,11 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-<<<<<<< HEAD
-#include <sstream>
-=======
 #include <numbers>
->>>>>>> 54d54eb (sweep says poles, separations and what has no limit: empty cells, null, "poles" and "separations" in JSON)
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
