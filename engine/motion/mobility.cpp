@@ -527,6 +527,19 @@ Verdict judge_in_reals(const Mechanism& mechanism, const Pose& pose, const Rows&
     return *std::move(verdict);
 }
 
+/// How large the relative motion of two bodies is in the given drawing, and how far the shifted ones change it.
+std::pair<double, double> relative_size(Reals& field, const std::vector<std::vector<mpf_class>>& motions, BodyIndex i,
+                                        BodyIndex j) {
+    const auto here = relative(field, motions.front(), i, j);
+    double spread = 0;
+    for (const auto& motion : motions) {
+        const auto there = relative(field, motion, i, j);
+        for (std::size_t k = 0; k < here.size(); ++k)
+            spread = std::max(spread, field.magnitude(field.difference(here[k], there[k])));
+    }
+    return {size_of(field, here), spread};
+}
+
 /// On rounded data, in parallel with the shifted drawings: a reduced row is zero if the precision explains it. A row
 /// above bits_in_question is never zero.
 Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose, const Rows& asked) {
@@ -578,16 +591,8 @@ Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose, con
     std::vector<std::vector<mpf_class>> motions;
     for (Elimination& each : all) motions.push_back(each.echelon.free_motion());
     verdict.rest = groups_of(bodies, [&](BodyIndex i, BodyIndex j) {
-        const auto here = relative(field, motions.front(), i, j);
-        const double size = size_of(field, here);
-        if (size == 0 || size > in_question) return size == 0;
-        double spread = 0;
-        for (const auto& motion : motions) {
-            const auto there = relative(field, motion, i, j);
-            for (std::size_t k = 0; k < here.size(); ++k)
-                spread = std::max(spread, field.magnitude(field.difference(here[k], there[k])));
-        }
-        return vanishes(size, spread);
+        const auto [size, spread] = relative_size(field, motions, i, j);
+        return size == 0 || (size <= in_question && vanishes(size, spread));
     });
     return verdict;
 }

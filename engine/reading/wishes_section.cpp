@@ -7,6 +7,21 @@
 #include <utility>
 
 namespace kinegraph {
+namespace {
+
+/// The same relative motion asked twice is one.
+void add_once(std::vector<RelativeMotionQuery>& all, RelativeMotionQuery query) {
+    const auto same = std::find_if(all.begin(), all.end(), [&](const RelativeMotionQuery& each) {
+        return each.point == query.point && each.observer == query.observer &&
+               each.translating_with == query.translating_with;
+    });
+    if (same == all.end())
+        all.push_back(std::move(query));
+    else
+        same->solves = same->solves || query.solves;
+}
+
+}  // namespace
 
 void WishesSection::read_wish(JsonValue value) {
     constexpr std::array<std::string_view, 7> wishes{"instant centres", "velocity",  "acceleration", "forces",
@@ -58,16 +73,7 @@ void WishesSection::read_wish(JsonValue value) {
         query.observer = file_.body(observer);
     }
     read_solve(form["solve"], query);
-    // The same one asked twice is one.
-    const auto same =
-        std::find_if(find.relative_motion.begin(), find.relative_motion.end(), [&](const RelativeMotionQuery& each) {
-            return each.point == query.point && each.observer == query.observer &&
-                   each.translating_with == query.translating_with;
-        });
-    if (same == find.relative_motion.end())
-        find.relative_motion.push_back(std::move(query));
-    else
-        same->solves = same->solves || query.solves;
+    add_once(find.relative_motion, std::move(query));
 }
 
 void WishesSection::read_cuts() {

@@ -54,13 +54,14 @@ using SweepRow = std::vector<std::optional<double>>;
 /// Where a column grows without limit: a coordinate of the driver, or a time of its law, found to 1e-9 of the travel
 /// whatever the number of steps.
 struct SweepPole {
-    std::string column;
-    double at = 0;
+    std::string column;  ///< its name
+    double at = 0;       ///< rad, m or s
 };
 /// A contact that can only push would have to pull between these positions, found as poles are: it separates.
 struct SweepSeparation {
-    std::string joint;
-    double from = 0, to = 0;
+    std::string joint;  ///< its point
+    double from = 0;    ///< rad, m or s
+    double to = 0;      ///< rad, m or s
 };
 
 /// A text of a sweep that is written piece by piece.

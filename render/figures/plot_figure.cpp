@@ -207,8 +207,8 @@ private:
             const double to = std::clamp(in_x(std::max(each.from, each.to)), x_.least, x_.most);
             figure_.marks.emplace_back(
                 GroupBegin{"separation", "", "", {{"data-from", shortest(from)}, {"data-to", shortest(to)}}, none});
-            figure_.marks.emplace_back(tinted(filled(
-                {at(from, y_.least), at(to, y_.least), at(to, y_.most), at(from, y_.most)}, theme_.body(BodyIndex(1)).tint)));
+            const std::vector<Spot> corners{at(from, y_.least), at(to, y_.least), at(to, y_.most), at(from, y_.most)};
+            figure_.marks.emplace_back(tinted(filled(corners, theme_.body(BodyIndex(1)).tint)));
             figure_.marks.emplace_back(GroupEnd{});
         }
     }

@@ -152,7 +152,7 @@ TEST_F(CommandLine, AFileOfAnotherKindHasOneFaultThatSaysWhoseItIs) {
          "ball.json: /hertz: no cam stands in this file: \"hertz\" is of a mechanism or a problem; use \"kinegraph "
          "solve\"\n"},
         {"solve cam.json", "cam.json: /cam: no mechanism stands in this file but a cam; use \"kinegraph cam\"\n"},
-        {"check cam.json --lang it",
+        {"equations cam.json --lang it",
          "cam.json: /cam: in questo file non c’è un meccanismo ma una camma; usare \"kinegraph cam\"\n"},
     };
     for (const auto& row : rows) {

@@ -269,7 +269,7 @@ TEST(Pose, FaultsAreToldAtOnceInTheOrderOfTheFile) {
 Sketch disc_on_ground(const char* x_of_contact, const char* radius) {
     Sketch s;
     s.point("C", "0", "0.5").point("P", x_of_contact, "0");
-    s.touching(JointKind::rolling, "P", {"2", "1"}, {CircleProfile{s["C"]}, LineProfile{at_angle("0")}});
+    s.touching(JointKind::rolling, "P", {"2", "1"}, {CircleProfile{s["C"], true}, LineProfile{at_angle("0")}});
     s.mechanism.bodies[1].circle = Circle{s["C"], decimal(radius)};
     return s;
 }
