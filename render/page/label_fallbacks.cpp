@@ -11,14 +11,14 @@ namespace kinegraph::render::lettering {
 
 namespace {
 
-constexpr double longest_leader = 40;  // mm; with a longer leader the named object is hard to find
-constexpr double farthest = 80;        // mm beyond the figure's box, if no room is given
-constexpr double unruly_price = 12;    // per leader that this leader crosses
-constexpr int most_looks = 30000;      // per figure; beyond it the first free place is taken
+constexpr double longest_leader = 40;   // mm; with a longer leader the named object is hard to find
+constexpr double farthest_beyond = 80;  // mm beyond the figure's box, if no room is given
+constexpr double unruly_price = 12;     // per leader that this leader crosses
+constexpr int most_looks = 30000;       // per figure; beyond it the first free place is taken
 
 /// How far beyond the figure's box a label without a place may go.
 Spot reach_of(const LabelSetting& setting) {
-    return {std::min(setting.spare.x, farthest), std::min(setting.spare.y, farthest)};
+    return {std::min(setting.spare.x, farthest_beyond), std::min(setting.spare.y, farthest_beyond)};
 }
 
 /// The area that labels can occupy.

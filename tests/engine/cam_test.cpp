@@ -29,8 +29,8 @@ std::string dwells(const std::string& rise) {
         {"form": "modified trapezoidal", "rise": -)" +
            rise + R"(, "turn": 120}, {"form": "rest", "turn": 80}])";
 }
-Cam cam_of(const std::string& text) {
-    auto cam = read_cam(text, "cam.json");
+Cam cam_of(const std::string& text, const std::string& name = "cam.json") {
+    auto cam = read_cam(text, name);
     if (!cam) throw std::runtime_error(cam.error().front().where + ": " + cam.error().front().message.en);
     return *std::move(cam);
 }
@@ -299,7 +299,7 @@ TEST(Cam, FaultsOfFilesAreTold) {
 
 TEST(Cam, TheExampleIsTheMechanismOfItsCam) {
     const std::string folder = tests::example_file("cams/disc_cam");
-    const Cam cam = cam_of(tests::contents(folder));
+    const Cam cam = cam_of(tests::contents(folder), "disc_cam.json");
     EXPECT_EQ(mechanism_file_of(cam, *CamGeometry::of(cam), pi_ / 3),
               tests::contents(tests::example_file("cam_from_law")));
 }

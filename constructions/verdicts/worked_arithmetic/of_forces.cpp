@@ -130,15 +130,15 @@ bool OfForces::is_by_virtual_work(StatementIndex statement) {
 void OfForces::product(StatementIndex statement, const Symbol& of, Factors factors, const Exact& made, double value,
                        const Unit& unit) {
     const double ratio = (unit.si / made).to_double();
-    constexpr double rounding = 1e-12;
+    constexpr double same_ratio = 1e-12;
     constexpr double plain = 1e4;
     std::optional<double> divisor;
     if (ratio > plain || ratio < 1 / plain) {
         factors.front().value /= ratio;
         return telling_.tell(statement, of, std::move(factors), divisor, in(value, unit), unit);
     }
-    if (ratio > 1 + rounding) divisor = ratio;
-    if (ratio < 1 - rounding) factors.push_back({1 / ratio});
+    if (ratio > 1 + same_ratio) divisor = ratio;
+    if (ratio < 1 - same_ratio) factors.push_back({1 / ratio});
     telling_.tell(statement, of, std::move(factors), divisor, in(value, unit), unit);
 }
 
