@@ -290,9 +290,11 @@ private:
 // --- arrows
 
 /// About the point of application of the couple, where it crosses least. `held`: bindings of point and couple; `unit`:
-/// of the moment in the text, in SI; 0: no value.
+/// of the moment in the text, in SI; 0: no value. `sideways`: price of a place beside the point rather than above or
+/// below it.
 void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at, bool positive,
-                 const BodyColour& colour, StatementIndex statement, std::vector<std::string> held, double unit) {
+                 const BodyColour& colour, StatementIndex statement, std::vector<std::string> held, double unit,
+                 double sideways = 0) {
     constexpr double sweep = 2.4;
     // y is downwards on paper: counter-clockwise is the negative sense.
     const double by = positive ? -sweep : sweep;
@@ -300,7 +302,8 @@ void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at
     for (const double radius : {7.0, 8.5, 10.5})
         for (int step = 0; step < 12; ++step) {
             const double from = step * pi_number / 6;
-            best.offer(0.15 * (radius - 7) / 3.5 + 4 * clutter.along_arc(at, radius, from, by),
+            best.offer(0.15 * (radius - 7) / 3.5 + 4 * clutter.along_arc(at, radius, from, by) +
+                           sideways * std::abs(std::cos(from + by / 2)),
                        {at, radius, from, from + by});
         }
     const Arc& arc = best.choice;
@@ -417,12 +420,17 @@ public:
                 distributed != nullptr && distributed->body == body_.body)
                 draw_distributed(sketch_, *distributed, sketch_.over_bodies);
         clutter_.add(sketch_.bodies);
+        // Where only couples act, the figure is narrow: their texts stand above and below it.
+        const double sideways = std::all_of(body_.forces.begin(), body_.forces.end(),
+                                            [](const AppliedForce& each) { return each.force.is_zero(); })
+                                    ? 1
+                                    : 0;
         for (const AppliedForce& applied : body_.forces) {
             const std::string held = force_binding(load_, body_, applied);
             if (!applied.couple.is_zero())
                 draw_couple(sketch_, clutter_, couple_words(sketch_.context, applied), sketch_.spot(applied.at),
                             applied.couple.sign() > 0, colour_, applied.force_statement,
-                            {couple_of(held), couple_of(held)}, unit_of_moment());
+                            {couple_of(held), couple_of(held)}, unit_of_moment(), sideways);
             if (!applied.force.is_zero()) draw_force(applied, held);
         }
         // A narrow room has only the line; the force is in the polygon.
