@@ -290,11 +290,9 @@ private:
 // --- arrows
 
 /// About the point of application of the couple, where it crosses least. `held`: bindings of point and couple; `unit`:
-/// of the moment in the text, in SI; 0: no value. `sideways`: price of a place beside the point rather than above or
-/// below it.
+/// of the moment in the text, in SI; 0: no value.
 void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at, bool positive,
-                 const BodyColour& colour, StatementIndex statement, std::vector<std::string> held, double unit,
-                 double sideways = 0) {
+                 const BodyColour& colour, StatementIndex statement, std::vector<std::string> held, double unit) {
     constexpr double sweep = 2.4;
     // y is downwards on paper: counter-clockwise is the negative sense.
     const double by = positive ? -sweep : sweep;
@@ -302,8 +300,7 @@ void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at
     for (const double radius : {7.0, 8.5, 10.5})
         for (int step = 0; step < 12; ++step) {
             const double from = step * pi_number / 6;
-            best.offer(0.15 * (radius - 7) / 3.5 + 4 * clutter.along_arc(at, radius, from, by) +
-                           sideways * std::abs(std::cos(from + by / 2)),
+            best.offer(0.15 * (radius - 7) / 3.5 + 4 * clutter.along_arc(at, radius, from, by),
                        {at, radius, from, from + by});
         }
     const Arc& arc = best.choice;
@@ -420,17 +417,17 @@ public:
                 distributed != nullptr && distributed->body == body_.body)
                 draw_distributed(sketch_, *distributed, sketch_.over_bodies);
         clutter_.add(sketch_.bodies);
-        // Where only couples act, the figure is narrow: their texts stand above and below it.
-        const double sideways = std::all_of(body_.forces.begin(), body_.forces.end(),
-                                            [](const AppliedForce& each) { return each.force.is_zero(); })
-                                    ? 1
-                                    : 0;
+        // Where no force is seen, the figure is narrow: the couples have their names only, the table their values.
+        const bool says_couples = std::any_of(body_.forces.begin(), body_.forces.end(),
+                                              [this](const AppliedForce& each) { return is_seen(each.force); });
         for (const AppliedForce& applied : body_.forces) {
             const std::string held = force_binding(load_, body_, applied);
             if (!applied.couple.is_zero())
-                draw_couple(sketch_, clutter_, couple_words(sketch_.context, applied), sketch_.spot(applied.at),
-                            applied.couple.sign() > 0, colour_, applied.force_statement,
-                            {couple_of(held), couple_of(held)}, unit_of_moment(), sideways);
+                draw_couple(sketch_, clutter_,
+                            says_couples ? couple_words(sketch_.context, applied)
+                                         : typeset(couple_symbol(applied), sketch_.context.language),
+                            sketch_.spot(applied.at), applied.couple.sign() > 0, colour_, applied.force_statement,
+                            {couple_of(held), couple_of(held)}, says_couples ? unit_of_moment() : 0);
             if (!applied.force.is_zero()) draw_force(applied, held);
         }
         // A narrow room has only the line; the force is in the polygon.
@@ -446,6 +443,10 @@ public:
     }
 
 private:
+    /// Whether the arrow is longer than a line is thick.
+    bool is_seen(const Vector& force) const {
+        return length(force) / unit_.si.to_double() > 0.5 * scale_.per_millimetre;
+    }
     /// Moves a resultant along its line to a place where the line passes the body, if its components meet elsewhere.
     AppliedForce beside_body(AppliedForce sum) const {
         const std::vector<PointIndex> points = points_of(sketch_.mechanism, body_);
