@@ -351,7 +351,8 @@ std::optional<FollowedCurve::Extreme> FollowedCurve::stationary(const Function& 
     double centre = nodes_[node].t;
     std::optional<Extreme> found;
     for (int round = 0; round < most; ++round) {
-        const double start = std::clamp(centre - steps / 2 * step, first, last - steps * step);
+        constexpr int half = steps / 2;
+        const double start = std::clamp(centre - half * step, first, last - steps * step);
         std::vector<double> values;
         for (int k = 0; k <= steps; ++k) {
             const auto here = f(start + k * step);

@@ -197,8 +197,8 @@ std::optional<JointEquations::Values> JointEquations::solve(const System& system
         pivots.emplace_back(chosen, unknown);
     }
     Values values;
-    for (auto each = pivots.rbegin(); each != pivots.rend(); ++each) {
-        const auto [chosen, unknown] = *each;
+    std::reverse(pivots.begin(), pivots.end());
+    for (const auto& [chosen, unknown] : pivots) {
         Cell sum = rows[chosen].known;
         for (const auto& [u, coefficient] : rows[chosen].terms) {
             if (u == unknown || !values.of.at(u)) continue;
