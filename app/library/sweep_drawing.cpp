@@ -60,11 +60,12 @@ tl::expected<std::vector<std::vector<std::size_t>>, Words> plots_of(const std::v
         for (const std::string& name : parted(text)) {
             const auto found = std::find(names.begin(), names.end(), name);
             if (found == names.end()) {
+                std::string known;
+                for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
                 Speller speller;
-                return tl::unexpected(
-                    Words("{2}plot: there is no quantity {0}{1}; the columns of the CSV are those there are",
-                          "{2}plot: non c’è la grandezza {0}{1}; quelle che ci sono sono le colonne del CSV",
-                          quoted(name), did_you_mean(speller.nearest(name, names)), dashes));
+                return tl::unexpected(Words("{2}plot: there is no quantity {0}{1}; there are {3}",
+                                            "{2}plot: non c’è la grandezza {0}{1}; ci sono {3}", quoted(name),
+                                            did_you_mean(speller.nearest(name, names)), dashes, known));
             }
             plot.push_back(static_cast<std::size_t>(found - names.begin()));
             if (columns[plot.back()].unit != columns[plot.front()].unit)

@@ -221,7 +221,7 @@ bool FollowedCurve::is_plain_zero(std::size_t i, std::size_t a, std::size_t b) c
 
 /// Whether the function grows at least as 1/x towards a pole, from both sides, so that it is no noise.
 bool FollowedCurve::grows_towards(std::size_t i, double pole, double reach) const {
-    constexpr double closer = 8, least = 4;
+    constexpr double closer = 8, least = 4;  // 1/x grows by 8; half of it may be another term's
     for (const int side : {-1, 1}) {
         double last = 0;
         for (const double away : {reach, reach / closer, reach / closer / closer}) {
@@ -321,7 +321,8 @@ void FollowedCurve::add_at_ends(std::size_t i, std::vector<Crossing>& found) con
         const double here = y(end, i), inside = y(next, i);
         const int sign = sign_of_value(inside);
         if (is_limit) {
-            // Four times as far from a limit, a function that grows there as 1/√ has half the value.
+            // Twice as far from a limit in t a function that grows there as 1/√ of the way, as 1/t, has half the value;
+            // one that grows as 1/t² has a quarter. The bounds lie between: 1.8 allows for what is added to it.
             const double away = std::abs(nodes_[end].t - t);
             const auto farther = value(i, std::abs(t - 2 * away)), farthest = value(i, std::abs(t - 4 * away));
             const auto grows = [](double near, double far) {
@@ -333,7 +334,10 @@ void FollowedCurve::add_at_ends(std::size_t i, std::vector<Crossing>& found) con
             return;
         }
         if (here == 0 && inside != 0) found.push_back({t, false, false, sign, sign});
-        if (std::abs(here) > 1e6 * std::abs(inside) && inside != 0) found.push_back({t, true, false, sign, sign});
+        // The end itself can lie on a pole. There is no sample beyond it, so its size alone tells.
+        constexpr double beyond_any_value = 1e6;
+        if (std::abs(here) > beyond_any_value * std::abs(inside) && inside != 0)
+            found.push_back({t, true, false, sign, sign});
     };
     add(0, 1, 0, stretch_.starts_at_limit);
     add(nodes_.size() - 1, nodes_.size() - 2, 1, stretch_.ends_at_limit);

@@ -227,6 +227,8 @@ private:
     std::optional<std::string> largest_of_points(Kind kind) const {
         Extreme largest;
         PointIndex point;
+        bool is_same_everywhere = false;  // then no position is its own
+        constexpr double rounding = 1e-9;
         for (std::size_t i = 0; i + 1 < table_.columns.size(); ++i) {
             const Column &x = table_.columns[i], &y = table_.columns[i + 1];
             if (x.kind != Column::Kind::result || x.quantity.kind != kind ||
@@ -235,16 +237,17 @@ private:
                 continue;
             std::vector<double> sizes;
             for (const auto& row : table_.rows) sizes.push_back(length(Spot{row[i], row[i + 1]}));
-            const Extreme of_point = extremes_of(table_, sizes).second;
+            const auto [least, of_point] = extremes_of(table_, sizes);
             if (grows_to_a_limit(of_point, sizes)) return std::nullopt;
-            if (of_point.value <= largest.value * (1 + 1e-9)) continue;
+            if (of_point.value <= largest.value * (1 + rounding)) continue;
             largest = of_point;
+            is_same_everywhere = of_point.value - least.value <= rounding * of_point.value;
             point = x.quantity.point;
         }
         if (point == none) return std::nullopt;
         return amount(largest.value, kind == Kind::velocity ? QuantityKind::velocity : QuantityKind::acceleration) +
-               " (" + context_.solution.mechanism.point(point).name + ") " +
-               word("at the position", context_.language) + " " + place(largest.at);
+               " (" + context_.solution.mechanism.point(point).name + ")" +
+               (is_same_everywhere ? "" : " " + word("at the position", context_.language) + " " + place(largest.at));
     }
 
     const DrawingContext& context_;

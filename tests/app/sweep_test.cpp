@@ -139,7 +139,8 @@ TEST_F(Sweep, SaysInOneLineWhatIsWrongAndWritesNothing) {
     refused("four_bar.json --from 20mm", R"(four_bar\.json: --from "20mm" is a length; an angle is wanted here)");
     refused("four_bar.json --from 1 --to 1", R"(four_bar\.json: --from and --to are the same position.*)");
     refused("four_bar.json --centroids 1,3", R"(kinegraph: .*--centroids.*)");
-    refused("four_bar.json --plot x", R"(four_bar\.json: --plot: there is no quantity "x".*)");
+    refused("four_bar.json --plot x",
+            R"(four_bar\.json: --plot: there is no quantity "x".*; there are turn, time, angle 2, .*)");
     refused("four_bar.json --plot 'omega 33'", R"(four_bar\.json: --plot: .* \(did you mean "omega 3"\?\).*)");
     refused("four_bar.json --step 2",
             R"(four_bar\.json: --step is of a driver that goes along.* the number of steps is --steps\))");
@@ -371,6 +372,18 @@ TEST_F(Sweep, AContactThatWouldHaveToPullIsReportedWithItsLimits) {
     const std::string svg = contents(folder_ / "a.svg");
     EXPECT_NEAR(number_after(svg, "data-from", svg.find("class=\"separation\"")), at * 180 / std::numbers::pi, 1e-6);
     EXPECT_NE(svg.find("lift-off of the contact P: 52.6"), std::string::npos);
+}
+
+/// What is the same in every position has no position of its own.
+TEST_F(Sweep, AConstantSpeedIsSaidWithoutAPosition) {
+    write("crank.json", R"({"kinegraph": 1, "frame": 0, "points": {"O": [0, 0], "H": [0.8, 0.6]},
+        "bodies": {"2": ["O", "H"]}, "joints": [{"revolute": "O", "bodies": [0, 2]}],
+        "drivers": [{"body": 2, "omega": 3}]})");
+    ASSERT_EQ(run("sweep crank.json -o crank.svg").status, 0);
+    const std::string sheet = contents(folder_ / "crank.svg");
+    EXPECT_NE(sheet.find("largest speed: 3.000 m/s (H)\""), std::string::npos);
+    ASSERT_EQ(run("sweep four_bar.json -o varies.svg").status, 0);
+    EXPECT_NE(contents(folder_ / "varies.svg").find("largest speed: 0.6206 m/s (B) at 265.4°"), std::string::npos);
 }
 
 TEST_F(Sweep, AZeroOverAParameterIsTheSameForAnySteps) {

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "constructions/statics/forces/solvable_blocks.hpp"
-
 namespace kinegraph::statics {
 
 bool JointEquations::advance(const std::vector<Load>& loads, Run& run) {
     const Board::Mark before = board_.mark();
     const System all = system(loads, run);
-    for (const Block& block : blocks(all)) {
+    for (const SolvableBlock& block : blocks(all)) {
         const auto values = solve(all, block);
         if (!values) continue;
         say(all, block, *values);
@@ -120,7 +118,7 @@ void JointEquations::add_equations(MemberIndex member, const std::vector<Load>& 
     for (Equation& row : rows) system.equations.push_back(std::move(row));
 }
 
-std::vector<JointEquations::Block> JointEquations::blocks(const System& system) {
+std::vector<SolvableBlock> JointEquations::blocks(const System& system) {
     std::vector<std::vector<std::size_t>> unknowns_in;
     std::vector<std::size_t> member_of_equation;
     for (const Equation& equation : system.equations) {
@@ -128,10 +126,7 @@ std::vector<JointEquations::Block> JointEquations::blocks(const System& system) 
         for (const auto& [unknown, coefficient] : equation.terms) unknowns_in.back().push_back(unknown);
         member_of_equation.push_back(at(equation.member));
     }
-    std::vector<Block> found;
-    for (SolvableBlock& block : solvable_blocks(unknowns_in, member_of_equation, system.unknowns.size()))
-        found.push_back({std::move(block.unknowns), std::move(block.equations)});
-    return found;
+    return solvable_blocks(unknowns_in, member_of_equation, system.unknowns.size());
 }
 
 // --- elimination
@@ -166,7 +161,7 @@ void JointEquations::subtract(Equation& row, const Equation& other, ScalarHandle
 }
 
 /// Each time the unknown that occurs in fewest equations is eliminated: little fills in.
-std::optional<JointEquations::Values> JointEquations::solve(const System& system, const Block& block) {
+std::optional<JointEquations::Values> JointEquations::solve(const System& system, const SolvableBlock& block) {
     std::vector<Equation> rows;
     for (const std::size_t e : block.equations) rows.push_back(system.equations[e]);
     std::map<std::size_t, std::set<std::size_t>> rows_with;  // by unknown that is not yet eliminated
@@ -215,7 +210,7 @@ std::optional<JointEquations::Values> JointEquations::solve(const System& system
 
 // --- results
 
-void JointEquations::say(const System& system, const Block& block, const Values& values) {
+void JointEquations::say(const System& system, const SolvableBlock& block, const Values& values) {
     Group group;
     for (const std::size_t e : block.equations)
         if (!in(group, system.equations[e].member)) group.push_back(system.equations[e].member);
@@ -236,7 +231,7 @@ void JointEquations::say(const System& system, const Block& block, const Values&
                  {Count{static_cast<int>(block.equations.size())}, std::move(found)});
 }
 
-void JointEquations::settle(const System& system, const Block& block, const Values& values, Run& run) {
+void JointEquations::settle(const System& system, const SolvableBlock& block, const Values& values, Run& run) {
     struct Part {
         std::optional<Force> force;
         Cell couple;

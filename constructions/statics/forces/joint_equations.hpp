@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "constructions/statics/forces/settling.hpp"
+#include "constructions/statics/forces/solvable_blocks.hpp"
 
 namespace kinegraph::statics {
 
@@ -49,10 +50,6 @@ private:
         std::vector<Unknown> unknowns;
         std::vector<Equation> equations;
     };
-    /// Unknowns and equations of a set of bodies.
-    struct Block {
-        std::vector<std::size_t> unknowns, equations;
-    };
     struct Values {
         std::map<std::size_t, Cell> of;  ///< by unknown
         std::vector<std::size_t> order;  ///< in which they were found
@@ -66,14 +63,14 @@ private:
     void add_equations(MemberIndex member, const std::vector<Load>& loads, const Run& run, System& system);
     /// The place through which most unknown forces on a member pass: their moments about it vanish.
     PlaceOnDrawing moments_about(MemberIndex member, const System& system) const;
-    static std::vector<Block> blocks(const System& system);
+    static std::vector<SolvableBlock> blocks(const System& system);
     /// None if the equations are dependent.
-    std::optional<Values> solve(const System& system, const Block& block);
+    std::optional<Values> solve(const System& system, const SolvableBlock& block);
     /// The row of the largest coefficient of an unknown.
     std::size_t pivot(const std::vector<Equation>& rows, const std::set<std::size_t>& left, std::size_t unknown);
     void subtract(Equation& row, const Equation& other, ScalarHandle factor, std::size_t unknown);
-    void say(const System& system, const Block& block, const Values& values);
-    void settle(const System& system, const Block& block, const Values& values, Run& run);
+    void say(const System& system, const SolvableBlock& block, const Values& values);
+    void settle(const System& system, const SolvableBlock& block, const Values& values, Run& run);
 
     ForceModel& model_;
     Board& board_;
